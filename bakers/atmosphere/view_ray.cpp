@@ -1,0 +1,165 @@
+#include "bakers/atmosphere/view_ray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/core/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// Gauss' three nodes on [0, 1], their weights, and the weights of the integral from 0 to each node.
+constexpr std::size_t kGauss = 3;
+constexpr double kRoot15 = 3.87298334620741688518;
+constexpr std::array<double, kGauss> kNodes = {0.5 - kRoot15 / 10, 0.5, 0.5 + kRoot15 / 10};
+constexpr std::array<double, kGauss> kWeights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+constexpr std::array<std::array<double, kGauss>, kGauss> kUpTo = {{
+    {5.0 / 36, 2.0 / 9 - kRoot15 / 15, 5.0 / 36 - kRoot15 / 30},
+    {5.0 / 36 + kRoot15 / 24, 2.0 / 9, 5.0 / 36 - kRoot15 / 24},
+    {5.0 / 36 + kRoot15 / 30, 2.0 / 9 + kRoot15 / 15, 5.0 / 36},
+}};
+
+// However little light it scatters, no cell of a ray that is refined spans more than this variation.
+constexpr double kLargestVariation = 2.5;
+constexpr int kMostPasses = 16;
+
+double altitude_on(const Shell& shell, const ViewRay& ray, double distance_km) {
+    return std::clamp(altitude_along_km(shell, ray.altitude_km, ray.s_km, distance_km), 0.0,
+                      shell.thickness_km);  // rounding at the ends of the ray
+}
+
+// Integrates the cells between neighbouring breaks, which begin with the ray.
+std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
+                                     const std::vector<RayBreak>& breaks) {
+    const Shell shell = shell_of(medium);
+    const std::size_t count = breaks.size() - 1;
+    const auto channels = static_cast<std::size_t>(medium.channels);
+    std::vector<RayCell> cells(count);
+    std::vector<double> altitudes(count * kGauss);
+    for (std::size_t i = 0; i < count; ++i) {
+        cells[i].from = breaks[i];
+        cells[i].to = breaks[i + 1];
+        const double width = breaks[i + 1].distance_km - breaks[i].distance_km;
+        for (std::size_t j = 0; j < kGauss; ++j) {
+            altitudes[i * kGauss + j] =
+                altitude_on(shell, ray, breaks[i].distance_km + width * kNodes[j]);
+        }
+    }
+    const std::vector<Coefficients> coefficients = coefficients_at(medium, altitudes);
+
+    // Optical depth up to each node, then the transmittances all at once.
+    std::vector<double> transmittance(count * kGauss * channels);
+    Spectrum before{};
+    for (std::size_t i = 0; i < count; ++i) {
+        RayCell& cell = cells[i];
+        const Coefficients* at = coefficients.data() + i * kGauss;
+        const double width = cell.to.distance_km - cell.from.distance_km;
+        double spread = 0;
+        double opacity = 0;
+        for (std::size_t c = 0; c < channels; ++c) {
+            double mean = 0;
+            double low = at[0].extinction_per_km[c];
+            double high = low;
+            for (std::size_t j = 0; j < kGauss; ++j) {
+                const double extinction = at[j].extinction_per_km[c];
+                mean += kWeights[j] * extinction;
+                low = std::min(low, extinction);
+                high = std::max(high, extinction);
+                double depth = before[c];
+                for (std::size_t k = 0; k < kGauss; ++k) {
+                    depth += width * kUpTo[j][k] * at[k].extinction_per_km[c];
+                }
+                transmittance[(i * kGauss + j) * channels + c] = -depth;
+            }
+            cell.optical_depth[c] = mean * width;
+            before[c] += cell.optical_depth[c];
+            if (mean > 0) spread = std::max(spread, (high - low) / mean);
+            opacity = std::max(opacity, cell.optical_depth[c]);
+        }
+        // The vertical turns by width / r; sunlight changes over the dip of the shell's top.
+        const double dip = std::min(1.0, std::sqrt(shell.thickness_km / shell.ground_radius_km));
+        const double turn = width / (shell.ground_radius_km * dip);
+        cell.variation = opacity > 0 ? spread + opacity + 4 * turn : 0;
+    }
+    exponentials(transmittance.data(), static_cast<int>(transmittance.size()));
+
+    for (std::size_t i = 0; i < count; ++i) {
+        RayCell& cell = cells[i];
+        const double width = cell.to.distance_km - cell.from.distance_km;
+        for (std::size_t j = 0; j < kGauss; ++j) {
+            const Coefficients& at = coefficients[i * kGauss + j];
+            for (std::size_t c = 0; c < channels; ++c) {
+                const double factor =
+                    width * kWeights[j] * transmittance[(i * kGauss + j) * channels + c];
+                const double scattered = factor * at.scattering_per_km[c];
+                cell.near_weight[c] += scattered * (1 - kNodes[j]);
+                cell.far_weight[c] += scattered * kNodes[j];
+                cell.absorbed[c] += factor * (at.extinction_per_km[c] - at.scattering_per_km[c]);
+            }
+        }
+    }
+    return cells;
+}
+
+bool too_coarse(const RayCell& cell, const Spectrum& whole, double tolerance) {
+    double share = 0;
+    for (std::size_t c = 0; c < whole.size(); ++c) {
+        if (whole[c] > 0) {
+            share = std::max(share, (cell.near_weight[c] + cell.far_weight[c]) / whole[c]);
+        }
+    }
+    return share * cell.variation * cell.variation > tolerance ||
+           (cell.variation > kLargestVariation && share > 1e-2 * tolerance);
+}
+
+}  // namespace
+
+ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
+                       double altitude_km, double s_km, bool hits_ground) {
+    const Shell shell = shell_of(medium);
+    ViewRay ray;
+    ray.altitude_km = altitude_km;
+    ray.s_km = s_km;
+    ray.hits_ground = hits_ground;
+    ray.length_km = hits_ground ? distance_to_ground_km(shell, altitude_km, s_km)
+                                : distance_to_top_km(shell, altitude_km, s_km);
+    if (ray.length_km > 0) {
+        ray.cells = integrate_cells(
+            medium, ray,
+            ray_breaks(shell, altitude_km, s_km, ray.length_km, break_altitudes_km));
+    }
+    return ray;
+}
+
+void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray) {
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        std::vector<RayBreak> breaks = {{0, -1}};
+        for (const RayCell& cell : ray.cells) {
+            if (too_coarse(cell, whole, tolerance)) {
+                breaks.push_back({0.5 * (cell.from.distance_km + cell.to.distance_km), -1});
+            }
+            breaks.push_back(cell.to);
+        }
+        if (breaks.size() == ray.cells.size() + 1) return;
+        ray.cells = integrate_cells(medium, ray, breaks);
+    }
+}
+
+std::vector<RayNode> nodes_of(const Medium& medium, const ViewRay& ray) {
+    const Shell shell = shell_of(medium);
+    std::vector<RayNode> nodes = {{ray.altitude_km, 0, -1, {}}};
+    nodes.reserve(ray.cells.size() + 1);
+    for (const RayCell& cell : ray.cells) {
+        for (std::size_t c = 0; c < cell.near_weight.size(); ++c) {
+            nodes.back().weight[c] += cell.near_weight[c];
+        }
+        nodes.push_back({altitude_on(shell, ray, cell.to.distance_km), cell.to.distance_km,
+                         cell.to.level, cell.far_weight});
+    }
+    return nodes;
+}
+
+}  // namespace skybake

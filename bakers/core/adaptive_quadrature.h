@@ -1,0 +1,63 @@
+// Adaptive Gauss-Kronrod quadrature: slow, and right wherever its caller splits at the kinks. What the
+// fast kernels are measured against.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace skybake {
+
+// The integral of a vector-valued function from a to b. Intervals are halved until Kronrod's 15 points
+// and Gauss' 7 agree within `relative` of the interval's own integral of |f| plus `absolute`, or
+// `depth` halvings have been made. T is std::array<double, N>; f(x) returns T.
+template <class T, class Function>
+T adaptive_integral(const Function& f, double a, double b, double relative, double absolute,
+                    int depth = 30) {
+    // Kronrod 1965; QUADPACK's qk15.
+    constexpr std::array<double, 8> kNodes = {
+        0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
+        0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
+        0.586087235467691130294144691693013, 0.405845151377397166906606412076961,
+        0.207784955007898467600689403773245, 0.0};
+    constexpr std::array<double, 8> kKronrod = {
+        0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
+        0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
+        0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
+        0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
+    constexpr std::array<double, 4> kGauss = {
+        0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
+        0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
+
+    const double center = 0.5 * (a + b);
+    const double half_width = 0.5 * (b - a);
+    T kronrod{};
+    T gauss{};
+    T size{};
+    const auto add = [&](double x, double weight, double gauss_weight) {
+        const T value = f(x);
+        for (std::size_t c = 0; c < value.size(); ++c) {
+            kronrod[c] += weight * value[c];
+            gauss[c] += gauss_weight * value[c];
+            size[c] += weight * std::fabs(value[c]);
+        }
+    };
+    for (std::size_t j = 0; j < kNodes.size(); ++j) {
+        const double gauss_weight = j % 2 == 1 ? kGauss[j / 2] : 0.0;
+        add(center - half_width * kNodes[j], kKronrod[j], gauss_weight);
+        if (kNodes[j] > 0) add(center + half_width * kNodes[j], kKronrod[j], gauss_weight);
+    }
+    bool agree = true;
+    for (std::size_t c = 0; c < kronrod.size(); ++c) {
+        kronrod[c] *= half_width;
+        const double difference = std::fabs(kronrod[c] - gauss[c] * half_width);
+        agree = agree && difference <= relative * size[c] * std::fabs(half_width) + absolute;
+    }
+    if (agree || depth == 0) return kronrod;
+    T sum = adaptive_integral<T>(f, a, center, relative, 0.5 * absolute, depth - 1);
+    const T right = adaptive_integral<T>(f, center, b, relative, 0.5 * absolute, depth - 1);
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += right[c];
+    return sum;
+}
+
+}  // namespace skybake

@@ -1,0 +1,15 @@
+// How, not what, to bake: none of it changes a texel.
+#pragma once
+
+#include "bakers/core/certify.h"
+#include "bakers/core/progress.h"
+
+namespace skybake {
+
+struct BakeOptions {
+    int threads = 0;  // 0: as many as the machine has
+    Certification certification = Certification::quick;
+    Progress* progress = nullptr;
+};
+
+}  // namespace skybake

@@ -1,0 +1,71 @@
+// A finished table with everything that a file or a manifest says of it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/core/image.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// How one texture axis follows from a physical quantity.
+struct AxisMapping {
+    std::string quantity;    // "cos_zenith", "sun_cos_zenith", "altitude_km"
+    std::string formula;     // texture coordinate in [0, 1] from physical quantities
+    std::string convention;  // "end points on texel centres" or "end points on texture edges"
+    double first = 0;        // the quantity where the axis begins (u or v smallest)
+    double last = 0;
+};
+
+struct ErrorFigures {
+    double max = 0;
+    double rms = 0;
+};
+
+// The error that a table has, measured. All figures are pure functions of the parameters.
+struct Certificate {
+    ErrorFigures texel;   // stored texels against the reference at their centres
+    ErrorFigures lookup;  // bilinear lookups of the stored texels against the reference, between texels
+    int texel_points = 0;
+    int lookup_points = 0;
+    std::string reference;  // what they were measured against
+    std::string scale;      // what an error of 1 means
+    std::string worst;      // where the largest lookup error was: "altitude_km 0.02, sun_cos_zenith -0.01"
+    std::string advice;     // what would help, or empty
+};
+
+// A place and the value that a correct lookup of the stored file returns there.
+struct Probe {
+    std::vector<std::pair<std::string, double>> at;  // {"altitude_km", 0.5}, {"cos_zenith", -0.01}
+    std::array<double, 2> uv{};                      // texture coordinates of that place
+    std::vector<double> value;                       // one per channel: bilinear lookup in double
+    std::vector<double> tolerance;                   // one per channel: room for filtering in 1/256 texel
+};
+
+struct RangeCounts {
+    long below_normal = 0;  // texels, not 0 in double, that the pixel type stores as a denormal or 0
+    long above_range = 0;   // texels that the pixel type cannot hold
+};
+
+struct BakedTable {
+    std::string name;                        // NAME of [bake.NAME]
+    std::string kind;                        // "transmittance", "multiple_scattering"
+    std::string content;                     // what a texel means, with its unit, in one line
+    std::string mapping;                     // "bruneton", "ue", "hillaire", "twilight"
+    std::array<AxisMapping, 2> axes;         // u, v
+    std::vector<std::string> channel_names;  // {"R", "G", "B"} or {"Y"}
+    config::PixelType pixel_type = config::PixelType::float32;
+    config::Compression compression = config::Compression::zip;
+    Image2<float> image;  // the values as stored: already rounded to the pixel type
+    RangeCounts range;
+    bool certified = false;
+    Certificate certificate;
+    std::vector<Probe> probes;
+    std::string parameters;  // TOML: the resolved parameters that this table depends on
+    std::vector<std::pair<std::string, std::string>> details;  // further facts, for example counts
+};
+
+}  // namespace skybake

@@ -1,0 +1,187 @@
+#include "bakers/core/finish_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/core/make_probe.h"
+#include "bakers/core/pixel_type.h"
+#include "bakers/core/smallest_table.h"
+
+namespace skybake {
+
+namespace {
+
+using config::Diagnostic;
+using config::Outcome;
+
+Diagnostic failure(std::string code, std::string message, std::string label = {}) {
+    return {config::Severity::error, std::move(code), std::move(message), {}, std::move(label)};
+}
+
+PointCounts points_of(const AccuracyRequest& request, Certification certification) {
+    return certification == Certification::full ? request.full : request.quick;
+}
+
+// The cheapest level whose kernel holds the bound at the texels measured.
+struct LevelChoice {
+    std::optional<int> level;
+    double best_error = 0;
+};
+
+LevelChoice choose_level(const TableModel& model, const AccuracyRequest& request,
+                         const ReferencePoints& texels, int threads) {
+    LevelChoice choice;
+    if (!request.max_texel_error) {
+        choice.level = 0;
+        return choice;
+    }
+    for (std::size_t level = 0; level < model.cost_per_texel.size(); ++level) {
+        choice.best_error =
+            measure_kernel(model, static_cast<int>(level), texels, threads).figures.max;
+        if (choice.best_error <= *request.max_texel_error) {
+            choice.level = static_cast<int>(level);
+            break;
+        }
+    }
+    return choice;
+}
+
+std::optional<Diagnostic> check_range(const Image2<double>& texels, const BakedTable& table,
+                                      const std::function<Place(double x, double y)>& place_of,
+                                      TexelConvention convention) {
+    for (std::size_t i = 0; i < texels.texels.size(); ++i) {
+        const float stored = table.image.texels[i];
+        if (std::isfinite(stored)) continue;
+        const auto texel = static_cast<int>(i / static_cast<std::size_t>(texels.channels));
+        const int x = texel % texels.width;
+        const int y = texel / texels.width;
+        const std::string place =
+            place_text(place_of(texel_coordinate(convention, x, texels.width),
+                                texel_coordinate(convention, y, texels.height)));
+        if (std::isfinite(texels.texels[i])) {
+            return failure("E0402",
+                           fmt::format("`{}`: {} of {} values are beyond what {} holds; the first, "
+                                       "{:.6g}, at {}",
+                                       table.name, table.range.above_range, texels.texels.size(),
+                                       table.pixel_type == config::PixelType::half ? "half" : "float",
+                                       texels.texels[i], place),
+                           "bake it as float, or as transmittance");
+        }
+        return failure("E0401",
+                       fmt::format("`{}`: the value at {} is not finite", table.name, place));
+    }
+    return std::nullopt;
+}
+
+std::vector<Probe> make_probes(const TableModel& model, const BakedTable& table,
+                               const std::function<Place(double x, double y)>& place_of) {
+    // Corners, edges, the middle, and places between texels about them.
+    static const std::vector<std::array<double, 2>> kPlaces = {
+        {0, 0},          {1, 0},          {0, 1},          {1, 1},         {0.5, 0},
+        {0.5, 1},        {0, 0.5},        {1, 0.5},        {0.5, 0.5},     {0.25, 0.125},
+        {0.75, 0.125},   {0.981, 0.0131}, {0.996, 0.0041}, {0.4871, 0.02}, {0.5129, 0.02},
+        {0.4613, 0.297}, {0.6173, 0.711}, {0.873, 0.5491}, {0.127, 0.867}, {0.968, 0.871}};
+    std::vector<Probe> probes;
+    for (const auto& [x, y] : kPlaces) {
+        Probe probe =
+            make_probe(table.image, texture_coordinate(model.convention, x, table.image.width),
+                       texture_coordinate(model.convention, y, table.image.height),
+                       table.pixel_type);
+        probe.at = place_of(x, y);
+        probes.push_back(std::move(probe));
+    }
+    return probes;
+}
+
+}  // namespace
+
+std::string place_text(const Place& place) {
+    std::string text;
+    for (const auto& [name, value] : place) {
+        text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", name, value);
+    }
+    return text;
+}
+
+Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest& request,
+                                 const BakeOptions& options,
+                                 const std::function<Place(double x, double y)>& place_of,
+                                 BakedTable table) {
+    const int threads = options.threads;
+    const PointCounts counts = points_of(request, options.certification);
+    const bool certify = options.certification != Certification::off;
+    Outcome<BakedTable> outcome;
+
+    std::optional<ReferencePoints> points;
+    if (certify || request.max_error) points = reference_points(model, counts, threads);
+    std::array<int, 2> size = request.size;
+    int level = 0;
+    std::optional<ReferencePoints> texels;
+    if (request.max_error) {
+        const TableSearch search =
+            smallest_table(model, *request.max_error, table.pixel_type, *points, threads);
+        if (!search.found) {
+            outcome.diagnostics.push_back(failure(
+                "E0403",
+                fmt::format("`{}`: no table holds max_error {:.3g}; {}x{} texels reach {:.3g}",
+                            table.name, *request.max_error, search.best.size[0],
+                            search.best.size[1], search.best.max_error),
+                "ask for a larger max_error, another mapping or pixel_type = \"float\""));
+            return outcome;
+        }
+        size = search.found->size;
+        level = search.found->level;
+    }
+    if (certify || (!request.max_error && request.max_texel_error)) {
+        texels = reference_texels(model, size, counts, threads);
+    }
+    if (!request.max_error) {
+        const LevelChoice choice = choose_level(model, request, *texels, threads);
+        if (!choice.level) {
+            outcome.diagnostics.push_back(
+                failure("E0404", fmt::format("`{}`: max_texel_error {:.3g} is not reached; the "
+                                             "finest quadrature leaves {:.3g}",
+                                             table.name, *request.max_texel_error,
+                                             choice.best_error)));
+            return outcome;
+        }
+        level = *choice.level;
+    }
+
+    const Image2<double> values = bake_texels(model, level, size, threads);
+    table.image = store_texels(values, table.pixel_type, table.range);
+    if (const auto problem = check_range(values, table, place_of, model.convention)) {
+        outcome.diagnostics.push_back(*problem);
+        return outcome;
+    }
+    if (table.range.below_normal > 0) {
+        Diagnostic warning = failure(
+            "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses digits",
+                                 table.name, table.range.below_normal, values.texels.size(),
+                                 smallest_normal(table.pixel_type),
+                                 table.pixel_type == config::PixelType::half ? "half" : "float"));
+        warning.severity = config::Severity::warning;
+        outcome.diagnostics.push_back(std::move(warning));
+    }
+    if (model.cost_per_texel.size() > 1) {
+        table.details.emplace_back("quadrature_level", fmt::format("{} of {}", level + 1,
+                                                                   model.cost_per_texel.size()));
+    }
+    table.certified = certify;
+    if (certify) {
+        const MeasuredErrors lookup = measure_lookups(model, table.image, *points);
+        table.certificate.texel = measure_lookups(model, table.image, *texels).figures;
+        table.certificate.texel_points = texels->count();
+        table.certificate.lookup = lookup.figures;
+        table.certificate.lookup_points = points->count();
+        table.certificate.worst = place_text(place_of(lookup.worst[0], lookup.worst[1]));
+    }
+    table.probes = make_probes(model, table, place_of);
+    outcome.value = std::move(table);
+    return outcome;
+}
+
+}  // namespace skybake

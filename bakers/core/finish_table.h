@@ -1,0 +1,37 @@
+// The steps that all table bakers share once they know their model.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "bakers/core/bake_options.h"
+#include "bakers/core/baked_table.h"
+#include "bakers/core/table_model.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+// What a user asked of a table's accuracy, whatever the asset.
+struct AccuracyRequest {
+    std::array<int, 2> size{};
+    std::optional<double> max_error;        // in place of size
+    std::optional<double> max_texel_error;  // picks the quadrature level where size is given
+    PointCounts quick;                      // how many points --certify=quick means
+    PointCounts full;
+};
+
+// Names the place of an error: "altitude_km 0.02, sun_cos_zenith -0.01".
+using Place = std::vector<std::pair<std::string, double>>;
+std::string place_text(const Place& place);
+
+// Chooses size and level, bakes, rounds, measures and probes. `table` comes with its texts filled in;
+// `place_of` tells the physical place of coordinates (x, y).
+// E0401 a texel is not finite, E0402 beyond the pixel type, E0403 max_error cannot be held, E0404
+// max_texel_error neither; W0201 texels below the pixel type's normal range.
+config::Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest& request,
+                                         const BakeOptions& options,
+                                         const std::function<Place(double x, double y)>& place_of,
+                                         BakedTable table);
+
+}  // namespace skybake

@@ -1,0 +1,28 @@
+#include "bakers/core/table_model.h"
+
+#include "bakers/core/parallel.h"
+#include "bakers/core/pixel_type.h"
+
+namespace skybake {
+
+Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size,
+                           int threads) {
+    Image2<double> image(size[0], size[1], model.channels);
+    std::vector<double> x;
+    for (int i = 0; i < size[0]; ++i) x.push_back(texel_coordinate(model.convention, i, size[0]));
+    parallel_for(size[1], threads, [&](int j) {
+        model.row(level, texel_coordinate(model.convention, j, size[1]), x, image.texel(0, j));
+    });
+    return image;
+}
+
+Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
+                           RangeCounts& range) {
+    Image2<float> image(texels.width, texels.height, texels.channels);
+    for (std::size_t i = 0; i < texels.texels.size(); ++i) {
+        image.texels[i] = store(texels.texels[i], type, range);
+    }
+    return image;
+}
+
+}  // namespace skybake

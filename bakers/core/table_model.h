@@ -1,0 +1,39 @@
+// What a two-dimensional table is to the code that bakes, measures and sizes it: a function of two
+// coordinates in [0, 1], known twice, by its kernel and by a reference.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bakers/core/baked_table.h"
+#include "bakers/core/texel_axis.h"
+
+namespace skybake {
+
+struct TableModel {
+    int channels = 0;
+    TexelConvention convention = TexelConvention::end_points_on_texel_centres;
+
+    // Quadrature levels, cheapest first, by their cost in evaluations per texel.
+    std::vector<double> cost_per_texel;
+
+    // The kernel: values at coordinates (x[i], y), channels interleaved in values[i * channels + c].
+    std::function<void(int level, double y, const std::vector<double>& x, double* values)> row;
+
+    // The reference, in the same form.
+    std::function<void(double y, const std::vector<double>& x, double* values)> reference;
+
+    // Error of a stored or looked-up value. `scale` is the largest reference value of the channel over
+    // the points measured.
+    std::function<double(double value, double reference, double scale)> error;
+};
+
+// Texels of a table as its kernel gives them, before rounding. Tiles are rows.
+Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size, int threads);
+
+// The same rounded to the pixel type.
+Image2<float> store_texels(const Image2<double>& texels, config::PixelType type, RangeCounts& range);
+
+}  // namespace skybake

@@ -1,0 +1,41 @@
+#include "bakers/core/transcendental.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/core/transcendental.cpp"
+#include <hwy/foreach_target.h>
+
+#include "bakers/core/transcendental-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
+void Exponentials(double* values, int count) {
+    constexpr int kLanes = LaneAccess<Lanes>::kCount;
+    int i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        exponential(Lanes::load(values + i)).store(values + i);
+    }
+    for (; i < count; ++i) values[i] = exponential(values[i]);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake {
+
+HWY_EXPORT(Exponentials);
+
+double exponential(double x) { return HWY_NAMESPACE::exponential(x); }
+double logarithm(double x) { return HWY_NAMESPACE::logarithm(x); }
+double arc_cosine(double x) { return HWY_NAMESPACE::arc_cosine(x); }
+double cosine_of_pi(double x) { return HWY_NAMESPACE::cosine_of_pi(x); }
+
+void exponentials(double* values, int count) {
+    HWY_DYNAMIC_DISPATCH(Exponentials)(values, count);
+}
+
+}  // namespace skybake
+#endif  // HWY_ONCE

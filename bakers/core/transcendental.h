@@ -1,0 +1,15 @@
+// The project's transcendental functions for plain doubles; see transcendental-inl.h for what they
+// promise and why the C library's do not serve.
+#pragma once
+
+namespace skybake {
+
+double exponential(double x);    // e^x
+double logarithm(double x);      // ln x, x > 0 and normal
+double arc_cosine(double x);     // x in [-1, 1]
+double cosine_of_pi(double x);   // cos(pi x), x in [0, 1]
+
+// Replaces each of `count` values by its exponential, vector by vector: the same bits as one by one.
+void exponentials(double* values, int count);
+
+}  // namespace skybake

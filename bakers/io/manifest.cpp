@@ -1,0 +1,61 @@
+#include "bakers/io/manifest.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "bakers/io/read_file.h"
+#include "bakers/io/release.h"
+
+namespace skybake {
+
+Manifest new_manifest(const config::Recipe& recipe) {
+    Manifest manifest;
+    manifest.tool_name = tool_name();
+    manifest.tool_version = release();
+    manifest.parameters = parameters_json(recipe.values);
+    for (const config::Length& wavelength : recipe.parameters.wavelengths) {
+        manifest.wavelengths_nm.push_back(wavelength.meters * 1e9);
+    }
+    return manifest;
+}
+
+config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder) {
+    constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;
+    const std::filesystem::path path = folder / manifest_name;
+    config::Outcome<std::string> text = read_file(path, largest_manifest);
+    if (!text.value) return {{}, std::move(text.diagnostics)};
+    return parse_manifest(*text.value, path.string());
+}
+
+Manifest merge_manifests(const Manifest& previous, Manifest fresh) {
+    std::vector<ManifestAsset> merged;
+    const auto named = [](std::vector<ManifestAsset>& assets, const std::string& name) {
+        return std::find_if(assets.begin(), assets.end(),
+                            [&name](const ManifestAsset& asset) { return asset.name == name; });
+    };
+    for (const ManifestAsset& asset : previous.assets) {
+        const auto replacement = named(fresh.assets, asset.name);
+        if (replacement == fresh.assets.end()) {
+            merged.push_back(asset);
+        } else {
+            merged.push_back(std::move(*replacement));
+            fresh.assets.erase(replacement);
+        }
+    }
+    std::move(fresh.assets.begin(), fresh.assets.end(), std::back_inserter(merged));
+    fresh.assets = std::move(merged);
+    return fresh;
+}
+
+bool claims(const Manifest& manifest, const std::filesystem::path& file) {
+    const std::filesystem::path wanted = file.lexically_normal();
+    if (wanted == manifest_name) return true;
+    for (const ManifestAsset& asset : manifest.assets) {
+        for (const ManifestFile& claimed : asset.files) {
+            if (std::filesystem::path(claimed.path).lexically_normal() == wanted) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace skybake

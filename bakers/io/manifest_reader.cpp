@@ -1,0 +1,234 @@
+// Reads manifests that may be damaged, of another tool or made with intent: each field is checked
+// for its type and bounds, and the first that is wrong is named by its place.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "bakers/io/file_diagnostic.h"
+#include "bakers/io/manifest.h"
+#include "bakers/io/manifest_format.h"
+#include "bakers/io/release.h"
+#include "bakers/io/spelling.h"
+
+namespace skybake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Leaves this file only as a diagnostic.
+struct Damage {
+    std::string what;
+};
+
+// A JSON value and its place, "assets[0].size".
+class Node {
+  public:
+    Node(const Json& json, std::string place) : json_(&json), place_(std::move(place)) {}
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Damage{fmt::format("`{}`: {}", place_.empty() ? "the whole" : place_, what)};
+    }
+
+    Node operator[](const char* key) const {
+        if (!json_->is_object()) fail("an object is wanted");
+        const auto member = json_->find(key);
+        if (member == json_->end()) fail(fmt::format("`{}` is missing", key));
+        return {*member, place_.empty() ? key : fmt::format("{}.{}", place_, key)};
+    }
+
+    std::string text() const {
+        if (!json_->is_string()) fail("a text is wanted");
+        return json_->get<std::string>();
+    }
+    double number() const {
+        if (!json_->is_number()) fail("a number is wanted");
+        return json_->get<double>();
+    }
+    template <class Integer>
+    Integer integer(Integer minimum) const {
+        // Whatever the sign, all whole numbers of a manifest fit into 64 bits.
+        if (json_->is_number_unsigned()) {
+            const auto value = json_->get<std::uint64_t>();
+            if (value <= static_cast<std::uint64_t>(std::numeric_limits<Integer>::max()) &&
+                static_cast<Integer>(value) >= minimum) {
+                return static_cast<Integer>(value);
+            }
+        }
+        fail(fmt::format("a whole number from {} on is wanted", minimum));
+    }
+
+    std::vector<Node> elements() const {
+        if (!json_->is_array()) fail("an array is wanted");
+        std::vector<Node> nodes;
+        for (std::size_t i = 0; i < json_->size(); ++i) {
+            nodes.emplace_back((*json_)[i], fmt::format("{}[{}]", place_, i));
+        }
+        return nodes;
+    }
+    std::vector<Node> elements(std::size_t count) const {
+        auto nodes = elements();
+        if (nodes.size() != count) fail(fmt::format("{} values are wanted", count));
+        return nodes;
+    }
+    std::vector<std::pair<std::string, Node>> members() const {
+        if (!json_->is_object()) fail("an object is wanted");
+        std::vector<std::pair<std::string, Node>> nodes;
+        for (const auto& [key, value] : json_->items()) {
+            nodes.emplace_back(key, Node(value, fmt::format("{}.{}", place_, key)));
+        }
+        return nodes;
+    }
+    bool is_null() const { return json_->is_null(); }
+    std::string dump() const { return json_->dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+  private:
+    const Json* json_;
+    std::string place_;
+};
+
+std::vector<double> numbers(const Node& node) {
+    std::vector<double> values;
+    for (const Node& element : node.elements()) values.push_back(element.number());
+    return values;
+}
+
+std::vector<std::string> texts(const Node& node) {
+    std::vector<std::string> values;
+    for (const Node& element : node.elements()) values.push_back(element.text());
+    return values;
+}
+
+// A manifest must not make its reader open files anywhere else.
+std::string path_within_folder(const Node& node) {
+    std::string text = node.text();
+    const std::filesystem::path path(text);
+    const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
+    if (text.empty() || path.is_absolute() || climbs || text.find('\0') != std::string::npos) {
+        node.fail("a path within the manifest's folder is wanted");
+    }
+    return text;
+}
+
+ManifestFile read_file_entry(const Node& node) {
+    ManifestFile file;
+    file.path = path_within_folder(node["path"]);
+    file.format = node["format"].text();
+    const auto type = pixel_type_of(node["pixel_type"].text());
+    if (!type) node["pixel_type"].fail("no such pixel type");
+    file.pixel_type = *type;
+    file.bytes = node["bytes"].integer<std::uint64_t>(0);
+    file.xxh3 = node["xxh3"].text();
+    return file;
+}
+
+AxisMapping read_axis(const Node& node) {
+    return {node["quantity"].text(), node["formula"].text(), node["convention"].text(),
+            node["first"].number(), node["last"].number()};
+}
+
+std::optional<Certificate> read_certificate(const Node& node) {
+    if (node.is_null()) return std::nullopt;
+    Certificate certificate;
+    certificate.texel = {node["texel"]["max"].number(), node["texel"]["rms"].number()};
+    certificate.lookup = {node["lookup"]["max"].number(), node["lookup"]["rms"].number()};
+    certificate.reference = node["reference"].text();
+    certificate.lookup_points = node["points"].integer<int>(0);
+    certificate.texel_points = node["texel_points"].integer<int>(0);
+    certificate.scale = node["scale"].text();
+    certificate.worst = node["worst"].text();
+    certificate.advice = node["advice"].text();
+    return certificate;
+}
+
+Probe read_probe(const Node& node) {
+    Probe probe;
+    for (const auto& [quantity, value] : node["at"].members()) {
+        probe.at.emplace_back(quantity, value.number());
+    }
+    const auto uv = node["uv"].elements(2);
+    probe.uv = {uv[0].number(), uv[1].number()};
+    probe.value = numbers(node["value"]);
+    probe.tolerance = numbers(node["tolerance"]);
+    return probe;
+}
+
+ManifestAsset read_asset(const Node& node) {
+    ManifestAsset asset;
+    asset.name = node["name"].text();
+    asset.kind = node["kind"].text();
+    asset.content = node["content"].text();
+    for (const Node& file : node["files"].elements()) asset.files.push_back(read_file_entry(file));
+    const auto size = node["size"].elements(2);
+    asset.size = {size[0].integer<int>(1), size[1].integer<int>(1)};
+    asset.channels = texts(node["channels"]);
+    const auto compression = compression_of(node["compression"].text());
+    if (!compression) node["compression"].fail("no such compression");
+    asset.compression = *compression;
+    asset.mapping = node["mapping"]["name"].text();
+    asset.axes = {read_axis(node["mapping"]["u"]), read_axis(node["mapping"]["v"])};
+    asset.timing = {node["timing"]["bake_s"].number(), node["timing"]["write_s"].number(),
+                    node["timing"]["threads"].integer<int>(0)};
+    asset.error = read_certificate(node["error"]);
+    asset.range = {node["range"]["below_normal"].integer<long>(0),
+                   node["range"]["above_range"].integer<long>(0)};
+    for (const Node& probe : node["probes"].elements()) asset.probes.push_back(read_probe(probe));
+    for (const auto& [key, value] : node["details"].members()) {
+        asset.details.emplace_back(key, value.text());
+    }
+    asset.parameters = node["parameters"].text();
+    asset.content_hash = node["content_hash"].text();
+    asset.release = node["release"].text();
+    return asset;
+}
+
+Manifest read_whole(const Node& node) {
+    Manifest manifest;
+    manifest.tool_name = node["tool"]["name"].text();
+    if (manifest.tool_name != tool_name()) {
+        node["tool"]["name"].fail(fmt::format("not of {}'s", tool_name()));
+    }
+    manifest.tool_version = node["tool"]["version"].text();
+    if (node["format"].integer<int>(0) != manifest_format) {
+        node["format"].fail(fmt::format("this release reads format {}", manifest_format));
+    }
+    node["parameters"].members();  // an object it must be
+    manifest.parameters = node["parameters"].dump();
+    manifest.wavelengths_nm = numbers(node["conventions"]["wavelengths_nm"]);
+    for (const Node& asset : node["assets"].elements())
+        manifest.assets.push_back(read_asset(asset));
+    return manifest;
+}
+
+// "line 3, column 14" of a byte of the text.
+std::string place_in(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
+    return fmt::format("line {}, column {}", line, before.size() - start + 1);
+}
+
+}  // namespace
+
+config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name) {
+    const auto damaged = [&name](const std::string& reason) -> config::Outcome<Manifest> {
+        return {{},
+                {file_error("E0304", name,
+                            fmt::format("cannot read `{}` as a manifest: {}", name, reason))}};
+    };
+    try {
+        const Json json = Json::parse(text);
+        return {read_whole(Node(json, "")), {}};
+    } catch (const Damage& damage) {
+        return damaged(damage.what);
+    } catch (const nlohmann::json::parse_error& error) {
+        const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
+        return damaged(fmt::format("not JSON at {}", place_in(text, byte)));
+    } catch (const std::exception& error) {
+        return damaged(error.what());
+    }
+}
+
+}  // namespace skybake

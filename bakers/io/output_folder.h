@@ -1,0 +1,29 @@
+// The folder that a bake writes into: may it, and what is there already?
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "bakers/io/manifest.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+struct OutputFolder {
+    std::filesystem::path path;
+    std::optional<Manifest> previous;  // the manifest of an earlier bake
+};
+
+// Looks, and changes nothing: call it before a long bake. `files` are the names that will be
+// written, relative to the folder, manifest.json among them. E0302: the folder cannot be written
+// to, or cannot be made. E0303: a file is there that no manifest of skybake's claims; one
+// diagnostic for each; `force` lets them pass.
+config::Outcome<OutputFolder> inspect_output_folder(const std::filesystem::path& folder,
+                                                    std::span<const std::string> files, bool force);
+
+// Makes the folder where it is missing. E0302.
+config::Outcome<std::filesystem::path> create_output_folder(const std::filesystem::path& folder);
+
+}  // namespace skybake

@@ -1,0 +1,44 @@
+// Proves that the files of a bake are what its manifest says.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bakers/io/exr.h"
+#include "bakers/io/manifest.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+struct VerifyFailure {
+    std::string file;     // relative to the folder
+    std::string check;    // "file", "bytes", "xxh3", "size", "metadata", "finite", "probe", ...
+    std::string message;  // what was found and what was wanted
+};
+
+struct VerifyReport {
+    int files = 0;
+    int checks = 0;  // passed or failed
+    std::vector<VerifyFailure> failures;
+};
+
+// A further check of a decoded asset, for what only its baker knows (physical coordinates to uv).
+struct AssetCheck {
+    std::string name;
+    // One message per failure; `checks` is increased by the number of things looked at.
+    std::function<std::vector<std::string>(const ManifestAsset& asset, const ExrImage& image,
+                                           int& checks)>
+        run;
+};
+
+// Re-reads every file that the folder's manifest lists and makes every check that can still be
+// made: presence, byte count, hash of the file, size, channels, pixel type, each attribute against
+// the manifest, hash of the texels, finiteness, each probe (within its tolerance, uv inside [0,
+// 1]). E0300 where there is no manifest, E0304 where it is damaged.
+config::Outcome<VerifyReport> verify_folder(const std::filesystem::path& folder,
+                                            std::span<const AssetCheck> further = {});
+
+}  // namespace skybake

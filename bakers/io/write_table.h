@@ -1,0 +1,31 @@
+// From a baked table to its file and its entry in the manifest.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bakers/core/baked_table.h"
+#include "bakers/core/progress.h"
+#include "bakers/io/atomic_file.h"
+#include "bakers/io/manifest.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+// "NAME.exr": where a table of this name goes, relative to the output folder.
+std::string table_file_name(const std::string& name);
+
+// A table as the bytes of its file, ready to be written; nothing has touched the disk.
+struct EncodedTable {
+    std::string bytes;
+    ManifestAsset asset;  // complete but for timing.bake_s and timing.threads
+};
+
+// E0401, E0402 as encode_exr. asset.timing.write_s holds the time of the encoding.
+config::Outcome<EncodedTable> encode_table(const BakedTable& table);
+
+// Writes NAME.exr into the folder; adds the time it took to asset.timing.write_s. E0301.
+config::Outcome<WriteResult> write_table(EncodedTable& table, const std::filesystem::path& folder,
+                                         const Progress* progress = nullptr);
+
+}  // namespace skybake

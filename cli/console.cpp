@@ -1,0 +1,97 @@
+#include "cli/console.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+#include "cli/interrupt.h"
+#include "config/diagnostic_codes.h"
+
+namespace skybake::cli {
+namespace {
+
+bool is_machine_format(DiagnosticFormat format) {
+    return format == DiagnosticFormat::json || format == DiagnosticFormat::sarif;
+}
+
+}  // namespace
+
+Sink descriptor_sink(int descriptor) {
+    Sink sink;
+    sink.terminal = ::isatty(descriptor) == 1;
+    sink.write = [descriptor](std::string_view text) {
+        while (!text.empty()) {
+            const ssize_t count = ::write(descriptor, text.data(), text.size());
+            if (count < 0 && errno == EINTR) continue;
+            if (count <= 0) return false;
+            text.remove_prefix(static_cast<std::size_t>(count));
+        }
+        return true;
+    };
+    return sink;
+}
+
+bool wants_color(std::string_view choice, bool terminal, const char* no_color) {
+    if (choice == "always") return true;
+    if (choice == "never") return false;
+    // https://no-color.org: present and not empty.
+    return terminal && (no_color == nullptr || *no_color == '\0');
+}
+
+Console::Console(Sink out, Sink error, Display display)
+    : out_(std::move(out)), error_(std::move(error)), display_(display) {}
+
+void Console::result(std::string_view text) {
+    if (!result_lost_ && !out_.write(text)) result_lost_ = true;
+}
+
+void Console::note(std::string_view text) {
+    if (!display_.quiet && !is_machine_format(display_.diagnostics)) error_.write(text);
+}
+
+void Console::detail(std::string_view text) {
+    if (display_.verbose) note(text);
+}
+
+ExitCode Console::report(std::span<const config::Diagnostic> diagnostics) {
+    return report_to(false, diagnostics);
+}
+
+ExitCode Console::report_results(std::span<const config::Diagnostic> diagnostics) {
+    return report_to(is_machine_format(display_.diagnostics), diagnostics);
+}
+
+ExitCode Console::report_to(bool results, std::span<const config::Diagnostic> diagnostics) {
+    if (display_.diagnostics == DiagnosticFormat::sarif) {
+        sarif_.insert(sarif_.end(), diagnostics.begin(), diagnostics.end());
+        sarif_is_result_ = sarif_is_result_ || results;
+    } else {
+        const std::string text =
+            print_diagnostics(diagnostics, display_.diagnostics, display_.color);
+        if (results) {
+            result(text);
+        } else {
+            error_.write(text);
+        }
+    }
+    return static_cast<ExitCode>(config::exit_code(diagnostics));
+}
+
+ExitCode Console::finish(ExitCode code) {
+    if (display_.diagnostics == DiagnosticFormat::sarif) {
+        const std::string text = print_diagnostics(sarif_, DiagnosticFormat::sarif);
+        if (sarif_is_result_) {
+            result(text);
+        } else {
+            error_.write(text);
+        }
+        sarif_.clear();
+    }
+    if (interrupted()) return ExitCode::interrupted;
+    if (!result_lost_) return code;
+    return std::max(code, ExitCode::io);
+}
+
+}  // namespace skybake::cli

@@ -1,0 +1,126 @@
+#include "cli/diagnostic_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "bakers/io/release.h"
+#include "config/diagnostic_codes.h"
+
+namespace skybake::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Sources may hold anything: bytes that are not UTF-8 become U+FFFD.
+std::string text_of(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string_view severity_word(const config::Diagnostic& diagnostic) {
+    return diagnostic.severity == config::Severity::error ? "error" : "warning";
+}
+
+// "--set `a.b=c`" and "preset earth" are places, but no files.
+bool is_file(const std::string& source) {
+    return !source.empty() && !source.starts_with("--set ") && !source.starts_with("preset ");
+}
+
+// RFC 3986: everything but unreserved signs and the slashes between folders is escaped.
+std::string file_uri(std::string_view path) {
+    std::string uri;
+    for (const char sign : path) {
+        const bool letter = (sign >= 'a' && sign <= 'z') || (sign >= 'A' && sign <= 'Z');
+        const bool digit = sign >= '0' && sign <= '9';
+        if (letter || digit || std::string_view("-._~/").find(sign) != std::string_view::npos) {
+            uri += sign;
+        } else {
+            uri += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(sign)));
+        }
+    }
+    return uri;
+}
+
+Json sarif_location(const config::SourceRange& where) {
+    if (!is_file(where.source)) return {{"message", {{"text", where.source}}}};
+    Json place = {{"artifactLocation", {{"uri", file_uri(where.source)}}}};
+    if (where.line > 0) {
+        Json region = {{"startLine", where.line}};
+        if (where.column > 0) {
+            region["startColumn"] = where.column;
+            region["endColumn"] = where.column + std::max(where.length, 1);
+        }
+        place["region"] = std::move(region);
+    }
+    return {{"physicalLocation", std::move(place)}};
+}
+
+Json sarif_result(const config::Diagnostic& diagnostic) {
+    const std::string text = diagnostic.label.empty()
+                                 ? diagnostic.message
+                                 : fmt::format("{}; {}", diagnostic.message, diagnostic.label);
+    Json result = {{"ruleId", diagnostic.code},
+                   {"level", severity_word(diagnostic)},
+                   {"message", {{"text", text}}},
+                   {"locations", Json::array()}};
+    if (!diagnostic.where.source.empty()) {
+        result["locations"].push_back(sarif_location(diagnostic.where));
+    }
+    return result;
+}
+
+// The codes that occur, each once, in order.
+Json sarif_rules(std::span<const config::Diagnostic> diagnostics) {
+    std::vector<std::string> codes;
+    for (const config::Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
+    std::sort(codes.begin(), codes.end());
+    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+    Json rules = Json::array();
+    for (const std::string& code : codes) {
+        Json rule = {{"id", code}};
+        if (const config::DiagnosticCode* entry = config::find_diagnostic_code(code)) {
+            rule["shortDescription"] = {{"text", entry->title}};
+            rule["fullDescription"] = {{"text", entry->explanation}};
+        }
+        rules.push_back(std::move(rule));
+    }
+    return rules;
+}
+
+}  // namespace
+
+std::string print_json_lines(std::span<const config::Diagnostic> diagnostics) {
+    std::string text;
+    for (const config::Diagnostic& diagnostic : diagnostics) {
+        const Json json = {
+            {"severity", severity_word(diagnostic)}, {"code", diagnostic.code},
+            {"message", diagnostic.message},         {"file", diagnostic.where.source},
+            {"line", diagnostic.where.line},         {"column", diagnostic.where.column},
+            {"length", diagnostic.where.length},     {"label", diagnostic.label}};
+        text += text_of(json, -1);
+    }
+    return text;
+}
+
+std::string print_sarif(std::span<const config::Diagnostic> diagnostics) {
+    Json results = Json::array();
+    for (const config::Diagnostic& diagnostic : diagnostics) {
+        results.push_back(sarif_result(diagnostic));
+    }
+    Json run = {
+        {"tool",
+         {{"driver",
+           {{"name", tool_name()}, {"version", release()}, {"rules", sarif_rules(diagnostics)}}}}},
+        {"columnKind", "unicodeCodePoints"},
+        {"results", std::move(results)}};
+    Json runs = Json::array();
+    runs.push_back(std::move(run));
+    const Json document = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                           {"version", "2.1.0"},
+                           {"runs", std::move(runs)}};
+    return text_of(document, 2);
+}
+
+}  // namespace skybake::cli

@@ -1,0 +1,29 @@
+// Diagnostics as text, for people and for four kinds of machine. Pure functions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "config/diagnostic.h"
+
+namespace skybake::cli {
+
+enum class DiagnosticFormat {
+    human,   // message, place, line with carets, and a count at the end
+    short_,  // one line each: earth.toml:14:1: error[E0102]: unknown key ...
+    json,    // one JSON object a line
+    github,  // workflow commands, shown beside the lines of a pull request
+    sarif,   // one SARIF 2.1.0 document
+};
+
+// "human", "short", "json", "github", "sarif".
+std::optional<DiagnosticFormat> diagnostic_format(std::string_view name);
+
+// The text, ending in a newline, empty for no diagnostics (SARIF: a document without results).
+// `color` matters to `human` alone.
+std::string print_diagnostics(std::span<const config::Diagnostic> diagnostics,
+                              DiagnosticFormat format, bool color = false);
+
+}  // namespace skybake::cli

@@ -1,0 +1,240 @@
+// skybake diff: how far two baked files or folders are apart.
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "bakers/io/compare.h"
+#include "bakers/io/file_diagnostic.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/parse_arguments.h"
+#include "cli/table_printer.h"
+
+namespace skybake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two files of one name, or one that has no counterpart.
+struct FileDifference {
+    std::string name;
+    std::string only_in;  // the folder that alone has it, or empty
+    ImageDifference image;
+};
+
+struct Comparison {
+    std::vector<FileDifference> files;
+    std::vector<config::Diagnostic> diagnostics;
+};
+
+struct Judgement {
+    double tolerance = 0;
+    bool metadata = false;  // differences in the metadata count too
+
+    bool equal(const FileDifference& file) const {
+        return file.only_in.empty() && equal_within(file.image, tolerance) &&
+               (!metadata || file.image.attributes.empty());
+    }
+    bool equal(const Comparison& comparison) const {
+        for (const FileDifference& file : comparison.files) {
+            if (!equal(file)) return false;
+        }
+        return true;
+    }
+};
+
+// --- Comparing ----------------------------------------------------------------------------------
+
+void compare_files(const fs::path& first, const fs::path& second, Comparison& comparison) {
+    const auto a = read_exr(first);
+    const auto b = read_exr(second);
+    for (const auto* outcome : {&a, &b}) {
+        comparison.diagnostics.insert(comparison.diagnostics.end(), outcome->diagnostics.begin(),
+                                      outcome->diagnostics.end());
+    }
+    if (!a.value || !b.value) return;
+    comparison.files.push_back(
+        {second.filename().string(), "", compare_images(*a.value, *b.value)});
+}
+
+std::set<std::string> images_in(const fs::path& folder,
+                                std::vector<config::Diagnostic>& diagnostics) {
+    std::set<std::string> names;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().extension() == ".exr") names.insert(entry->path().filename().string());
+    }
+    if (error || names.empty()) {
+        diagnostics.push_back(
+            file_error("E0300", folder.string(),
+                       fmt::format("cannot compare `{}`: {}", folder.string(),
+                                   error ? error.message() : "there is no .exr file in it")));
+    }
+    return names;
+}
+
+void compare_folders(const fs::path& first, const fs::path& second, Comparison& comparison) {
+    const auto in_first = images_in(first, comparison.diagnostics);
+    const auto in_second = images_in(second, comparison.diagnostics);
+    if (!comparison.diagnostics.empty()) return;
+    std::set<std::string> names = in_first;
+    names.insert(in_second.begin(), in_second.end());
+    for (const std::string& name : names) {
+        if (in_first.count(name) == 0) {
+            comparison.files.push_back({name, second.string(), {}});
+        } else if (in_second.count(name) == 0) {
+            comparison.files.push_back({name, first.string(), {}});
+        } else {
+            compare_files(first / name, second / name, comparison);
+        }
+    }
+}
+
+Comparison compare(const fs::path& first, const fs::path& second) {
+    Comparison comparison;
+    std::error_code error;
+    const bool folders = fs::is_directory(first, error);
+    if (folders != fs::is_directory(second, error) && fs::exists(first, error) &&
+        fs::exists(second, error)) {
+        comparison.diagnostics.push_back(usage_error("a file cannot be compared with a folder"));
+    } else if (folders) {
+        compare_folders(first, second, comparison);
+    } else {
+        compare_files(first, second, comparison);
+    }
+    return comparison;
+}
+
+// --- Showing ------------------------------------------------------------------------------------
+
+// Metadata may hold pages of text: the first line and a hint that there is more.
+std::string one_line(const std::optional<std::string>& text) {
+    constexpr std::size_t longest = 60;
+    if (!text) return "(missing)";
+    const std::string line = text->substr(0, text->find('\n'));
+    return line.size() < text->size() || line.size() > longest ? line.substr(0, longest) + " ..."
+                                                               : line;
+}
+
+std::string channel_table(const ImageDifference& image) {
+    TextTable table({Align::left, Align::right, Align::right, Align::right, Align::right});
+    table.add_row({"channel", "max", "rms", "max relative", "texels", "largest at"});
+    for (const ChannelDifference& channel : image.channels) {
+        table.add_row({channel.channel, fmt::format("{:.3g}", channel.max_absolute),
+                       fmt::format("{:.3g}", channel.rms),
+                       fmt::format("{:.3g}", channel.max_relative),
+                       fmt::format("{}", channel.differing),
+                       channel.differing > 0
+                           ? fmt::format("column {}, row {}", channel.worst_x, channel.worst_y)
+                           : ""});
+    }
+    return table.text();
+}
+
+std::string as_text(const FileDifference& file, const Judgement& judgement) {
+    if (!file.only_in.empty()) return fmt::format("{}: only in {}\n", file.name, file.only_in);
+    std::string text =
+        fmt::format("{}: {}\n", file.name, judgement.equal(file) ? "equal" : "differs");
+    if (!file.image.layout.empty()) text += fmt::format("  {}\n", file.image.layout);
+    if (!equal_within(file.image, 0) && file.image.layout.empty())
+        text += channel_table(file.image);
+    for (const AttributeDifference& entry : file.image.attributes) {
+        text += fmt::format("  {}: {} | {}\n", entry.name, one_line(entry.first),
+                            one_line(entry.second));
+    }
+    return text;
+}
+
+using Json = nlohmann::ordered_json;
+
+Json as_json(const FileDifference& file, const Judgement& judgement) {
+    Json channels = Json::array();
+    for (const ChannelDifference& channel : file.image.channels) {
+        channels.push_back({{"channel", channel.channel},
+                            {"max_absolute", channel.max_absolute},
+                            {"rms", channel.rms},
+                            {"max_relative", channel.max_relative},
+                            {"differing", channel.differing},
+                            {"worst", {channel.worst_x, channel.worst_y}}});
+    }
+    Json metadata = Json::array();
+    for (const AttributeDifference& entry : file.image.attributes) {
+        metadata.push_back({{"name", entry.name},
+                            {"first", entry.first ? Json(*entry.first) : Json()},
+                            {"second", entry.second ? Json(*entry.second) : Json()}});
+    }
+    return {{"file", file.name},
+            {"equal", judgement.equal(file)},
+            {"only_in", file.only_in},
+            {"layout", file.image.layout},
+            {"channels", std::move(channels)},
+            {"metadata", std::move(metadata)}};
+}
+
+std::string as_json(const Comparison& comparison, const Judgement& judgement) {
+    Json files = Json::array();
+    for (const FileDifference& file : comparison.files) files.push_back(as_json(file, judgement));
+    const Json json = {{"equal", judgement.equal(comparison)},
+                       {"tolerance", judgement.tolerance},
+                       {"files", std::move(files)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string as_text(const Comparison& comparison, const Judgement& judgement) {
+    std::string text;
+    for (const FileDifference& file : comparison.files) text += as_text(file, judgement);
+    return text;
+}
+
+std::optional<double> tolerance_of(const std::string& text) {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, value);
+    if (parsed.ec != std::errc{} || parsed.ptr != end || !(value >= 0)) return std::nullopt;
+    return value;
+}
+
+ExitCode run(const Invocation& invocation, Console& console) {
+    const std::string text = invocation.value("tolerance");
+    const auto tolerance = tolerance_of(text);
+    if (!tolerance) {
+        return console.report(
+            std::array{usage_error(fmt::format("`--tolerance` cannot be `{}`", text),
+                                   "a number from 0 on, such as 1e-6")});
+    }
+    const Comparison comparison = compare(invocation.arguments()[0], invocation.arguments()[1]);
+    const Judgement judgement{*tolerance, invocation.has("metadata")};
+    const ExitCode code = console.report(comparison.diagnostics);
+    if (comparison.files.empty() && code != ExitCode::done) return code;
+    console.result(invocation.has("json") ? as_json(comparison, judgement)
+                                          : as_text(comparison, judgement));
+    if (code != ExitCode::done) return code;
+    return judgement.equal(comparison) ? ExitCode::done : ExitCode::differs;
+}
+
+}  // namespace
+
+Command diff_command() {
+    return {.name = "diff",
+            .summary = "compare two baked files or folders",
+            .arguments = {{.name = "first", .help = "an EXR file or a folder of them"},
+                          {.name = "second", .help = "the same to compare with"}},
+            .options = {{.name = "tolerance",
+                         .value = "NUMBER",
+                         .help = "the largest difference of values that counts as equal",
+                         .fallback = "0"},
+                        {.name = "metadata", .help = "differences in the metadata count too"},
+                        {.name = "json", .help = "the comparison as JSON"}},
+            .examples = {{"skybake diff old new", "all tables of two folders"},
+                         {"skybake diff a.exr b.exr --tolerance 1e-6", "equal but for rounding?"}},
+            .exit_codes = {ExitCode::differs, ExitCode::io},
+            .run = run};
+}
+
+}  // namespace skybake::cli

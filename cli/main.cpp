@@ -1,0 +1,40 @@
+// The only place that ends the process.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "cli/interrupt.h"
+#include "cli/run.h"
+
+namespace {
+
+// A process that starts with a closed stdout would get its number for the first file that it opens,
+// and print into it. Opened for reading only, writing to it fails as it should.
+void occupy_standard_descriptors() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(descriptor, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace skybake::cli;
+    occupy_standard_descriptors();
+    install_signal_handlers();
+    try {
+        const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+        return static_cast<int>(run(words, descriptor_sink(STDOUT_FILENO),
+                                    descriptor_sink(STDERR_FILENO), std::getenv("NO_COLOR")));
+    } catch (const std::exception& exception) {
+        std::fprintf(stderr, "error[E0500]: internal error: %s\n", exception.what());
+    } catch (...) {
+        std::fputs("error[E0500]: internal error\n", stderr);
+    }
+    return static_cast<int>(ExitCode::internal);
+}

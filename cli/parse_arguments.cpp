@@ -1,0 +1,222 @@
+// The one translation unit that knows CLI11. It sorts words into options and arguments; what is
+// allowed stands in the tables, and the words for errors are ours.
+#include "cli/parse_arguments.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "config/suggest.h"
+
+namespace skybake::cli {
+namespace {
+
+bool is_option(std::string_view word) { return word.size() > 1 && word[0] == '-'; }
+
+const Option* find_option(std::span<const Option> options, std::string_view name) {
+    const auto found = std::find_if(options.begin(), options.end(),
+                                    [name](const Option& option) { return option.name == name; });
+    return found != options.end() ? &*found : nullptr;
+}
+
+// The position of the command among the words: the first that is neither an option nor the value of
+// a global one.
+std::size_t command_position(std::span<const std::string> words, std::span<const Option> globals) {
+    std::size_t i = 0;
+    while (i < words.size() && is_option(words[i])) {
+        const Option* option =
+            words[i].starts_with("--") ? find_option(globals, words[i].substr(2)) : nullptr;
+        i += option != nullptr && !option->value.empty() ? 2 : 1;
+    }
+    return std::min(i, words.size());
+}
+
+// `--name`, for messages.
+std::string dashed(std::string_view name) { return fmt::format("`--{}`", name); }
+
+config::Diagnostic unknown_command(const std::string& name, std::span<const Command> commands) {
+    std::vector<std::string_view> names;
+    for (const Command& command : commands) names.push_back(command.name);
+    std::string hint = config::did_you_mean(name, names);
+    if (hint.empty()) hint = "`skybake --help` lists the commands";
+    return usage_error(fmt::format("unknown command `{}`", name), std::move(hint));
+}
+
+config::Diagnostic unknown_option(const std::string& word, std::span<const Option> options,
+                                  const std::string& help) {
+    const std::string shown = word.substr(0, word.find('='));
+    std::vector<std::string> names;
+    for (const Option& option : options) names.push_back(fmt::format("--{}", option.name));
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    std::string hint = shown.starts_with("--") ? config::did_you_mean(shown, known) : std::string();
+    if (hint.empty()) hint = fmt::format("`{}` lists the options", help);
+    return usage_error(fmt::format("unknown option `{}`", shown), std::move(hint));
+}
+
+config::Diagnostic unknown_choice(const Option& option, const std::string& value) {
+    std::string hint = config::did_you_mean(value, option.choices);
+    if (hint.empty()) hint = fmt::format("one of {}", fmt::join(option.choices, ", "));
+    return usage_error(fmt::format("{} cannot be `{}`", dashed(option.name), value),
+                       std::move(hint));
+}
+
+config::Diagnostic missing_value(const Option& option) {
+    return usage_error(
+        fmt::format("{} needs a value: --{} {}", dashed(option.name), option.name, option.value));
+}
+
+// The library names the option at fault at the head of its message: "--output: 1 required ...",
+// "json was given a disallowed flag override".
+config::Diagnostic malformed(const CLI::ParseError& error, std::span<const Option> options) {
+    std::string_view text = error.what();
+    if (text.starts_with("--")) text.remove_prefix(2);
+    for (const Option& option : options) {
+        if (!text.starts_with(option.name)) continue;
+        if (text.substr(option.name.size()).find_first_of(": ") != 0) continue;
+        if (!option.value.empty()) return missing_value(option);
+        return usage_error(fmt::format("{} takes no value", dashed(option.name)));
+    }
+    return usage_error("the options cannot be understood");
+}
+
+// Where the library puts what it finds.
+struct Found {
+    std::vector<std::vector<std::string>> values;  // per option
+    std::vector<std::string> arguments;
+    std::vector<std::string> unknown;
+};
+
+// Declares the options to the library and lets it sort the words. Throws CLI::ParseError.
+Found sort_words(std::vector<std::string> words, std::span<const Option> options) {
+    Found found;
+    CLI::App app;
+    app.set_help_flag();
+    app.allow_extras();
+    std::vector<CLI::Option*> declared;
+    for (const Option& option : options) {
+        const std::string name = option.short_name != 0
+                                     ? fmt::format("--{},-{}", option.name, option.short_name)
+                                     : fmt::format("--{}", option.name);
+        if (option.value.empty()) {
+            declared.push_back(app.add_flag(name)->disable_flag_override());
+        } else {
+            declared.push_back(app.add_option(name)->expected(1)->take_all());
+        }
+    }
+    app.add_option("arguments", found.arguments)->expected(-1);
+    std::reverse(words.begin(), words.end());  // the library takes them from the back
+    app.parse(std::move(words));
+    for (const CLI::Option* option : declared) found.values.push_back(option->results());
+    for (const std::string& word : app.remaining()) {
+        if (word != "--") found.unknown.push_back(word);
+    }
+    return found;
+}
+
+void check_choices(const Option& option, const std::vector<std::string>& values,
+                   std::vector<config::Diagnostic>& diagnostics) {
+    if (option.choices.empty()) return;
+    for (const std::string& value : values) {
+        if (std::find(option.choices.begin(), option.choices.end(), value) ==
+            option.choices.end()) {
+            diagnostics.push_back(unknown_choice(option, value));
+        }
+    }
+}
+
+// `--output --force` forgets a folder rather than naming one so.
+bool is_known_option(std::string_view word, std::span<const Option> options) {
+    return word.starts_with("--") && find_option(options, word.substr(2)) != nullptr;
+}
+
+void take_options(const Found& found, std::span<const Option> options, CommandLine& line) {
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const Option& option = options[i];
+        if (!option.fallback.empty()) line.invocation.add_fallback(option.name, option.fallback);
+        if (found.values[i].empty()) continue;
+        if (is_known_option(found.values[i].back(), options)) {
+            line.diagnostics.push_back(missing_value(option));
+            continue;
+        }
+        check_choices(option, found.values[i], line.diagnostics);
+        const bool is_switch = option.value.empty();
+        line.invocation.add_option(option.name,
+                                   is_switch ? std::vector<std::string>() : found.values[i]);
+    }
+}
+
+void take_arguments(const Found& found, const Command& command, CommandLine& line) {
+    const std::vector<Argument>& wanted = command.arguments;
+    for (std::size_t i = 0; i < found.arguments.size(); ++i) {
+        const bool known = i < wanted.size() || (!wanted.empty() && wanted.back().repeatable);
+        if (known) {
+            line.invocation.add_argument(found.arguments[i]);
+        } else {
+            line.diagnostics.push_back(
+                usage_error(fmt::format("unexpected argument `{}`", found.arguments[i]),
+                            fmt::format("`skybake {} --help` shows what it takes", command.name)));
+        }
+    }
+    for (std::size_t i = found.arguments.size(); i < wanted.size(); ++i) {
+        if (!wanted[i].required) break;
+        line.diagnostics.push_back(
+            usage_error(fmt::format("`skybake {}` needs <{}>", command.name, wanted[i].name),
+                        fmt::format("{}", command.examples.front().command)));
+    }
+}
+
+}  // namespace
+
+config::Diagnostic usage_error(std::string message, std::string label) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0001";
+    diagnostic.message = std::move(message);
+    diagnostic.label = std::move(label);
+    return diagnostic;
+}
+
+CommandLine parse_arguments(std::span<const std::string> words, std::span<const Command> commands,
+                            std::span<const Option> global_options) {
+    CommandLine line;
+    std::vector<std::string> rest(words.begin(), words.end());
+    std::vector<Option> options(global_options.begin(), global_options.end());
+    const std::size_t position = command_position(words, global_options);
+    if (position < rest.size()) {
+        const auto command =
+            std::find_if(commands.begin(), commands.end(),
+                         [&](const Command& entry) { return entry.name == rest[position]; });
+        if (command == commands.end()) {
+            line.diagnostics.push_back(unknown_command(rest[position], commands));
+            return line;
+        }
+        line.command = &*command;
+        options.insert(options.end(), command->options.begin(), command->options.end());
+        rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(position));
+    }
+    const std::string help = line.command != nullptr
+                                 ? fmt::format("skybake {} --help", line.command->name)
+                                 : "skybake --help";
+
+    Found found;
+    try {
+        found = sort_words(std::move(rest), options);
+    } catch (const CLI::ParseError& error) {
+        line.diagnostics.push_back(malformed(error, options));
+        return line;
+    }
+    take_options(found, options, line);
+    for (const std::string& word : found.unknown) {
+        line.diagnostics.push_back(unknown_option(word, options, help));
+    }
+    const bool asks_only = line.invocation.has("help") || line.invocation.has("version");
+    if (line.command != nullptr && !asks_only && line.diagnostics.empty()) {
+        take_arguments(found, *line.command, line);
+    }
+    return line;
+}
+
+}  // namespace skybake::cli

@@ -1,0 +1,27 @@
+// From the words of the command line to a command and its options.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "config/diagnostic.h"
+
+namespace skybake::cli {
+
+struct CommandLine {
+    const Command* command = nullptr;             // null where none was named
+    Invocation invocation;                        // the command's options and the global ones
+    std::vector<config::Diagnostic> diagnostics;  // E0001
+};
+
+// `words` are those behind the program's name. Options may stand anywhere, global ones before the
+// command too; "--" ends them. With --help or --version nothing else need be complete.
+CommandLine parse_arguments(std::span<const std::string> words, std::span<const Command> commands,
+                            std::span<const Option> global_options);
+
+// A diagnostic about the command line.
+config::Diagnostic usage_error(std::string message, std::string label = {});
+
+}  // namespace skybake::cli

@@ -1,0 +1,223 @@
+#include "config/diagnostic_codes.h"
+
+#include <algorithm>
+#include <array>
+
+namespace skybake::config {
+namespace {
+
+constexpr int usage = 2;
+constexpr int input_or_output = 3;
+constexpr int failed_check = 4;
+constexpr int internal = 5;
+
+constexpr std::array codes = {
+    DiagnosticCode{
+        "E0001", "wrong use of the command line",
+        "A command, option or argument is missing, unknown or has a value that it cannot have.",
+        "skybake bka earth.toml", "skybake bake earth.toml", usage},
+
+    DiagnosticCode{
+        "E0100", "not UTF-8 text",
+        "A recipe is TOML, and TOML is UTF-8 text. The file holds bytes that are not: it "
+        "is binary, or was saved in another encoding. Save it as UTF-8; a byte order mark "
+        "does no harm.",
+        "", "", usage},
+    DiagnosticCode{"E0101", "not TOML",
+                   "The text breaks the rules of TOML (https://toml.io). Only the first such place "
+                   "of a file is reported, since what follows cannot be trusted. Quantities with a "
+                   "unit are strings and stand in quotes.",
+                   "scale_height = 8 km", "scale_height = \"8 km\"", usage},
+    DiagnosticCode{"E0102", "unknown key",
+                   "No such key exists in this table. Keys are never ignored, since a misspelt one "
+                   "would silently leave the default in place. `skybake explain` lists all keys.",
+                   "scale_hieght = \"8 km\"", "scale_height = \"8 km\"", usage},
+    DiagnosticCode{
+        "E0103", "wrong type",
+        "The value is of another kind than the key takes: text where a number is wanted, "
+        "one value where a table is wanted, and so on.",
+        "enabled = \"no\"", "enabled = false", usage},
+    DiagnosticCode{"E0104", "unknown choice",
+                   "The key takes one of a few names, and this is none of them.",
+                   "phase = \"raleigh\"", "phase = \"rayleigh\"", usage},
+    DiagnosticCode{"E0105", "missing key",
+                   "A key without a default is not given, neither by the recipe nor by its preset, "
+                   "its includes or --set. Which keys a layer needs depends on its profile and its "
+                   "phase.",
+                   "[atmosphere.layers.haze]\nprofile = \"exponential\"",
+                   "[atmosphere.layers.haze]\nprofile = \"exponential\"\nscale_height = \"1.2 km\"",
+                   usage},
+    DiagnosticCode{"E0106", "not a quantity",
+                   "The text is no number followed by a unit that skybake knows, or the number is "
+                   "beyond the range of double precision. Decimal points are points in every "
+                   "locale.",
+                   "scale_height = \"8 kilometers\"", "scale_height = \"8 km\"", usage},
+    DiagnosticCode{"E0107", "wrong dimension",
+                   "The unit does not fit the key, or is missing. A length is never taken for a "
+                   "coefficient, nor a bare number for a length, since a slip by a factor of 1000 "
+                   "would go unseen.",
+                   "scale_height = 8000", "scale_height = \"8000 m\"", usage},
+    DiagnosticCode{"E0108", "wrong number of values",
+                   "The key takes a fixed number of values. Those per channel take one for all "
+                   "channels or exactly one per wavelength.",
+                   "scattering = [\"5.802e-6 /m\", \"1.3558e-5 /m\"]",
+                   "scattering = [\"5.802e-6 /m\", \"1.3558e-5 /m\", \"3.31e-5 /m\"]", usage},
+    DiagnosticCode{
+        "E0109", "two ways to say one thing",
+        "The keys exclude each other, since each determines the other. Keep one. A later "
+        "source (the recipe after its preset, --set after the recipe) that names one of "
+        "them replaces what the earlier ones said, so only one source that names two is "
+        "at fault.",
+        "extinction = \"4.44e-6 /m\"\nabsorption = \"4.44e-7 /m\"", "extinction = \"4.44e-6 /m\"",
+        usage},
+    DiagnosticCode{"E0110", "out of range",
+                   "The value lies outside what the key can mean. It is not clamped.", "g = 1.2",
+                   "g = 0.8", usage},
+    DiagnosticCode{"E0111", "key of another profile or phase",
+                   "The key belongs to another profile or phase function than the layer has, so it "
+                   "would have no effect. A later source that names another profile drops the keys "
+                   "of the earlier one by itself.",
+                   "profile = \"exponential\"\nscale_height = \"8 km\"\nhalf_width = \"15 km\"",
+                   "profile = \"exponential\"\nscale_height = \"8 km\"", usage},
+    DiagnosticCode{
+        "E0112", "extinction below scattering",
+        "Extinction is scattering plus absorption, so it cannot be the smaller one in any "
+        "channel. If the number is an absorption coefficient, call it `absorption`: "
+        "published tables mix the two up.",
+        "scattering = \"3.996e-6 /m\"\nextinction = \"4.4e-7 /m\"",
+        "scattering = \"3.996e-6 /m\"\nabsorption = \"4.44e-7 /m\"", usage},
+    DiagnosticCode{
+        "E0113", "bounds in the wrong order",
+        "The upper bound is not above the lower one: the top of the atmosphere lies on or "
+        "below the ground, or the top of a slab on or below its bottom.",
+        "ground_radius = \"6460 km\"\ntop_radius = \"6360 km\"",
+        "ground_radius = \"6360 km\"\ntop_radius = \"6460 km\"", usage},
+    DiagnosticCode{"E0114", "bad density table",
+                   "A density table is a list of [altitude, density] pairs, at least two, with "
+                   "strictly increasing altitudes. Density is linear between the entries and zero "
+                   "outside.",
+                   "table = [[\"0 km\", 1.0], [\"0 km\", 0.5]]",
+                   "table = [[\"0 km\", 1.0], [\"10 km\", 0.5]]", usage},
+    DiagnosticCode{"E0115", "unknown preset",
+                   "No preset has that name. `skybake init --list` names them all.",
+                   "preset = \"eart\"", "preset = \"earth\"", usage},
+    DiagnosticCode{
+        "E0116", "cyclic include",
+        "A file includes itself, directly or through others. The message names the chain.",
+        "# a.toml\ninclude = [\"a.toml\"]", "# a.toml\ninclude = [\"base.toml\"]", usage},
+    DiagnosticCode{"E0117", "bad name",
+                   "The name of a [bake.NAME] section becomes the name of a file, so it is made of "
+                   "letters, digits, `_` and `-`.",
+                   "[bake.\"sky/blue\"]", "[bake.sky_blue]", usage},
+    DiagnosticCode{"E0118", "unknown asset",
+                   "The section asks for an asset that skybake cannot bake. `asset` says what to "
+                   "bake; left out, the section's own name is taken for it.",
+                   "[bake.sky]", "[bake.sky]\nasset = \"transmittance\"", usage},
+    DiagnosticCode{"E0119", "unknown recipe format",
+                   "`format` is the version of the recipe's language. This release reads format 1.",
+                   "format = 2", "format = 1", usage},
+    DiagnosticCode{"E0120", "recipe too large",
+                   "A recipe is a page of text; a file of more than 4 MiB is something else and is "
+                   "not read.",
+                   "", "", usage},
+    DiagnosticCode{"E0121", "nested too deeply",
+                   "A dotted key has too many names, or arrays and tables lie in each other too "
+                   "deeply. No recipe needs more than a few levels.",
+                   "", "", usage},
+    DiagnosticCode{"E0122", "bad setting",
+                   "--set takes KEY=VALUE with a dotted key, in the syntax of a recipe.",
+                   "--set atmosphere.ground_albedo", "--set atmosphere.ground_albedo=0.3", usage},
+    DiagnosticCode{"E0123", "too many errors",
+                   "Only the first thousand diagnostics are shown. Mend those and look again.", "",
+                   "", usage},
+    DiagnosticCode{"E0124", "nothing to bake",
+                   "The recipe asks for no asset. Each [bake.NAME] section asks for one; presets "
+                   "bring none, since what to bake is for the recipe to say.",
+                   "preset = \"earth\"", "preset = \"earth\"\n[bake.transmittance]", usage},
+    DiagnosticCode{"E0125", "too many includes",
+                   "The recipe reads more files than any sensible one does; it probably includes "
+                   "files that include each other many times over.",
+                   "", "", usage},
+
+    DiagnosticCode{"E0300", "cannot open or read",
+                   "A file does not exist, is a folder, or may not be read.",
+                   "skybake check erth.toml", "skybake check earth.toml", input_or_output},
+    DiagnosticCode{"E0301", "cannot write",
+                   "A file could not be written whole: the disk is full, the folder may not be "
+                   "written to, or the medium failed. Nothing half-written is left behind.",
+                   "", "", input_or_output},
+    DiagnosticCode{"E0302", "output folder not usable",
+                   "The output folder cannot be made or is not a folder.", "", "", input_or_output},
+    DiagnosticCode{"E0303", "would overwrite a file that is not skybake's",
+                   "A file of that name exists, and no manifest in its folder says that skybake "
+                   "wrote it. Move it away, choose another folder with -o, or say --force.",
+                   "skybake init notes.toml", "skybake init earth.toml", input_or_output},
+    DiagnosticCode{"E0304", "not a file that skybake wrote, or damaged",
+                   "The file cannot be read as what its name says, or lacks the metadata that "
+                   "skybake writes into every file.",
+                   "", "", input_or_output},
+
+    DiagnosticCode{"E0401", "not finite",
+                   "A baked value is infinite or not a number. Nothing is written.", "", "",
+                   failed_check},
+    DiagnosticCode{"E0402", "out of the pixel type's range",
+                   "A baked value is too large for the pixel type and would be stored as infinity. "
+                   "Choose pixel_type = \"float\", or content = \"transmittance\" in place of an "
+                   "optical depth. Nothing is written.",
+                   "pixel_type = \"half\"", "pixel_type = \"float\"", failed_check},
+    DiagnosticCode{
+        "E0403", "max_error cannot be reached",
+        "No table up to the greatest size keeps the lookup error within `max_error`; the "
+        "message names the figure reached. Ask for less, or choose a mapping or pixel "
+        "type that suits the asset better. Nothing is written.",
+        "max_error = 1e-7\npixel_type = \"half\"", "max_error = 0.01", failed_check},
+    DiagnosticCode{"E0404", "max_texel_error cannot be reached",
+                   "The greatest counts of the quadrature do not bring the texel error within "
+                   "`max_texel_error`; the message names the figure reached. Nothing is written.",
+                   "max_texel_error = 1e-5", "max_texel_error = \"0.2 %\"", failed_check},
+    DiagnosticCode{
+        "E0405", "physical check failed",
+        "A baked table breaks a law that it must obey, such as a transmittance above 1 or "
+        "energy from nowhere. That is a fault of skybake: please report the recipe. "
+        "Nothing is written.",
+        "", "", failed_check},
+
+    DiagnosticCode{"E0500", "internal error",
+                   "skybake came to a state that its authors thought impossible. Please report the "
+                   "recipe and the command line.",
+                   "", "", internal},
+
+    DiagnosticCode{"W0201", "values below the pixel type's normal range",
+                   "Some values are so small that the pixel type stores them with fewer digits or "
+                   "as 0. Lookups there lose precision: choose pixel_type = \"float\", or "
+                   "content = \"optical_depth\" for dense air.",
+                   "pixel_type = \"half\"", "pixel_type = \"float\"", 0},
+    DiagnosticCode{"W0202", "very large optical depth",
+                   "Straight up through the whole atmosphere this layer lets less than e^-100 of "
+                   "the light pass. That is rarely meant; most often a coefficient per kilometre "
+                   "was given as one per metre.",
+                   "scattering = \"0.0331 /m\"", "scattering = \"0.0331 /km\"", 0},
+};
+
+}  // namespace
+
+std::span<const DiagnosticCode> diagnostic_codes() { return codes; }
+
+const DiagnosticCode* find_diagnostic_code(std::string_view code) {
+    for (const DiagnosticCode& entry : codes) {
+        if (entry.code == code) return &entry;
+    }
+    return nullptr;
+}
+
+int exit_code(std::span<const Diagnostic> diagnostics) {
+    int result = 0;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.severity != Severity::error) continue;
+        const DiagnosticCode* code = find_diagnostic_code(diagnostic.code);
+        result = std::max(result, code ? code->exit_code : internal);
+    }
+    return result;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,176 @@
+#include "config/fields.h"
+
+#include "config/units.h"
+
+namespace skybake::config {
+namespace {
+
+template <class Bound>
+Section make_section(std::string_view path, std::string_view asset, std::string_view documentation,
+                     std::span<const Bound> table) {
+    Section section{path, asset, documentation, {}};
+    for (const Bound& bound : table) section.fields.push_back(bound.field);
+    return section;
+}
+
+std::vector<Section> make_sections() {
+    return {
+        make_section("", "", "the recipe as a whole", root_fields()),
+        make_section("atmosphere", "", "the planet and its air", atmosphere_fields()),
+        make_section("atmosphere.layers.*", "", "one kind of gas or particle, under any name",
+                     layer_fields()),
+        make_section("bake.*", "transmittance",
+                     "the light that comes through from the top of the atmosphere",
+                     transmittance_fields()),
+        make_section("bake.*", "multiple_scattering",
+                     "the light scattered twice and more, per unit of scattering",
+                     multiple_scattering_fields()),
+    };
+}
+
+std::string spell_bound(const Field& field, double value) {
+    switch (field.kind) {
+        case Kind::length:
+            return spell_length(value);
+        case Kind::wavelengths:
+            return spell_wavelength(value);
+        case Kind::coefficients:
+            return spell_inverse_length(value);
+        default:
+            return spell_number(value);
+    }
+}
+
+bool has_range(Kind kind) {
+    switch (kind) {
+        case Kind::flag:
+        case Kind::text:
+        case Kind::text_list:
+        case Kind::choice:
+            return false;
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
+std::span<const Section> sections() {
+    static const std::vector<Section> all = make_sections();
+    return all;
+}
+
+const Section* find_section(std::string_view path, std::string_view asset) {
+    for (const Section& section : sections()) {
+        if (section.path == path && section.asset == asset) return &section;
+    }
+    return nullptr;
+}
+
+const Field* find_field(const Section& section, std::string_view key) {
+    for (const Field& field : section.fields) {
+        if (field.key == key) return &field;
+    }
+    return nullptr;
+}
+
+std::vector<std::string_view> field_keys(const Section& section) {
+    std::vector<std::string_view> keys;
+    for (const Field& field : section.fields) keys.push_back(field.key);
+    return keys;
+}
+
+std::vector<std::string_view> choice_names(const Field& field) {
+    std::vector<std::string_view> names;
+    for (const Choice& choice : field.choices) names.push_back(choice.name);
+    return names;
+}
+
+std::vector<std::string_view> asset_names() {
+    std::vector<std::string_view> names;
+    for (const Section& section : sections()) {
+        if (!section.asset.empty()) names.push_back(section.asset);
+    }
+    return names;
+}
+
+std::vector<std::string_view> subtables(std::string_view path) {
+    const std::string prefix = path.empty() ? "" : std::string(path) + '.';
+    std::vector<std::string_view> names;
+    for (const Section& section : sections()) {
+        if (section.path.empty() || section.path.substr(0, prefix.size()) != prefix) continue;
+        const std::string_view rest = section.path.substr(prefix.size());
+        const std::string_view name = rest.substr(0, rest.find('.'));
+        if (!name.empty() && name != "*" && (names.empty() || names.back() != name)) {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+bool applies(const Field& field, std::string_view selector_value) {
+    if (field.selector.empty()) return true;
+    for (const std::string_view value : field.selected_by) {
+        if (value == selector_value) return true;
+    }
+    return false;
+}
+
+std::string describe_range(const Field& field) {
+    if (!has_range(field.kind)) return "";
+    const Range& range = field.range;
+    if (range.minimum == range.maximum) return spell_bound(field, range.minimum);
+    return "in " + std::string(range.open_minimum ? "(" : "[") + spell_bound(field, range.minimum) +
+           ", " + spell_bound(field, range.maximum) + (range.open_maximum ? ")" : "]");
+}
+
+std::string describe_choices(const Field& field) {
+    std::string text;
+    for (const Choice& choice : field.choices) {
+        if (!text.empty()) text += ", ";
+        text += '`' + std::string(choice.name) + '`';
+    }
+    return text.empty() ? "" : "one of " + text;
+}
+
+std::string describe_field(const Field& field) {
+    std::string text(field.documentation);
+    if (!field.choices.empty()) text += "; " + describe_choices(field);
+    if (field.range.minimum < field.range.maximum) text += "; " + describe_range(field);
+    if (!field.hint.empty()) text += "; " + std::string(field.hint);
+    return text;
+}
+
+std::string_view describe_kind(Kind kind) {
+    switch (kind) {
+        case Kind::flag:
+            return "true or false";
+        case Kind::integer:
+            return "a whole number";
+        case Kind::number:
+            return "a number without a unit, such as 0.8";
+        case Kind::fraction:
+            return "a fraction, such as 0.002 or \"0.2 %\"";
+        case Kind::text:
+            return "a text in quotes";
+        case Kind::text_list:
+            return "a list of texts";
+        case Kind::choice:
+            return "a name in quotes";
+        case Kind::length:
+            return "a length with its unit, such as \"8 km\"";
+        case Kind::wavelengths:
+            return "a list of wavelengths, such as [\"680 nm\", \"550 nm\", \"440 nm\"]";
+        case Kind::coefficients:
+            return "a coefficient with its unit, such as \"4e-6 /m\", or a list of one per channel";
+        case Kind::fractions:
+            return "a fraction, such as 0.3 or \"30 %\", or a list of one per channel";
+        case Kind::size:
+            return "two whole numbers, such as [256, 64]";
+        case Kind::density_table:
+            return "a list of pairs, such as [[\"0 km\", 1.0], [\"10 km\", 0.5]]";
+    }
+    return "";
+}
+
+}  // namespace skybake::config

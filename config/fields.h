@@ -1,0 +1,133 @@
+// The field tables: for every key of a recipe its kind, range, default, documentation and source,
+// and the struct member it fills. The decoder and its checks, explain, init, the JSON Schema, show
+// and the metadata in baked files are all generated from these tables; no key is listed elsewhere.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "config/parameters.h"
+
+namespace skybake::config {
+
+// What a key's value looks like in TOML.
+enum class Kind {
+    flag,           // true or false
+    integer,        // 1
+    number,         // 0.8
+    fraction,       // 0.002 or "0.2 %"
+    text,           // "earth"
+    text_list,      // ["a.toml", "b.toml"], or one text
+    choice,         // one of the field's choices
+    length,         // "8 km"
+    wavelengths,    // ["680 nm", "550 nm", "440 nm"], or one
+    coefficients,   // "4e-6 /m", or one per channel
+    fractions,      // 0.3, or one per channel
+    size,           // [256, 64]
+    density_table,  // [["0 km", 1.0], ["10 km", 0.5]]
+};
+
+// In base units: metres, 1/m, 1.
+struct Range {
+    double minimum = 0;
+    double maximum = 0;
+    bool open_minimum = false;  // the bound itself is not allowed
+    bool open_maximum = false;
+};
+
+struct Choice {
+    std::string_view name;
+    std::string_view documentation;
+};
+
+struct Field {
+    std::string_view key;
+    Kind kind = Kind::text;
+    Range range = {};                       // of every number in the value
+    std::span<const Choice> choices = {};   // Kind::choice: in the order of the enumeration
+    std::string_view fallback = {};         // the default as TOML text; empty: none
+    bool required = false;                  // required wherever the key applies
+    std::string_view documentation = {};    // one line
+    std::string_view hint = {};             // typical values, for ranges' sake
+    std::string_view citation = {};         // where default or meaning come from
+    std::string_view exclusive_group = {};  // at most one key of a group may be given
+    std::string_view selector = {};         // the key applies only where this key of the table ...
+    std::span<const std::string_view> selected_by = {};  // ... has one of these values
+    std::string_view range_code = "E0110";               // the diagnostic for a value out of range
+    bool only_shown = false;  // says where values come from; not among the parameters of files
+};
+
+// A table of a recipe. In the path a `*` stands for a name that the user gives.
+struct Section {
+    std::string_view path;   // "", "atmosphere", "atmosphere.layers.*", "bake.*"
+    std::string_view asset;  // bake sections: what they bake; else empty
+    std::string_view documentation;
+    std::vector<Field> fields;
+};
+
+// The members that a field of a section with struct S can fill; std::monostate: none, the value is
+// used otherwise. Enumerations of S stand in Choices.
+template <class S, class... Choices>
+using Member =
+    std::variant<std::monostate, bool S::*, double S::*, std::optional<double> S::*, Length S::*,
+                 std::array<int, 2> S::*, std::vector<double> S::*, std::vector<Length> S::*,
+                 std::vector<InverseLength> S::*, std::vector<DensityPoint> S::*, Choices S::*...>;
+
+template <class S, class... Choices>
+struct BoundField {
+    Field field;
+    Member<S, Choices...> member;
+};
+
+using RootField = BoundField<Parameters>;
+using AtmosphereField = BoundField<Atmosphere>;
+using LayerField = BoundField<Layer, Profile, Phase>;
+using TransmittanceField = BoundField<TransmittanceBake, TransmittanceContent, TransmittanceMapping,
+                                      PixelType, Compression>;
+using MultipleScatteringField = BoundField<MultipleScatteringBake, MultipleScatteringMapping,
+                                           MultipleScatteringMethod, PixelType, Compression>;
+
+std::span<const RootField> root_fields();
+std::span<const AtmosphereField> atmosphere_fields();
+std::span<const LayerField> layer_fields();
+std::span<const TransmittanceField> transmittance_fields();
+std::span<const MultipleScatteringField> multiple_scattering_fields();
+
+// All sections, in the order of a recipe.
+std::span<const Section> sections();
+
+// The section at a path pattern; for bake sections, the one of the asset. Null if there is none.
+const Section* find_section(std::string_view path, std::string_view asset = "");
+
+const Field* find_field(const Section& section, std::string_view key);
+
+// The keys of a section, and the names of a field's choices.
+std::vector<std::string_view> field_keys(const Section& section);
+std::vector<std::string_view> choice_names(const Field& field);
+
+// The names of all assets, one bake section each.
+std::vector<std::string_view> asset_names();
+
+// The tables within the table at a path: {"atmosphere", "bake"} for "".
+std::vector<std::string_view> subtables(std::string_view path);
+
+// Whether the field applies where its selector has this value.
+bool applies(const Field& field, std::string_view selector_value);
+
+// What a value may be, in words: "in [1 m, 1e+12 m]", "one of `zip`, `none`". `describe_range`
+// is empty for kinds without numbers.
+std::string describe_range(const Field& field);
+std::string describe_choices(const Field& field);
+
+// Documentation, range or choices, and typical values, in one line.
+std::string describe_field(const Field& field);
+
+// What a key takes: "a length, such as \"8 km\"".
+std::string_view describe_kind(Kind kind);
+
+}  // namespace skybake::config

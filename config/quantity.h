@@ -1,0 +1,18 @@
+// Physical quantities as a recipe states them, in SI, each with a type of its own so that a length
+// cannot be handed over as a coefficient. Parsing and spelling them is units.h's business.
+#pragma once
+
+namespace skybake::config {
+
+struct Length {
+    double meters = 0;
+    constexpr double kilometers() const { return meters / 1000; }
+};
+
+// Scattering, absorption and extinction coefficients.
+struct InverseLength {
+    double per_meter = 0;
+    constexpr double per_kilometer() const { return per_meter * 1000; }
+};
+
+}  // namespace skybake::config

@@ -1,0 +1,50 @@
+#include "config/recipe.h"
+
+#include <utility>
+
+#include "config/diagnostic_list.h"
+#include "config/merge.h"
+#include "config/recipe_decoder.h"
+#include "config/recipe_sources.h"
+
+namespace skybake::config {
+namespace {
+
+Outcome<Recipe> decode_sources(RecipeSources sources, DiagnosticList diagnostics) {
+    Outcome<Recipe> outcome;
+    Recipe recipe;
+    Table root;
+    const Source* file = nullptr;
+    for (const SourceTree& tree : sources.trees) {
+        merge(root, tree.root);
+        if (tree.source->kind == Source::Kind::file) file = tree.source;  // the recipe is the last
+    }
+    if (file) {
+        Decoder decoder{diagnostics, recipe.values, sources.complete, std::nullopt};
+        recipe.parameters = decode_recipe(root, *file, decoder);
+        recipe.inputs = std::move(sources.inputs);
+    }
+    const bool whole = file && !diagnostics.has_errors();
+    outcome.diagnostics = diagnostics.take();
+    if (whole) outcome.value = std::move(recipe);
+    return outcome;
+}
+
+}  // namespace
+
+Outcome<Recipe> load_recipe(const std::filesystem::path& path,
+                            std::span<const std::string> settings) {
+    DiagnosticList diagnostics;
+    RecipeSources sources = read_sources(path, settings, diagnostics);
+    return decode_sources(std::move(sources), std::move(diagnostics));
+}
+
+Outcome<Recipe> parse_recipe(std::string_view text, const std::string& name,
+                             const std::filesystem::path& folder,
+                             std::span<const std::string> settings) {
+    DiagnosticList diagnostics;
+    RecipeSources sources = text_sources(std::string(text), name, folder, settings, diagnostics);
+    return decode_sources(std::move(sources), std::move(diagnostics));
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,45 @@
+// From recipe files to resolved parameters: presets, includes, --set, merging and every check.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake::config {
+
+// One resolved value of a recipe, for `show` and for the parameters that files carry.
+struct ResolvedValue {
+    std::string path;       // "atmosphere.layers.mie.scattering"
+    std::string written;    // TOML as its source spells it: ["5.802e-6 /m", ...]
+    std::string canonical;  // TOML in base units, equal for equal values: "8000 m"
+    std::string origin;  // "earth.toml:14", "preset earth", "--set `a.b=c`", "default", "derived"
+    bool only_shown =
+        false;  // tells where others come from (`preset`, `absorption`); not for files
+};
+
+struct Recipe {
+    Parameters parameters;
+    std::vector<ResolvedValue> values;          // in the order of the field tables, layers by name
+    std::vector<std::filesystem::path> inputs;  // recipe and includes, for dependency files
+};
+
+// Reads a recipe file. `settings` are the texts of --set, "a.b=c", in order.
+Outcome<Recipe> load_recipe(const std::filesystem::path& path,
+                            std::span<const std::string> settings = {});
+
+// The same for a text in memory; `name` stands for the file in diagnostics, `folder` is where its
+// includes are looked for.
+Outcome<Recipe> parse_recipe(std::string_view text, const std::string& name,
+                             const std::filesystem::path& folder = {},
+                             std::span<const std::string> settings = {});
+
+// The resolved values whose path matches one of the patterns, as TOML text (one `path = canonical`
+// a line, grouped under table headers). A `*` in a pattern matches one path component.
+std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns);
+
+}  // namespace skybake::config

@@ -1,0 +1,38 @@
+// All the texts that make up one recipe, in the order in which they override each other: the
+// preset, the included files (each after its own preset and includes), the file itself, each --set.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/diagnostic_list.h"
+#include "config/value_tree.h"
+
+namespace skybake::config {
+
+struct SourceTree {
+    const Source* source = nullptr;
+    Table root;
+};
+
+struct RecipeSources {
+    std::deque<Source> sources;     // owns what the places point to
+    std::vector<SourceTree> trees;  // later ones override earlier ones
+    std::vector<std::filesystem::path> inputs;
+    bool complete = true;  // false: one could not be read, so keys may be missing for that reason
+};
+
+// A recipe file and the --set texts laid over it. What cannot be read is reported and left out. The
+// diagnostics point into the sources: take them while these are there.
+RecipeSources read_sources(const std::filesystem::path& path, std::span<const std::string> settings,
+                           DiagnosticList& diagnostics);
+
+// The same for a text in memory.
+RecipeSources text_sources(std::string text, const std::string& name,
+                           const std::filesystem::path& folder,
+                           std::span<const std::string> settings, DiagnosticList& diagnostics);
+
+}  // namespace skybake::config

@@ -1,0 +1,220 @@
+#include "config/schema.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "config/fields.h"
+#include "config/presets.h"
+#include "config/toml_source.h"
+#include "config/units.h"
+
+namespace skybake::config {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A number followed by one of a dimension's units, as units.h reads it.
+Json quantity_schema(Dimension dimension) {
+    std::string names;
+    for (const std::string_view name : unit_spellings(dimension)) {
+        if (!names.empty()) names += '|';
+        for (const char c : name) {
+            if (c == '^') names += '\\';
+            names += c;
+        }
+    }
+    const std::string number = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+    return {{"type", "string"},
+            {"pattern", fmt::format("^[ \t]*{}[ \t]*({})[ \t]*$", number, names)}};
+}
+
+Json number_schema(const Range& range) {
+    Json schema = {{"type", "number"}};
+    schema[range.open_minimum ? "exclusiveMinimum" : "minimum"] = range.minimum;
+    schema[range.open_maximum ? "exclusiveMaximum" : "maximum"] = range.maximum;
+    return schema;
+}
+
+Json integer_schema(const Range& range) {
+    return {{"type", "integer"},
+            {"minimum", static_cast<int>(range.minimum)},
+            {"maximum", static_cast<int>(range.maximum)}};
+}
+
+Json fraction_schema(const Range& range) {
+    return {{"anyOf", {number_schema(range), quantity_schema(Dimension::fraction)}}};
+}
+
+// One item, or a list of one or three: the numbers of channels there are.
+Json per_channel(const Json& item) {
+    const Json list = {{"type", "array"}, {"items", item}, {"minItems", 1}, {"maxItems", 3}};
+    return {{"anyOf", {item, list}}};
+}
+
+Json text_schema() { return {{"type", "string"}}; }
+
+Json text_list_schema() {
+    const Json list = {{"type", "array"}, {"items", text_schema()}};
+    return {{"anyOf", {text_schema(), list}}};
+}
+
+Json choice_schema(const Field& field) {
+    Json names = Json::array();
+    for (const std::string_view name : choice_names(field)) names.push_back(name);
+    return {{"enum", names}};
+}
+
+Json size_schema(const Range& range) {
+    return {{"type", "array"}, {"items", integer_schema(range)}, {"minItems", 2}, {"maxItems", 2}};
+}
+
+Json density_table_schema(const Range& range) {
+    const Json pair = {{"type", "array"},
+                       {"items", {quantity_schema(Dimension::length), number_schema(range)}},
+                       {"minItems", 2},
+                       {"maxItems", 2}};
+    return {{"type", "array"}, {"items", pair}, {"minItems", 2}};
+}
+
+Json value_schema(const Field& field) {
+    switch (field.kind) {
+        case Kind::flag:
+            return {{"type", "boolean"}};
+        case Kind::integer:
+            return integer_schema(field.range);
+        case Kind::number:
+            return number_schema(field.range);
+        case Kind::fraction:
+            return fraction_schema(field.range);
+        case Kind::text:
+            return text_schema();
+        case Kind::text_list:
+            return text_list_schema();
+        case Kind::choice:
+            return choice_schema(field);
+        case Kind::length:
+            return quantity_schema(Dimension::length);
+        case Kind::wavelengths:
+            return per_channel(quantity_schema(Dimension::length));
+        case Kind::coefficients:
+            return per_channel(quantity_schema(Dimension::inverse_length));
+        case Kind::fractions:
+            return per_channel(fraction_schema(field.range));
+        case Kind::size:
+            return size_schema(field.range);
+        case Kind::density_table:
+            return density_table_schema(field.range);
+    }
+    return {};
+}
+
+// The default as JSON: those of the field tables are TOML that is JSON as well.
+Json default_json(const Field& field) { return Json::parse(field.fallback, nullptr, false); }
+
+Json field_schema(const Field& field) {
+    Json schema = value_schema(field);
+    schema["description"] = describe_field(field);
+    if (!field.fallback.empty()) schema["default"] = default_json(field);
+    if (field.key == "preset") schema["examples"] = preset_names();
+    return schema;
+}
+
+// At most one key of each exclusive group.
+void add_exclusions(const Section& section, Json& rules) {
+    for (std::size_t i = 0; i < section.fields.size(); ++i) {
+        const Field& a = section.fields[i];
+        for (std::size_t j = i + 1; j < section.fields.size(); ++j) {
+            const Field& b = section.fields[j];
+            if (a.exclusive_group.empty() || a.exclusive_group != b.exclusive_group) continue;
+            rules.push_back({{"not", {{"required", {a.key, b.key}}}}});
+        }
+    }
+}
+
+// Where a selector names a value, the keys of its other values are not allowed.
+void add_variants(const Section& section, Json& rules) {
+    for (const Field& selector : section.fields) {
+        for (const Choice& choice : selector.choices) {
+            Json refused = Json::object();
+            for (const Field& field : section.fields) {
+                const bool elsewhere =
+                    field.selector == selector.key && !applies(field, choice.name);
+                if (elsewhere) refused[std::string(field.key)] = false;
+            }
+            if (refused.empty()) continue;
+            const Json condition = {
+                {"properties", {{std::string(selector.key), {{"const", choice.name}}}}},
+                {"required", {selector.key}}};
+            rules.push_back({{"if", condition}, {"then", {{"properties", refused}}}});
+        }
+    }
+}
+
+Json section_schema(const Section& section) {
+    Json properties = Json::object();
+    for (const Field& field : section.fields) {
+        properties[std::string(field.key)] = field_schema(field);
+    }
+    Json schema = {{"type", "object"},
+                   {"description", section.documentation},
+                   {"properties", properties},
+                   {"additionalProperties", false}};
+    if (!section.asset.empty()) schema["properties"]["asset"]["const"] = section.asset;
+    Json rules = Json::array();
+    add_exclusions(section, rules);
+    add_variants(section, rules);
+    if (!rules.empty()) schema["allOf"] = rules;
+    return schema;
+}
+
+Json reference(std::string_view name) { return {{"$ref", fmt::format("#/definitions/{}", name)}}; }
+
+// A bake section of any asset, which `asset` must name.
+Json named_bake_schema() {
+    Json alternatives = Json::array();
+    for (const std::string_view asset : asset_names()) {
+        alternatives.push_back({{"allOf", {reference(asset), {{"required", {"asset"}}}}}});
+    }
+    return {{"anyOf", alternatives}};
+}
+
+Json bakes_schema() {
+    Json properties = Json::object();
+    for (const std::string_view asset : asset_names()) {
+        properties[std::string(asset)] = {{"anyOf", {reference(asset), reference("named_bake")}}};
+    }
+    return {{"type", "object"},
+            {"description", "one section per file to bake; [bake.NAME] makes NAME.exr"},
+            {"properties", properties},
+            {"propertyNames", {{"pattern", "^[A-Za-z0-9_-]+$"}}},
+            {"additionalProperties", reference("named_bake")}};
+}
+
+Json definitions() {
+    Json result = Json::object();
+    result["layer"] = section_schema(*find_section("atmosphere.layers.*"));
+    for (const std::string_view asset : asset_names()) {
+        result[std::string(asset)] = section_schema(*find_section("bake.*", asset));
+    }
+    result["named_bake"] = named_bake_schema();
+    return result;
+}
+
+}  // namespace
+
+std::string recipe_schema() {
+    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                   {"title", "skybake recipe"}};
+    schema.update(section_schema(*find_section("")));
+    Json atmosphere = section_schema(*find_section("atmosphere"));
+    atmosphere["properties"]["layers"] = {{"type", "object"},
+                                          {"description", "layers of the atmosphere, by name"},
+                                          {"additionalProperties", reference("layer")}};
+    schema["properties"]["atmosphere"] = atmosphere;
+    schema["properties"]["bake"] = bakes_schema();
+    schema["definitions"] = definitions();
+    return schema.dump(2) + '\n';
+}
+
+}  // namespace skybake::config

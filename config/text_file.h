@@ -1,0 +1,22 @@
+// Reading a small text file, with a bound on its size.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+
+namespace skybake::config {
+
+struct FileError {
+    bool too_large = false;
+    std::string reason;  // "No such file or directory"
+};
+
+// At most one byte more than `most_bytes` is read, so that a file of any size, or a device without
+// end, is refused at once. A leading UTF-8 byte order mark is left out.
+std::variant<std::string, FileError> read_text_file(const std::filesystem::path& path,
+                                                    std::size_t most_bytes);
+
+std::string without_byte_order_mark(std::string text);
+
+}  // namespace skybake::config

@@ -1,0 +1,49 @@
+// Quantities as people write them: "8 km", "5.802e-6 /m", "53 deg", "680 nm", "2 %", "0.8".
+//
+// Reading and spelling are independent of the locale, and exact where decimal arithmetic can be: a
+// power-of-ten unit is moved into the decimal exponent before the one rounding to double, so that
+// "8 km" is 8000 and "680 nm" is the double next to 6.8e-7. Base units: metre, 1/m, radian, 1.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace skybake::config {
+
+enum class Dimension { number, fraction, length, inverse_length, angle };
+
+struct Quantity {
+    double value = 0;                         // finite, in base units; never -0
+    Dimension dimension = Dimension::number;  // number: written without a unit; fraction: in %
+};
+
+struct QuantityError {
+    enum class Kind { not_a_number, unknown_unit, too_large, too_small };
+    Kind kind = Kind::not_a_number;
+    std::string part;  // the unreadable number or unit
+};
+
+// A number, optional blanks, an optional unit. NaN, infinity, values beyond a double's range and
+// nonzero values that would round to 0 are refused.
+std::variant<Quantity, QuantityError> parse_quantity(std::string_view text);
+
+// "a length", "an angle": for messages.
+std::string_view dimension_name(Dimension dimension);
+
+// A dimension's units, by size: {"nm", "um", ...}; none for numbers. `unit_spellings` has the other
+// ways to write them too, as "1/m" for "/m".
+std::vector<std::string_view> unit_names(Dimension dimension);
+std::vector<std::string_view> unit_spellings(Dimension dimension);
+
+// Canonical spellings: the shortest decimal that reads back as the same double, in one unit. Equal
+// values have equal spellings. Values must be finite.
+std::string spell_number(double value);              // "0.8"
+std::string spell_length(double meters);             // "8000 m"
+std::string spell_wavelength(double meters);         // "680 nm"
+std::string spell_inverse_length(double per_meter);  // "5.802e-06 /m"
+std::string spell_angle(double radians);             // "0.925 rad"
+
+}  // namespace skybake::config

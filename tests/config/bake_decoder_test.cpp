@@ -1,0 +1,100 @@
+#include "config/bake_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::has_value;
+using testing::parse;
+using testing::valid;
+
+Recipe bake(const std::string& text) { return valid("preset = 'vacuum'\n" + text); }
+
+TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
+    const Recipe recipe = bake("[bake.transmittance]\n[bake.multiple_scattering]\n");
+    ASSERT_EQ(recipe.parameters.bakes.size(), 2u);
+    const auto* transmittance = std::get_if<TransmittanceBake>(&recipe.parameters.bakes[0].asset);
+    ASSERT_TRUE(transmittance);
+    EXPECT_EQ(transmittance->size, (std::array<int, 2>{256, 64}));
+    EXPECT_FALSE(transmittance->max_error);
+    EXPECT_EQ(transmittance->content, TransmittanceContent::transmittance);
+    EXPECT_EQ(transmittance->mapping, TransmittanceMapping::bruneton);
+    EXPECT_EQ(transmittance->pixel_type, PixelType::float32);
+    EXPECT_EQ(transmittance->compression, Compression::zip);
+    const auto* scattering = std::get_if<MultipleScatteringBake>(&recipe.parameters.bakes[1].asset);
+    ASSERT_TRUE(scattering);
+    EXPECT_EQ(scattering->size, (std::array<int, 2>{32, 32}));
+    EXPECT_EQ(scattering->max_texel_error, 0.002);
+    EXPECT_EQ(scattering->mapping, MultipleScatteringMapping::hillaire);
+    EXPECT_EQ(scattering->method, MultipleScatteringMethod::converged);
+}
+
+TEST(BakeDecoder, AssetDefaultsToTheName) {
+    const Recipe recipe = bake("[bake.mine]\nasset = 'transmittance'\nmapping = 'ue'\n");
+    ASSERT_EQ(recipe.parameters.bakes.size(), 1u);
+    EXPECT_EQ(recipe.parameters.bakes[0].name, "mine");
+    EXPECT_EQ(std::get<TransmittanceBake>(recipe.parameters.bakes[0].asset).mapping,
+              TransmittanceMapping::ue);
+}
+
+TEST(BakeDecoder, BakesStandInTheOrderOfTheFile) {
+    const Recipe recipe = bake(
+        "[bake.z]\nasset = 'transmittance'\n[bake.multiple_scattering]\n"
+        "[bake.a]\nasset = 'transmittance'\n");
+    ASSERT_EQ(recipe.parameters.bakes.size(), 3u);
+    EXPECT_EQ(recipe.parameters.bakes[0].name, "z");
+    EXPECT_EQ(recipe.parameters.bakes[1].name, "multiple_scattering");
+    EXPECT_EQ(recipe.parameters.bakes[2].name, "a");
+}
+
+TEST(BakeDecoder, AnErrorBoundStandsInPlaceOfASize) {
+    const Recipe recipe = bake("[bake.transmittance]\nmax_error = '2 %'\n");
+    const auto& asset = std::get<TransmittanceBake>(recipe.parameters.bakes.at(0).asset);
+    EXPECT_EQ(asset.max_error, 0.02);
+    EXPECT_EQ(asset.size, (std::array<int, 2>{0, 0}));
+    EXPECT_FALSE(has_value(recipe, "bake.transmittance.size"));
+}
+
+TEST(BakeDecoder, RefusesUnknownAssets) {
+    const auto diagnostics = parse(
+                                 "preset = 'vacuum'\n[bake.transmitance]\n[bake.x]\nasset = 'sky'\n"
+                                 "[bake.y]\nasset = 3\n")
+                                 .diagnostics;
+    ASSERT_EQ(diagnostics.size(), 3u);
+    EXPECT_EQ(diagnostics[0].code, "E0118");
+    EXPECT_EQ(diagnostics[0].label, "did you mean `transmittance`?");
+    EXPECT_EQ(diagnostics[0].where.column, 7);
+    EXPECT_EQ(diagnostics[1].code, "E0118");
+    EXPECT_EQ(diagnostics[1].label, "`asset` is one of transmittance, multiple_scattering");
+    EXPECT_EQ(diagnostics[1].where.line, 4);
+    EXPECT_EQ(diagnostics[2].code, "E0103");
+}
+
+TEST(BakeDecoder, NamesAreNamesOfFiles) {
+    for (const char* name : {"a/b", "..", "a b", "", "\u00b5"}) {
+        const auto diagnostics = parse(std::string("preset = 'vacuum'\n[bake.\"") + name +
+                                       "\"]\nasset = 'transmittance'\n")
+                                     .diagnostics;
+        ASSERT_EQ(diagnostics.size(), 1u) << name;
+        EXPECT_EQ(diagnostics[0].code, "E0117") << name;
+    }
+}
+
+TEST(BakeDecoder, ErrorBoundsHaveRanges) {
+    for (const char* text : {"max_error = 0", "max_error = '101 %'", "max_error = 1e-9"}) {
+        const auto diagnostics =
+            parse(std::string("preset = 'vacuum'\n[bake.transmittance]\n") + text).diagnostics;
+        ASSERT_EQ(diagnostics.size(), 1u) << text;
+        EXPECT_EQ(diagnostics[0].code, "E0110") << text;
+    }
+    EXPECT_EQ(parse("preset = 'vacuum'\n[bake.multiple_scattering]\nmax_texel_error = 0\n")
+                  .diagnostics[0]
+                  .code,
+              "E0110");
+}
+
+}  // namespace
+}  // namespace skybake::config

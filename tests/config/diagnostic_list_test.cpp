@@ -1,0 +1,64 @@
+#include "config/diagnostic_list.h"
+
+#include <gtest/gtest.h>
+
+namespace skybake::config {
+namespace {
+
+TEST(DiagnosticList, SortsByPlace) {
+    const Source first{Source::Kind::file, 0, "base.toml", "one\ntwo\n"};
+    const Source second{Source::Kind::file, 1, "top.toml", "one\ntwo\n"};
+    DiagnosticList list;
+    list.error("E3", {&second, 1, 1, 1}, "");
+    list.error("E2", {&first, 2, 1, 1}, "");
+    list.warning("W1", {&first, 1, 2, 1}, "");
+    EXPECT_TRUE(list.has_errors());
+    const auto diagnostics = list.take();
+    ASSERT_EQ(diagnostics.size(), 3u);
+    EXPECT_EQ(diagnostics[0].code, "W1");
+    EXPECT_EQ(diagnostics[0].severity, Severity::warning);
+    EXPECT_EQ(diagnostics[1].code, "E2");
+    EXPECT_EQ(diagnostics[2].code, "E3");
+}
+
+TEST(DiagnosticList, AWarningIsNoError) {
+    DiagnosticList list;
+    list.warning("W0202", {}, "");
+    EXPECT_FALSE(list.has_errors());
+}
+
+TEST(DiagnosticList, ShowsTheLine) {
+    const Source source{Source::Kind::file, 0, "a.toml", "first\r\nsecond \u00b5\r\nlast"};
+    EXPECT_EQ(source_range({&source, 1, 1, 1}).line_text, "first");
+    EXPECT_EQ(source_range({&source, 2, 1, 1}).line_text, "second \u00b5");
+    EXPECT_EQ(source_range({&source, 3, 1, 1}).line_text, "last");
+    EXPECT_EQ(source_range({&source, 9, 1, 1}).line_text, "");
+}
+
+TEST(DiagnosticList, LeavesOutLinesThatCannotBeShown) {
+    const Source source{Source::Kind::file, 0, "a.toml",
+                        std::string(5000, 'x') + "\n\x1b[31m\n\xff\n\tfine"};
+    EXPECT_EQ(source_range({&source, 1, 1, 1}).line_text, "");
+    EXPECT_EQ(source_range({&source, 2, 1, 1}).line_text, "");
+    EXPECT_EQ(source_range({&source, 3, 1, 1}).line_text, "");
+    EXPECT_EQ(source_range({&source, 4, 1, 1}).line_text, "\tfine");
+}
+
+TEST(DiagnosticList, SettingsHaveNoLines) {
+    const Source source{Source::Kind::setting, 0, "--set `a=1`", ""};
+    const SourceRange range = source_range({&source, 1, 1, 1});
+    EXPECT_EQ(range.source, "--set `a=1`");
+    EXPECT_EQ(range.line, 0);
+}
+
+TEST(DiagnosticList, StopsAtAThousand) {
+    DiagnosticList list;
+    for (int i = 0; i < 1500; ++i) list.error("E0102", {}, "");
+    const auto diagnostics = list.take();
+    ASSERT_EQ(diagnostics.size(), 1001u);
+    EXPECT_EQ(diagnostics.back().code, "E0123");
+    EXPECT_EQ(diagnostics.back().message, "too many errors: 500 more not shown");
+}
+
+}  // namespace
+}  // namespace skybake::config

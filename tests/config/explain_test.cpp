@@ -1,0 +1,59 @@
+#include "config/explain.h"
+
+#include <gtest/gtest.h>
+
+#include "config/diagnostic_codes.h"
+#include "config/fields.h"
+
+namespace skybake::config {
+namespace {
+
+bool mentions(const std::optional<std::string>& text, std::string_view words) {
+    return text && text->find(words) != std::string::npos;
+}
+
+TEST(Explain, KnowsAKeyByItsPathOrItsTail) {
+    for (const char* path :
+         {"atmosphere.layers.mie.g", "atmosphere.layers.*.g", "layers.*.g", "mie.g", "g"}) {
+        const auto text = explain(path);
+        EXPECT_TRUE(mentions(text, "atmosphere.layers.*.g\n")) << path;
+        EXPECT_TRUE(mentions(text, "in (-1, 1); typical haze 0.76")) << path;
+        EXPECT_TRUE(mentions(text, "Cornette and Shanks 1992")) << path;
+    }
+}
+
+TEST(Explain, ShowsAllKeysThatFit) {
+    EXPECT_TRUE(mentions(explain("size"), "bake.transmittance.size"));
+    EXPECT_TRUE(mentions(explain("size"), "bake.multiple_scattering.size"));
+    EXPECT_FALSE(mentions(explain("bake.transmittance.size"), "multiple_scattering"));
+    EXPECT_TRUE(mentions(explain("bake.mine.size"), "bake.multiple_scattering.size"));
+}
+
+TEST(Explain, ShowsTables) {
+    EXPECT_TRUE(mentions(explain("atmosphere"), "ground_radius"));
+    EXPECT_TRUE(mentions(explain("atmosphere.layers.mie"), "scale_height"));
+    EXPECT_TRUE(mentions(explain("bake.transmittance"), "content"));
+    EXPECT_FALSE(mentions(explain("transmittance"), "method"));
+}
+
+TEST(Explain, EveryCodeAndEveryKeyIsExplained) {
+    for (const DiagnosticCode& code : diagnostic_codes()) {
+        EXPECT_TRUE(mentions(explain(code.code), code.title)) << code.code;
+    }
+    const std::string all = explain_all_keys();
+    for (const std::string& name : explained_names()) EXPECT_TRUE(explain(name)) << name;
+    for (const Section& section : sections()) {
+        for (const Field& field : section.fields) {
+            EXPECT_NE(all.find(field.key), std::string::npos) << field.key;
+        }
+    }
+}
+
+TEST(Explain, UnknownNamesAreUnknown) {
+    for (const char* name : {"", "nope", "*", "a.b.c.d.e.f", "E9999", "mie", "..", "\"x"}) {
+        EXPECT_FALSE(explain(name)) << name;
+    }
+}
+
+}  // namespace
+}  // namespace skybake::config

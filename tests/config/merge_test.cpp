@@ -1,0 +1,167 @@
+#include "config/merge.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "config/toml_source.h"
+
+namespace skybake::config {
+namespace {
+
+Table table_of(const std::string& text) {
+    const Source source{Source::Kind::file, 0, "test.toml", text};
+    DiagnosticList list;
+    std::optional<Table> table = parse_toml(source, list);
+    EXPECT_TRUE(table) << text;
+    return table ? std::move(*table) : Table{};
+}
+
+std::string spelled(Table table) { return spell_value(Value{std::move(table), {}}); }
+
+std::string merged(const std::string& base, const std::string& over) {
+    Table result = table_of(base);
+    merge(result, table_of(over));
+    return spelled(std::move(result));
+}
+
+// The same for the keys of one layer.
+std::string merged_layer(const std::string& base, const std::string& over) {
+    Table result = table_of("[atmosphere.layers.x]\n" + base);
+    merge(result, table_of("[atmosphere.layers.x]\n" + over));
+    Entry* atmosphere = find_entry(result, "atmosphere");
+    Entry* layers = find_entry(std::get<Table>(atmosphere->value.data), "layers");
+    Entry* layer = find_entry(std::get<Table>(layers->value.data), "x");
+    return spell_value(layer->value);
+}
+
+std::string merged_bake(const std::string& base, const std::string& over) {
+    Table result = table_of("[bake.transmittance]\n" + base);
+    merge(result, table_of("[bake.transmittance]\n" + over));
+    Entry* bake = find_entry(result, "bake");
+    return spell_value(find_entry(std::get<Table>(bake->value.data), "transmittance")->value);
+}
+
+TEST(Merge, TablesMergeKeyByKeyAndArraysReplace) {
+    EXPECT_EQ(merged("a = 1\nb = 2", "b = 3\nc = 4"), "{ a = 1, b = 3, c = 4 }");
+    EXPECT_EQ(merged("[t]\na = 1\nb = 2", "[t]\nb = 3"), "{ t = { a = 1, b = 3 } }");
+    EXPECT_EQ(merged("a = [1, 2, 3]", "a = [4]"), "{ a = [4] }");
+    EXPECT_EQ(merged("a = 1", "[a]\nb = 2"), "{ a = { b = 2 } }");
+    EXPECT_EQ(merged("[a]\nb = 2", "a = 1"), "{ a = 1 }");
+}
+
+TEST(Merge, AnExclusiveKeyDropsTheOthers) {
+    EXPECT_EQ(merged_layer("extinction = 1", "absorption = 2"), "{ absorption = 2 }");
+    EXPECT_EQ(merged_layer("absorption = 1", "single_scattering_albedo = 2"),
+              "{ single_scattering_albedo = 2 }");
+    EXPECT_EQ(merged_layer("extinction = 1\nscattering = 3", "extinction = 2"),
+              "{ extinction = 2, scattering = 3 }");
+    EXPECT_EQ(merged_bake("size = 1", "max_error = 2"), "{ max_error = 2 }");
+    EXPECT_EQ(merged_bake("max_error = 1", "size = 2"), "{ size = 2 }");
+}
+
+TEST(Merge, AnotherProfileOrPhaseDropsTheKeysOfTheOldOne) {
+    EXPECT_EQ(merged_layer("profile = 'exponential'\nscale_height = 1", "profile = 'tent'"),
+              "{ profile = \"tent\" }");
+    EXPECT_EQ(merged_layer("profile = 'tent'\nhalf_width = 1", "profile = 'tent'"),
+              "{ half_width = 1, profile = \"tent\" }");
+    EXPECT_EQ(merged_layer("phase = 'cornette_shanks'\ng = 1", "phase = 'rayleigh'"),
+              "{ phase = \"rayleigh\" }");
+    EXPECT_EQ(merged_layer("phase = 'cornette_shanks'\ng = 1", "phase = 'henyey_greenstein'"),
+              "{ g = 1, phase = \"henyey_greenstein\" }");
+}
+
+TEST(Merge, AnotherAssetStartsItsSectionAfresh) {
+    EXPECT_EQ(merged_bake("size = 1\ncontent = 2", "asset = 'multiple_scattering'"),
+              "{ asset = \"multiple_scattering\" }");
+    EXPECT_EQ(merged_bake("size = 1", "asset = 'transmittance'"),
+              "{ asset = \"transmittance\", size = 1 }");
+}
+
+TEST(Merge, LayersOfDifferentNamesDoNotTouch) {
+    EXPECT_EQ(
+        merged("[atmosphere.layers.a]\nextinction = 1", "[atmosphere.layers.b]\nabsorption = 2"),
+        "{ atmosphere = { layers = { a = { extinction = 1 }, b = { absorption = 2 } } } }");
+}
+
+std::vector<Diagnostic> contradictions(const std::string& text) {
+    const Source source{Source::Kind::file, 0, "test.toml", text};
+    DiagnosticList list;
+    const std::optional<Table> table = parse_toml(source, list);
+    check_exclusive_keys(table.value(), list);
+    return list.take();
+}
+
+TEST(Merge, TwoExclusiveKeysOfOneSourceAreReported) {
+    const auto found =
+        contradictions("[atmosphere.layers.mie]\nextinction = \"4 /m\"\nabsorption = \"1 /m\"\n");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].code, "E0109");
+    EXPECT_EQ(found[0].where.line, 3);
+    EXPECT_EQ(found[0].where.length, 10);
+    EXPECT_EQ(found[0].message,
+              "`atmosphere.layers.mie.absorption` and `atmosphere.layers.mie.extinction` exclude "
+              "each other");
+    EXPECT_EQ(found[0].label, "`extinction` is given already (line 2): keep one");
+    EXPECT_EQ(
+        contradictions("[bake.x]\nasset = 'transmittance'\nmax_error = 0.1\nsize = [1, 1]").size(),
+        1u);
+    EXPECT_TRUE(contradictions("[bake.transmittance]\nsize = [1, 1]").empty());
+    EXPECT_TRUE(contradictions("extinction = 1\nabsorption = 2").empty());
+}
+
+// Random tables of plain keys: no key excludes another.
+Table any_table(int depth) {
+    Table table;
+    for (const char* key : {"a", "b", "c"}) {
+        const int what = *rc::gen::inRange(0, depth > 0 ? 3 : 2);
+        if (what == 0) continue;
+        Value value;
+        if (what == 1) value.data = std::int64_t{*rc::gen::inRange(0, 9)};
+        if (what == 2) value.data = any_table(depth - 1);
+        table.push_back({key, {}, value});
+    }
+    return table;
+}
+
+TEST(Merge, IsAssociativeForTablesAndIdempotent) {
+    EXPECT_TRUE(rc::check("(a + b) + c == a + (b + c) where tables stay tables", [] {
+        // A number between two tables forgets what the first one said, in one order only, so the
+        // law is asked of tables of one shape.
+        const Table a = any_table(0);
+        const Table b = any_table(0);
+        const Table c = any_table(0);
+        Table left = a;
+        merge(left, b);
+        merge(left, c);
+        Table right = b;
+        merge(right, c);
+        Table sum = a;
+        merge(sum, right);
+        RC_ASSERT(spelled(left) == spelled(sum));
+    }));
+    EXPECT_TRUE(rc::check("a + a == a, and nothing is a neutral element", [] {
+        const Table a = any_table(3);
+        Table twice = a;
+        merge(twice, a);
+        RC_ASSERT(spelled(twice) == spelled(a));
+        Table over_nothing;
+        merge(over_nothing, a);
+        RC_ASSERT(spelled(over_nothing) == spelled(a));
+        Table with_nothing = a;
+        merge(with_nothing, {});
+        RC_ASSERT(spelled(with_nothing) == spelled(a));
+    }));
+    EXPECT_TRUE(rc::check("the result is sorted, and the later source wins", [] {
+        Table sum = any_table(3);
+        const Table over = any_table(3);
+        merge(sum, over);
+        for (std::size_t i = 1; i < sum.size(); ++i) RC_ASSERT(sum[i - 1].key < sum[i].key);
+        for (const Entry& entry : over) {
+            if (as_table(entry.value)) continue;
+            RC_ASSERT(spell_value(find_entry(sum, entry.key)->value) == spell_value(entry.value));
+        }
+    }));
+}
+
+}  // namespace
+}  // namespace skybake::config

@@ -1,0 +1,126 @@
+#include "config/presets.h"
+
+#include <gtest/gtest.h>
+
+#include "config/zenith_optical_depth.h"
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::find_layer;
+using testing::valid;
+
+Parameters preset(const std::string& name) { return valid("preset = '" + name + "'").parameters; }
+
+std::vector<double> per_meter(const std::vector<InverseLength>& coefficients) {
+    std::vector<double> values;
+    for (const InverseLength value : coefficients) values.push_back(value.per_meter);
+    return values;
+}
+
+using Values = std::vector<double>;
+
+TEST(Presets, AreThoseOfTheIssue) {
+    EXPECT_EQ(preset_names(),
+              (std::vector<std::string_view>{"dense_earth", "earth", "earth_bruneton", "mars",
+                                             "tiny_planet", "vacuum"}));
+    EXPECT_EQ(find_preset("moon"), nullptr);
+}
+
+TEST(Presets, AreValidRecipesWithATitleAndTwoBakes) {
+    for (const Preset& entry : presets()) {
+        const Recipe recipe = valid(std::string(entry.text));
+        EXPECT_EQ(recipe.parameters.bakes.size(), 2u) << entry.name;
+        EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
+        EXPECT_FALSE(preset_title(entry).empty()) << entry.name;
+        EXPECT_LE(preset_title(entry).size(), 80u) << entry.name;
+    }
+}
+
+// The recipe of the issue, number by number.
+TEST(Presets, EarthIsTheRecipeOfTheIssue) {
+    const Parameters earth = preset("earth");
+    ASSERT_EQ(earth.wavelengths.size(), 3u);
+    EXPECT_EQ(earth.wavelengths[0].meters, 680e-9);
+    EXPECT_EQ(earth.wavelengths[1].meters, 550e-9);
+    EXPECT_EQ(earth.wavelengths[2].meters, 440e-9);
+    EXPECT_EQ(earth.atmosphere.ground_radius.meters, 6360e3);
+    EXPECT_EQ(earth.atmosphere.top_radius.meters, 6460e3);
+    EXPECT_EQ(earth.atmosphere.ground_albedo, Values(3, 0.3));
+    ASSERT_EQ(earth.atmosphere.layers.size(), 3u);
+    const Layer* rayleigh = find_layer(earth, "rayleigh");
+    ASSERT_TRUE(rayleigh);
+    EXPECT_EQ(rayleigh->profile, Profile::exponential);
+    EXPECT_EQ(rayleigh->scale_height.meters, 8000);
+    EXPECT_EQ(per_meter(rayleigh->scattering), (Values{5.802e-6, 1.3558e-5, 3.31e-5}));
+    EXPECT_EQ(per_meter(rayleigh->extinction), (Values{5.802e-6, 1.3558e-5, 3.31e-5}));
+    EXPECT_EQ(rayleigh->phase, Phase::rayleigh);
+    const Layer* mie = find_layer(earth, "mie");
+    ASSERT_TRUE(mie);
+    EXPECT_EQ(mie->profile, Profile::exponential);
+    EXPECT_EQ(mie->scale_height.meters, 1200);
+    EXPECT_EQ(per_meter(mie->scattering), Values(3, 3.996e-6));
+    EXPECT_EQ(per_meter(mie->extinction), Values(3, 4.44e-6));
+    EXPECT_EQ(mie->phase, Phase::cornette_shanks);
+    EXPECT_EQ(mie->g, 0.8);
+    const Layer* ozone = find_layer(earth, "ozone");
+    ASSERT_TRUE(ozone);
+    EXPECT_EQ(ozone->profile, Profile::tent);
+    EXPECT_EQ(ozone->center_altitude.meters, 25000);
+    EXPECT_EQ(ozone->half_width.meters, 15000);
+    EXPECT_EQ(per_meter(ozone->scattering), Values(3, 0));
+    EXPECT_EQ(per_meter(ozone->extinction), (Values{6.5e-7, 1.881e-6, 8.5e-8}));
+}
+
+TEST(Presets, BrunetonFollowsHisFormula) {
+    const Parameters parameters = preset("earth_bruneton");
+    EXPECT_EQ(parameters.atmosphere.top_radius.meters, 6420e3);
+    EXPECT_EQ(parameters.atmosphere.ground_albedo, Values(3, 0.1));
+    const Layer* rayleigh = find_layer(parameters, "rayleigh");
+    ASSERT_TRUE(rayleigh);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double micrometers = parameters.wavelengths[i].meters * 1e6;
+        const double expected =
+            1.24062e-6 / (micrometers * micrometers * micrometers * micrometers);
+        EXPECT_NEAR(rayleigh->scattering[i].per_meter / expected, 1, 2e-5);
+    }
+}
+
+TEST(Presets, DenseEarthHasFiftyTimesTheAir) {
+    const Parameters earth = preset("earth");
+    const Parameters dense = preset("dense_earth");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(find_layer(dense, "rayleigh")->scattering[i].per_meter /
+                        find_layer(earth, "rayleigh")->scattering[i].per_meter,
+                    50, 1e-10);
+    }
+    EXPECT_EQ(per_meter(find_layer(dense, "mie")->extinction), Values(3, 4.44e-6));
+}
+
+TEST(Presets, TinyPlanetHasEightTimesTheCoefficients) {
+    const Parameters tiny = preset("tiny_planet");
+    EXPECT_EQ(tiny.atmosphere.ground_radius.meters, 50e3);
+    EXPECT_EQ(tiny.atmosphere.top_radius.meters, 65e3);
+    EXPECT_EQ(tiny.atmosphere.ground_albedo, Values(3, 0));
+    EXPECT_EQ(find_layer(tiny, "ozone"), nullptr);
+    EXPECT_EQ(find_layer(tiny, "rayleigh")->scale_height.meters, 2000);
+    EXPECT_EQ(find_layer(tiny, "mie")->scale_height.meters, 500);
+    EXPECT_NEAR(find_layer(tiny, "rayleigh")->scattering[2].per_meter, 8 * 3.31e-5, 1e-15);
+    EXPECT_NEAR(find_layer(tiny, "mie")->extinction[0].per_meter, 8 * 4.44e-6, 1e-15);
+}
+
+TEST(Presets, MarsHasDustOfDepthOneHalf) {
+    const Parameters mars = preset("mars");
+    const Layer* dust = find_layer(mars, "dust");
+    ASSERT_TRUE(dust);
+    for (const double depth : zenith_optical_depth(*dust, mars.atmosphere))
+        EXPECT_NEAR(depth, 0.5, 1e-3);
+    EXPECT_NEAR(dust->scattering[2].per_meter / dust->extinction[2].per_meter, 0.76, 1e-12);
+    EXPECT_EQ(dust->g, 0.65);
+}
+
+TEST(Presets, VacuumHasNoLayers) { EXPECT_TRUE(preset("vacuum").atmosphere.layers.empty()); }
+
+}  // namespace
+}  // namespace skybake::config

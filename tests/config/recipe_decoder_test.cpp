@@ -1,0 +1,63 @@
+#include "config/recipe_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::parse;
+using testing::valid;
+
+TEST(RecipeDecoder, OneWavelengthMakesOneChannel) {
+    const Recipe recipe = valid(
+        "wavelengths = ['550 nm']\n[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\n"
+        "[atmosphere.layers.a]\nprofile = 'exponential'\nscale_height = '1 km'\nscattering = '1e-6 "
+        "/m'\n");
+    EXPECT_EQ(recipe.parameters.wavelengths.size(), 1u);
+    EXPECT_EQ(recipe.parameters.wavelengths[0].meters, 550e-9);
+    EXPECT_EQ(recipe.parameters.atmosphere.ground_albedo, std::vector<double>{0});
+    EXPECT_EQ(recipe.parameters.atmosphere.layers.at(0).scattering.size(), 1u);
+}
+
+TEST(RecipeDecoder, ThreeIsTheDefault) {
+    const Recipe recipe = valid("[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\n");
+    ASSERT_EQ(recipe.parameters.wavelengths.size(), 3u);
+    EXPECT_EQ(recipe.parameters.wavelengths[0].meters, 680e-9);
+    EXPECT_EQ(recipe.parameters.wavelengths[2].meters, 440e-9);
+    EXPECT_EQ(recipe.parameters.atmosphere.ground_albedo, (std::vector<double>{0, 0, 0}));
+    EXPECT_TRUE(recipe.parameters.bakes.empty());
+}
+
+TEST(RecipeDecoder, TwoWavelengthsAreRefusedWithoutATail) {
+    const auto diagnostics = parse("preset = 'earth'\nwavelengths = ['1 um', '2 um']").diagnostics;
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0108");
+}
+
+TEST(RecipeDecoder, TheTopLiesAboveTheGround) {
+    const auto diagnostics =
+        parse("[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\n").diagnostics;
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0113");
+    EXPECT_EQ(diagnostics[0].where.line, 3);
+    EXPECT_EQ(diagnostics[0].where.column, 14);
+    EXPECT_EQ(diagnostics[0].message,
+              "`atmosphere.top_radius` is not above ground_radius: 6360000 m");
+    EXPECT_EQ(diagnostics[0].label, "must be above 6460000 m");
+    EXPECT_EQ(
+        parse("[atmosphere]\nground_radius = '1 km'\ntop_radius = '1 km'\n").diagnostics[0].code,
+        "E0113");
+}
+
+TEST(RecipeDecoder, ARecipeWithoutAtmosphereSaysSo) {
+    const auto diagnostics = parse("").diagnostics;
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0105");
+    EXPECT_EQ(diagnostics[0].message, "the recipe has no [atmosphere]");
+    EXPECT_EQ(diagnostics[0].where.source, "test.toml");
+}
+
+}  // namespace
+}  // namespace skybake::config

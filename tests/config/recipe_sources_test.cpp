@@ -1,0 +1,158 @@
+#include "config/recipe_sources.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::TemporaryFolder;
+
+std::vector<std::string> source_names(const RecipeSources& sources) {
+    std::vector<std::string> names;
+    for (const SourceTree& tree : sources.trees) names.push_back(tree.source->name);
+    return names;
+}
+
+TEST(RecipeSources, StandInTheOrderOfOverriding) {
+    const TemporaryFolder folder;
+    folder.write("base/one.toml", "preset = 'mars'");
+    folder.write("base/two.toml", "");
+    const auto path =
+        folder.write("top.toml", "preset = 'earth'\ninclude = ['base/one.toml', 'base/two.toml']");
+    DiagnosticList list;
+    const std::vector<std::string> settings = {"a.b=1", "a.c = 2"};
+    const RecipeSources sources = read_sources(path, settings, list);
+    EXPECT_TRUE(list.take().empty());
+    EXPECT_TRUE(sources.complete);
+    EXPECT_EQ(source_names(sources),
+              (std::vector<std::string>{"preset earth", "preset mars",
+                                        (folder.path() / "base/one.toml").string(),
+                                        (folder.path() / "base/two.toml").string(), path.string(),
+                                        "--set `a.b=1`", "--set `a.c = 2`"}));
+    EXPECT_EQ(sources.inputs.size(), 3u);
+    EXPECT_EQ(sources.inputs[0], path);
+    for (std::size_t i = 1; i < sources.trees.size(); ++i) {
+        EXPECT_LT(sources.trees[i - 1].source->order, sources.trees[i].source->order);
+    }
+}
+
+TEST(RecipeSources, PresetsBringNoBakes) {
+    DiagnosticList list;
+    const RecipeSources sources = text_sources("preset = 'earth'", "t", {}, {}, list);
+    ASSERT_EQ(sources.trees.size(), 2u);
+    EXPECT_FALSE(find_entry(sources.trees[0].root, "bake"));
+    EXPECT_TRUE(find_entry(sources.trees[0].root, "atmosphere"));
+}
+
+TEST(RecipeSources, ASettingMayNameThePreset) {
+    DiagnosticList list;
+    const std::vector<std::string> settings = {"preset=mars"};
+    const RecipeSources sources = text_sources("preset = 'earth'", "t", {}, settings, list);
+    EXPECT_EQ(source_names(sources)[0], "preset mars");
+}
+
+TEST(RecipeSources, IncludesAreRelativeToTheirFile) {
+    const TemporaryFolder folder;
+    folder.write("a/b/deep.toml", "");
+    folder.write("a/middle.toml", "include = 'b/deep.toml'");
+    const auto path = folder.write("top.toml", "include = 'a/middle.toml'");
+    DiagnosticList list;
+    const RecipeSources sources = read_sources(path, {}, list);
+    EXPECT_TRUE(list.take().empty());
+    EXPECT_EQ(sources.trees[0].source->name, (folder.path() / "a/b/deep.toml").string());
+}
+
+TEST(RecipeSources, OneFileMayBeIncludedTwice) {
+    const TemporaryFolder folder;
+    folder.write("base.toml", "");
+    folder.write("left.toml", "include = 'base.toml'");
+    folder.write("right.toml", "include = 'base.toml'");
+    const auto path = folder.write("top.toml", "include = ['left.toml', 'right.toml']");
+    DiagnosticList list;
+    EXPECT_EQ(read_sources(path, {}, list).trees.size(), 5u);
+    EXPECT_TRUE(list.take().empty());
+}
+
+TEST(RecipeSources, CyclesAreNamed) {
+    const TemporaryFolder folder;
+    const auto a = folder.write("a.toml", "include = ['b.toml']");
+    const auto b = folder.write("b.toml", "include = ['./c.toml']");
+    const auto c = folder.write("c.toml", "x = 1\ninclude = ['a.toml']");
+    DiagnosticList list;
+    const RecipeSources sources = read_sources(a, {}, list);
+    EXPECT_FALSE(sources.complete);
+    const auto diagnostics = list.take();
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0116");
+    EXPECT_EQ(diagnostics[0].where.source, c.string());
+    EXPECT_EQ(diagnostics[0].where.line, 2);
+    EXPECT_EQ(diagnostics[0].where.column, 12);
+    EXPECT_EQ(diagnostics[0].message, "cyclic include: " + a.string() + " includes " + b.string() +
+                                          " includes " + c.string() + " includes " + a.string());
+}
+
+TEST(RecipeSources, AFileThatIncludesItselfIsACycle) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("a.toml", "include = 'a.toml'");
+    DiagnosticList list;
+    const RecipeSources sources = read_sources(path, {}, list);
+    EXPECT_EQ(list.take()[0].code, "E0116");
+}
+
+// Twice two files on each of thirty levels would be a billion.
+TEST(RecipeSources, IncludesThatMultiplyAreStopped) {
+    const TemporaryFolder folder;
+    for (int i = 0; i < 30; ++i) {
+        const std::string next = std::to_string(i + 1) + ".toml";
+        folder.write(std::to_string(i) + ".toml", "include = ['" + next + "', '" + next + "']");
+    }
+    folder.write("30.toml", "");
+    DiagnosticList list;
+    const RecipeSources sources = read_sources(folder.path() / "0.toml", {}, list);
+    EXPECT_LE(sources.inputs.size(), 256u);
+    const auto diagnostics = list.take();
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0125");
+}
+
+TEST(RecipeSources, UnreadableIncludesAreReportedWhereTheyAreNamed) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("top.toml", "include = ['none.toml', '.']");
+    DiagnosticList list;
+    const RecipeSources sources = read_sources(path, {}, list);
+    EXPECT_FALSE(sources.complete);
+    const auto diagnostics = list.take();
+    ASSERT_EQ(diagnostics.size(), 2u);
+    EXPECT_EQ(diagnostics[0].code, "E0300");
+    EXPECT_EQ(diagnostics[0].where.column, 12);
+    EXPECT_EQ(diagnostics[1].code, "E0300");
+    EXPECT_EQ(diagnostics[1].where.column, 25);
+}
+
+TEST(RecipeSources, LargeFilesAreNotRead) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("large.toml", std::string((4 << 20) + 1, '#'));
+    DiagnosticList list;
+    read_sources(path, {}, list);
+    EXPECT_EQ(list.take()[0].code, "E0120");
+    const auto just_right = folder.write("large.toml", std::string(4 << 20, '#'));
+    read_sources(just_right, {}, list);
+    EXPECT_TRUE(list.take().empty());
+}
+
+TEST(RecipeSources, BadSettingsAreReported) {
+    for (const char* setting : {"", "a", "=1", "a b=1", "a..b=1", "[a]=1", "\"a=1"}) {
+        DiagnosticList list;
+        const std::vector<std::string> settings = {setting};
+        const RecipeSources sources = text_sources("", "t", {}, settings, list);
+        const auto diagnostics = list.take();
+        ASSERT_EQ(diagnostics.size(), 1u) << setting;
+        EXPECT_EQ(diagnostics[0].code, "E0122") << setting;
+        EXPECT_EQ(diagnostics[0].where.source, std::string("--set `") + setting + '`');
+    }
+}
+
+}  // namespace
+}  // namespace skybake::config

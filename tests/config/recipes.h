@@ -1,0 +1,92 @@
+// What the tests of config/ share: a folder that vanishes, recipes from text, diagnostics by code.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "config/recipe.h"
+
+namespace skybake::config::testing {
+
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "skybake-XXXXXX").string();
+        path_ = mkdtemp(pattern.data());
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    std::filesystem::path write(const std::string& name, const std::string& text) const {
+        const std::filesystem::path path = path_ / name;
+        std::filesystem::create_directories(path.parent_path());
+        std::ofstream(path, std::ios::binary) << text;
+        return path;
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+inline Outcome<Recipe> parse(const std::string& text,
+                             const std::vector<std::string>& settings = {}) {
+    return parse_recipe(text, "test.toml", {}, settings);
+}
+
+// "E0102 2:1" for each diagnostic; settings have no line.
+inline std::vector<std::string> codes_and_places(const std::vector<Diagnostic>& diagnostics) {
+    std::vector<std::string> result;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        result.push_back(diagnostic.code + ' ' + std::to_string(diagnostic.where.line) + ':' +
+                         std::to_string(diagnostic.where.column));
+    }
+    return result;
+}
+
+// The recipe of a text that must be without fault.
+inline Recipe valid(const std::string& text, const std::vector<std::string>& settings = {}) {
+    Outcome<Recipe> outcome = parse(text, settings);
+    for (const Diagnostic& diagnostic : outcome.diagnostics) {
+        ADD_FAILURE() << diagnostic.code << ": " << diagnostic.message;
+    }
+    return outcome.value ? std::move(*outcome.value) : Recipe{};
+}
+
+// The resolved value at a path; an empty one, and a failure, if there is none.
+inline ResolvedValue value_at(const Recipe& recipe, const std::string& path) {
+    for (const ResolvedValue& value : recipe.values) {
+        if (value.path == path) return value;
+    }
+    ADD_FAILURE() << "no value " << path;
+    return {};
+}
+
+inline bool has_value(const Recipe& recipe, const std::string& path) {
+    for (const ResolvedValue& value : recipe.values) {
+        if (value.path == path) return true;
+    }
+    return false;
+}
+
+inline const Layer* find_layer(const Parameters& parameters, const std::string& name) {
+    for (const Layer& layer : parameters.atmosphere.layers) {
+        if (layer.name == name) return &layer;
+    }
+    return nullptr;
+}
+
+// All that files carry, so equal texts mean equal parameters.
+inline std::string all_parameters(const Recipe& recipe) {
+    const std::string patterns[] = {"*", "*.*", "*.*.*", "*.*.*.*"};
+    return parameters_toml(recipe, patterns);
+}
+
+}  // namespace skybake::config::testing

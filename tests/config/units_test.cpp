@@ -1,0 +1,188 @@
+#include "config/units.h"
+
+#include <gtest/gtest.h>
+
+#include <rapidcheck.h>
+#include <clocale>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+
+namespace skybake::config {
+namespace {
+
+using ErrorKind = QuantityError::Kind;
+
+double value_of(std::string_view text) {
+    const auto parsed = parse_quantity(text);
+    const auto* quantity = std::get_if<Quantity>(&parsed);
+    EXPECT_TRUE(quantity) << text;
+    return quantity ? quantity->value : std::nan("");
+}
+
+Dimension dimension_of(std::string_view text) {
+    const auto parsed = parse_quantity(text);
+    const auto* quantity = std::get_if<Quantity>(&parsed);
+    EXPECT_TRUE(quantity) << text;
+    return quantity ? quantity->dimension : Dimension::number;
+}
+
+ErrorKind error_of(std::string_view text) {
+    const auto parsed = parse_quantity(text);
+    const auto* error = std::get_if<QuantityError>(&parsed);
+    EXPECT_TRUE(error) << text;
+    return error ? error->kind : ErrorKind::not_a_number;
+}
+
+bool is_error(std::string_view text) {
+    return std::holds_alternative<QuantityError>(parse_quantity(text));
+}
+
+TEST(Units, ReadsLengthsExactly) {
+    EXPECT_EQ(value_of("8 km"), 8000.0);
+    EXPECT_EQ(value_of("6360km"), 6360000.0);
+    EXPECT_EQ(value_of("1.2 km"), 1200.0);
+    EXPECT_EQ(value_of("0.001 km"), 1.0);
+    EXPECT_EQ(value_of("680 nm"), 6.8e-7);
+    EXPECT_EQ(value_of("550 nm"), 5.5e-7);
+    EXPECT_EQ(value_of("0.44 um"), 4.4e-7);
+    EXPECT_EQ(value_of("0.44 \u00b5m"), 4.4e-7);
+    EXPECT_EQ(value_of("0.44 \u03bcm"), 4.4e-7);
+    EXPECT_EQ(value_of("3 mm"), 0.003);
+    EXPECT_EQ(value_of("3 cm"), 0.03);
+    EXPECT_EQ(value_of("  -5   m "), -5.0);
+    EXPECT_EQ(value_of("+.5 m"), 0.5);
+    EXPECT_EQ(value_of("5. m"), 5.0);
+    EXPECT_EQ(value_of("5.e1 m"), 50.0);
+    EXPECT_EQ(value_of("1E3 m"), 1000.0);
+}
+
+TEST(Units, ReadsCoefficientsExactly) {
+    for (const char* text : {"5.802e-6 /m", "5.802e-3 /km", "5.802e-6 1/m", "5.802e-3 1/km",
+                             "5.802e-6 m^-1", "5.802e-3 km^-1"}) {
+        EXPECT_EQ(value_of(text), 5.802e-6) << text;
+        EXPECT_EQ(dimension_of(text), Dimension::inverse_length) << text;
+    }
+}
+
+TEST(Units, ReadsAnglesFractionsAndNumbers) {
+    EXPECT_EQ(value_of("180 deg"), std::numbers::pi);
+    EXPECT_EQ(value_of("1.5 rad"), 1.5);
+    EXPECT_EQ(value_of("0.2 %"), 0.002);
+    EXPECT_EQ(dimension_of("0.2 %"), Dimension::fraction);
+    EXPECT_EQ(dimension_of("0.002"), Dimension::number);
+    EXPECT_EQ(dimension_of("53 deg"), Dimension::angle);
+}
+
+TEST(Units, RefusesWhatIsNoNumber) {
+    for (const char* text : {"", " ", "km", "nan", "inf", "-inf", "nan km", "inf km", "0x10 m", ".",
+                             "-", "+", "e5", ".e5", "--1", "one"}) {
+        EXPECT_TRUE(is_error(text)) << text;
+    }
+    EXPECT_EQ(error_of("nan km"), ErrorKind::not_a_number);
+    EXPECT_EQ(error_of("8 kn"), ErrorKind::unknown_unit);
+    EXPECT_EQ(error_of("8 km km"), ErrorKind::unknown_unit);
+    EXPECT_EQ(error_of("1,5 km"), ErrorKind::unknown_unit);
+    EXPECT_EQ(error_of("8 KM"), ErrorKind::unknown_unit);
+    EXPECT_EQ(error_of("1e m"), ErrorKind::unknown_unit);
+}
+
+TEST(Units, RefusesWhatNoDoubleHolds) {
+    EXPECT_EQ(error_of("1e308 km"), ErrorKind::too_large);
+    EXPECT_EQ(error_of("-1e400"), ErrorKind::too_large);
+    EXPECT_EQ(error_of("1e-400 m"), ErrorKind::too_small);
+    EXPECT_EQ(error_of("1e999999999999999999999 m"), ErrorKind::too_large);
+    EXPECT_EQ(error_of("1e-999999999999999999999 m"), ErrorKind::too_small);
+    EXPECT_EQ(error_of("1e-320 nm"), ErrorKind::too_small);
+    // Zeros before the first digit count too.
+    EXPECT_EQ(error_of("0." + std::string(400, '0') + "1 m"), ErrorKind::too_small);
+    EXPECT_EQ(error_of(std::string(400, '9') + " m"), ErrorKind::too_large);
+    EXPECT_EQ(value_of("0." + std::string(400, '0') + "1e401 m"), 1.0);
+    EXPECT_EQ(value_of("0e999 km"), 0.0);
+}
+
+TEST(Units, ZeroHasNoSign) {
+    EXPECT_FALSE(std::signbit(value_of("-0 m")));
+    EXPECT_FALSE(std::signbit(value_of("-0.0e-5 %")));
+}
+
+TEST(Units, SpellsCanonically) {
+    EXPECT_EQ(spell_length(8000), "8000 m");
+    EXPECT_EQ(spell_length(6360000), "6360000 m");
+    EXPECT_EQ(spell_length(1e12), "1e+12 m");
+    EXPECT_EQ(spell_length(-0.5), "-0.5 m");
+    EXPECT_EQ(spell_wavelength(6.8e-7), "680 nm");
+    EXPECT_EQ(spell_wavelength(5.325e-7), "532.5 nm");
+    EXPECT_EQ(spell_inverse_length(5.802e-6), "5.802e-06 /m");
+    EXPECT_EQ(spell_inverse_length(0), "0 /m");
+    EXPECT_EQ(spell_number(0.002), "0.002");
+    EXPECT_EQ(spell_number(0.1 + 0.2), "0.30000000000000004");
+    EXPECT_EQ(spell_number(1e-300), "1e-300");
+    EXPECT_EQ(spell_angle(1.5), "1.5 rad");
+}
+
+TEST(Units, NamesUnitsOfADimension) {
+    EXPECT_EQ(unit_names(Dimension::inverse_length), (std::vector<std::string_view>{"/m", "/km"}));
+    EXPECT_TRUE(unit_names(Dimension::number).empty());
+    for (const Dimension dimension :
+         {Dimension::fraction, Dimension::length, Dimension::inverse_length, Dimension::angle}) {
+        for (const std::string_view unit : unit_spellings(dimension)) {
+            EXPECT_EQ(dimension_of("1 " + std::string(unit)), dimension) << unit;
+        }
+        EXPECT_FALSE(dimension_name(dimension).empty());
+    }
+}
+
+// Any finite double, from its bits.
+double any_double() {
+    const auto bits = *rc::gen::arbitrary<std::uint64_t>();
+    double value = 0;
+    std::memcpy(&value, &bits, sizeof value);
+    RC_PRE(std::isfinite(value));
+    return value;
+}
+
+TEST(Units, CanonicalSpellingReadsBackToTheSameDouble) {
+    EXPECT_TRUE(rc::check("canonical spellings round trip", [] {
+        const double value = any_double() + 0.0;
+        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_number(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_length(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_wavelength(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_inverse_length(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_angle(value))).value == value);
+    }));
+}
+
+TEST(Units, CanonicalSpellingIsStable) {
+    EXPECT_TRUE(rc::check("spelling what was read changes nothing", [] {
+        const auto mantissa = *rc::gen::inRange<std::int64_t>(-999999999, 999999999);
+        const auto exponent = *rc::gen::inRange(-20, 20);
+        const auto unit = *rc::gen::elementOf(unit_spellings(Dimension::length));
+        const std::string text =
+            std::to_string(mantissa) + "e" + std::to_string(exponent) + " " + std::string(unit);
+        const double once = std::get<Quantity>(parse_quantity(text)).value;
+        const std::string canonical = spell_length(once);
+        const double twice = std::get<Quantity>(parse_quantity(canonical)).value;
+        RC_ASSERT(once == twice);
+        RC_ASSERT(spell_length(twice) == canonical);
+    }));
+}
+
+// A decimal comma must change nothing. Where no such locale is installed the test says so.
+TEST(Units, DoesNotDependOnTheLocale) {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    bool found = false;
+    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE", "sv_SE.UTF-8"}) {
+        if (!std::setlocale(LC_ALL, name)) continue;
+        found = true;
+        EXPECT_EQ(value_of("1.5 km"), 1500.0) << name;
+        EXPECT_EQ(spell_length(1.5), "1.5 m") << name;
+        EXPECT_TRUE(is_error("1,5 km")) << name;
+    }
+    std::setlocale(LC_ALL, before.c_str());
+    if (!found) GTEST_SKIP() << "no locale with a decimal comma is installed";
+}
+
+}  // namespace
+}  // namespace skybake::config

@@ -1,0 +1,50 @@
+// Quantities: what is read is finite, and its canonical spelling reads back to the same double.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "config/units.h"
+#include "tests/fuzz/properties.h"
+
+namespace {
+
+using namespace skybake::config;
+using fuzzing::require;
+
+std::string spell(const Quantity& quantity) {
+    switch (quantity.dimension) {
+        case Dimension::length:
+            return spell_length(quantity.value);
+        case Dimension::inverse_length:
+            return spell_inverse_length(quantity.value);
+        case Dimension::angle:
+            return spell_angle(quantity.value);
+        default:
+            return spell_number(quantity.value);
+    }
+}
+
+void check_reads_back(const std::string& text, double value) {
+    const auto parsed = parse_quantity(text);
+    const auto* quantity = std::get_if<Quantity>(&parsed);
+    require(quantity != nullptr, "a canonical spelling is a quantity");
+    require(quantity->value == value, "and reads back to the same value");
+    require(spell(*quantity) == text || text.ends_with(" nm"), "and is stable");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const auto parsed = parse_quantity(std::string_view(reinterpret_cast<const char*>(data), size));
+    const auto* quantity = std::get_if<Quantity>(&parsed);
+    if (!quantity) return 0;
+    require(std::isfinite(quantity->value), "finite");
+    require(quantity->value != 0 || !std::signbit(quantity->value), "no negative zero");
+    check_reads_back(spell(*quantity), quantity->value);
+    if (quantity->dimension == Dimension::length) {
+        check_reads_back(spell_wavelength(quantity->value), quantity->value);
+    }
+    return 0;
+}

@@ -1,0 +1,296 @@
+#include "bakers/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::first_code;
+using testing::read_bytes;
+using testing::TemporaryFolder;
+using testing::write_bytes;
+using Names = std::vector<std::string>;
+
+// Runs `body` in a child process, where limits and mounts do no harm, and returns its exit status;
+// -1 where it was killed.
+int in_child(const std::function<int()>& body) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(body());
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+class AlwaysCancelled : public Progress {
+  public:
+    void advance(std::string_view, double) override {}
+    bool cancelled() const override { return true; }
+};
+
+TEST(AtomicFile, WritesANewFile) {
+    const TemporaryFolder folder;
+    const auto result = write_file_atomically(folder / "a.txt", "hello");
+    EXPECT_EQ(result.value, WriteResult::written);
+    EXPECT_EQ(read_bytes(folder / "a.txt"), "hello");
+    EXPECT_EQ(folder.names(), Names{"a.txt"});
+}
+
+TEST(AtomicFile, ReplacesAnOldFile) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "a.txt", "a longer text than the new one");
+    EXPECT_EQ(write_file_atomically(folder / "a.txt", "short").value, WriteResult::written);
+    EXPECT_EQ(read_bytes(folder / "a.txt"), "short");
+}
+
+TEST(AtomicFile, LeavesEqualBytesAndTheirTimeStampAlone) {
+    const TemporaryFolder folder;
+    const std::string bytes(200000, 'x');
+    write_bytes(folder / "a.txt", bytes);
+    const auto old_time = fs::file_time_type::clock::now() - std::chrono::hours(48);
+    fs::last_write_time(folder / "a.txt", old_time);
+    EXPECT_EQ(write_file_atomically(folder / "a.txt", bytes).value, WriteResult::unchanged);
+    EXPECT_EQ(fs::last_write_time(folder / "a.txt"), old_time);
+    EXPECT_EQ(write_file_atomically(folder / "a.txt", bytes.substr(1) + "y").value,
+              WriteResult::written);
+    EXPECT_NE(fs::last_write_time(folder / "a.txt"), old_time);
+}
+
+TEST(AtomicFile, PermissionsFollowTheUmaskOrTheOldFile) {
+    const TemporaryFolder folder;
+    const mode_t old_mask = ::umask(027);
+    EXPECT_EQ(write_file_atomically(folder / "new", "1").value, WriteResult::written);
+    write_bytes(folder / "old", "1");
+    ::chmod((folder / "old").c_str(), 0606);
+    EXPECT_EQ(write_file_atomically(folder / "old", "2").value, WriteResult::written);
+    ::umask(old_mask);
+    EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "new").permissions()), 0640u);
+    EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "old").permissions()), 0606u);
+}
+
+TEST(AtomicFile, WritesThroughSymbolicLinks) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "far");
+    write_bytes(folder / "far/file", "old");
+    fs::create_symlink("far/file", folder / "link");
+    fs::create_symlink("link", folder / "chain");
+    EXPECT_EQ(write_file_atomically(folder / "chain", "new").value, WriteResult::written);
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_TRUE(fs::is_symlink(folder / "chain"));
+    EXPECT_EQ(read_bytes(folder / "far/file"), "new");
+
+    fs::create_symlink("far/absent", folder / "dangling");
+    EXPECT_EQ(write_file_atomically(folder / "dangling", "new").value, WriteResult::written);
+    EXPECT_EQ(read_bytes(folder / "far/absent"), "new");
+
+    fs::create_symlink("circle", folder / "circle");
+    EXPECT_EQ(first_code(write_file_atomically(folder / "circle", "new").diagnostics), "E0301");
+}
+
+TEST(AtomicFile, RefusesWhatIsNoFile) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "folder");
+    write_bytes(folder / "file", "x");
+    ::mkfifo((folder / "pipe").c_str(), 0600);
+    const std::pair<fs::path, std::string> cases[] = {
+        {folder / "folder", "it is a folder"},
+        {folder / "folder/", "it is a folder"},
+        {folder / "pipe", "it is not a regular file"},
+        {"/dev/full", "it is not a regular file"},
+        {folder / "file/below", "Not a directory"},
+        {folder / "absent/below", "No such file or directory"},
+        {folder / std::string(300, 'n'), "File name too long"},
+    };
+    const Names before = folder.names();
+    for (const auto& [path, reason] : cases) {
+        const auto result = write_file_atomically(path, "new");
+        EXPECT_FALSE(result.value.has_value()) << path;
+        ASSERT_EQ(result.diagnostics.size(), 1u) << path;
+        EXPECT_EQ(result.diagnostics[0].code, "E0301");
+        EXPECT_NE(result.diagnostics[0].message.find(reason), std::string::npos)
+            << result.diagnostics[0].message;
+        EXPECT_NE(result.diagnostics[0].message.find(path.string()), std::string::npos);
+    }
+    EXPECT_EQ(folder.names(), before);
+}
+
+TEST(AtomicFile, ALongNameStillFits) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(write_file_atomically(folder / std::string(255, 'n'), "x").value,
+              WriteResult::written);
+}
+
+TEST(AtomicFile, ASizeLimitIsReportedAndNothingStays) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "a", "old");
+    const int status = in_child([&folder] {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{4096, 4096};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        const auto result = write_file_atomically(folder / "a", std::string(100000, 'x'));
+        const bool told = first_code(result.diagnostics) == "E0301" &&
+                          result.diagnostics[0].message.find("File too large") != std::string::npos;
+        return told ? 0 : 1;
+    });
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(read_bytes(folder / "a"), "old");
+    EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+constexpr int not_permitted = 77;
+
+// Runs `body` with a file system of 64 KiB over the folder, which vanishes with the child.
+int on_small_disk(const TemporaryFolder& folder, const std::function<int()>& body) {
+    return in_child([&] {
+        const bool mounted = ::unshare(CLONE_NEWNS) == 0 &&
+                             ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+                             ::mount("none", folder.path().c_str(), "tmpfs", 0, "size=64k") == 0;
+        return mounted ? body() : not_permitted;
+    });
+}
+
+TEST(AtomicFile, AFullDiskIsReportedAndNothingStays) {
+    const TemporaryFolder folder;
+    const int status = on_small_disk(folder, [&folder] {
+        write_bytes(folder / "a", "old");
+        const auto result = write_file_atomically(folder / "a", std::string(1000000, 'x'));
+        if (first_code(result.diagnostics) != "E0301") return 1;
+        if (result.diagnostics[0].message.find("No space left on device") == std::string::npos)
+            return 2;
+        if (read_bytes(folder / "a") != "old") return 3;
+        return folder.names() == Names{"a"} ? 0 : 4;
+    });
+    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
+    EXPECT_EQ(status, 0);
+}
+
+TEST(AtomicFile, AReadOnlyDiskIsReported) {
+    const TemporaryFolder folder;
+    const int status = on_small_disk(folder, [&folder] {
+        if (::mount("none", folder.path().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr) != 0) {
+            return not_permitted;
+        }
+        const auto result = write_file_atomically(folder / "a", "x");
+        if (first_code(result.diagnostics) != "E0301") return 1;
+        return result.diagnostics[0].message.find("Read-only file system") == std::string::npos ? 2
+                                                                                                : 0;
+    });
+    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
+    EXPECT_EQ(status, 0);
+}
+
+TEST(AtomicFile, AFolderWithoutPermissionIsReported) {
+    const TemporaryFolder folder;
+    constexpr auto listed = fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
+                            fs::perms::others_exec;
+    fs::permissions(folder.path(), listed);
+    const int status = in_child([&folder] {
+        constexpr uid_t nobody = 65534;
+        if (::geteuid() == 0 && ::setuid(nobody) != 0)
+            return not_permitted;  // root may write anywhere
+        const auto result = write_file_atomically(folder / "a", "x");
+        if (first_code(result.diagnostics) != "E0301") return 1;
+        return result.diagnostics[0].message.find("Permission denied") == std::string::npos ? 2 : 0;
+    });
+    fs::permissions(folder.path(), fs::perms::owner_all);
+    if (status == not_permitted) GTEST_SKIP() << "root cannot become anybody else here";
+    EXPECT_EQ(status, 0);
+}
+
+TEST(AtomicFile, AnInterruptionChangesNothing) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "a", "old");
+    const AlwaysCancelled progress;
+    EXPECT_EQ(write_file_atomically(folder / "a", "new", &progress).value,
+              WriteResult::interrupted);
+    EXPECT_EQ(read_bytes(folder / "a"), "old");
+    EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+// Interrupts while the temporary exists, as the signal handler's second signal would.
+class UnlinkingProgress : public Progress {
+  public:
+    void advance(std::string_view, double) override {}
+    bool cancelled() const override {
+        if (++looks_ == 2) unlink_current_temporaries();
+        return looks_ >= 3;
+    }
+
+  private:
+    mutable int looks_ = 0;
+};
+
+TEST(AtomicFile, TheHandlerFindsTheCurrentTemporary) {
+    const TemporaryFolder folder;
+    const UnlinkingProgress progress;
+    EXPECT_EQ(write_file_atomically(folder / "a", "new", &progress).value,
+              WriteResult::interrupted);
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(AtomicFile, KilledInTheMiddleLeavesTheOldOrTheNewFile) {
+    const TemporaryFolder folder;
+    const std::string texts[2] = {std::string(3000000, 'a'), std::string(2000000, 'b')};
+    write_bytes(folder / "a", texts[0]);
+    for (int round = 0; round < 8; ++round) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            for (int i = 1;; ++i) write_file_atomically(folder / "a", texts[i % 2]);
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(3000 + 3700 * round));
+        ::kill(child, SIGKILL);
+        ::waitpid(child, nullptr, 0);
+        const std::string found = read_bytes(folder / "a");
+        EXPECT_TRUE(found == texts[0] || found == texts[1]);
+    }
+    EXPECT_EQ(write_file_atomically(folder / "a", "at last").value, WriteResult::written);
+    EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+TEST(AtomicFile, RemovesLeftOversOfTheDeadOnly) {
+    const TemporaryFolder folder;
+    // A process number beyond what Linux gives, one that is alive, and names that only look alike.
+    const std::string dead = ".a.skybake-2147483646-0.tmp";
+    const Names kept = {".a.skybake-1-0.tmp", ".a.skybake-x-0.tmp", ".a.skybake-5.tmp",
+                        ".b.skybake-2147483646-0.tmp"};
+    for (const std::string& name : kept) write_bytes(folder / name, "x");
+    write_bytes(folder / dead, "x");
+    EXPECT_EQ(write_file_atomically(folder / "a", "x").value, WriteResult::written);
+    EXPECT_FALSE(fs::exists(folder / dead));
+    for (const std::string& name : kept) EXPECT_TRUE(fs::exists(folder / name)) << name;
+}
+
+TEST(AtomicFile, ThreadsDoNotTakeEachOthersTemporaries) {
+    const TemporaryFolder folder;
+    std::atomic<int> failures{0};
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t) {
+        threads.emplace_back([&folder, &failures, t] {
+            for (int i = 0; i < 20; ++i) {
+                const auto result =
+                    write_file_atomically(folder / "a", std::to_string(t * 100 + i));
+                if (!result.value) ++failures;
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(failures, 0);
+    EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+}  // namespace
+}  // namespace skybake

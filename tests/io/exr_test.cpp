@@ -1,0 +1,181 @@
+#include "bakers/io/exr.h"
+
+#include <cstring>
+#include <limits>
+#include <tuple>
+
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+using config::Compression;
+using config::PixelType;
+using testing::Random;
+
+ExrImage sample(PixelType type, Compression compression, int channels = 3) {
+    ExrImage image;
+    image.pixels = testing::sample_image(37, 19, channels);
+    image.channel_names = channels == 1 ? std::vector<std::string>{"Y"}
+                                        : std::vector<std::string>{"R", "G", "B", "A"};
+    image.channel_names.resize(static_cast<std::size_t>(channels));
+    image.pixel_type = type;
+    image.compression = compression;
+    image.attributes = {{"skybake/kind", "transmittance"},
+                        {"skybake/parameters", "a = 1\nb = \"µ\"\n"}};
+    return image;
+}
+
+class ExrRoundTrip : public ::testing::TestWithParam<std::tuple<PixelType, Compression, int>> {};
+
+TEST_P(ExrRoundTrip, KeepsEverything) {
+    const auto [type, compression, channels] = GetParam();
+    const ExrImage image = sample(type, compression, channels);
+    const auto bytes = encode_exr(image);
+    ASSERT_TRUE(bytes.value.has_value());
+    const auto read = decode_exr(*bytes.value, "sample.exr");
+    ASSERT_TRUE(read.value.has_value()) << read.diagnostics[0].message;
+    EXPECT_EQ(read.value->pixels.width, 37);
+    EXPECT_EQ(read.value->pixels.height, 19);
+    EXPECT_EQ(read.value->pixels.texels, image.pixels.texels);
+    EXPECT_EQ(read.value->channel_names, image.channel_names);
+    EXPECT_EQ(read.value->pixel_type, type);
+    EXPECT_EQ(read.value->compression, compression);
+    EXPECT_EQ(read.value->attributes, image.attributes);
+}
+
+TEST_P(ExrRoundTrip, GivesTheSameBytesAgain) {
+    const auto [type, compression, channels] = GetParam();
+    const ExrImage image = sample(type, compression, channels);
+    EXPECT_EQ(*encode_exr(image).value, *encode_exr(image).value);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profile, ExrRoundTrip,
+                         ::testing::Combine(::testing::Values(PixelType::float32, PixelType::half),
+                                            ::testing::Values(Compression::none, Compression::zip,
+                                                              Compression::zips, Compression::piz),
+                                            ::testing::Values(1, 3, 4)));
+
+TEST(Exr, CarriesNoDateHostOrOwner) {
+    const std::string bytes = *encode_exr(sample(PixelType::float32, Compression::none)).value;
+    for (const char* word : {"capDate", "owner", "host", "utcOffset", "software"}) {
+        EXPECT_EQ(bytes.find(word), std::string::npos) << word;
+    }
+}
+
+TEST(Exr, FirstScanlineIsRowZero) {
+    ExrImage image = sample(PixelType::float32, Compression::none, 1);
+    image.attributes.clear();
+    const std::string bytes = *encode_exr(image).value;
+    // Uncompressed, the last 4 bytes are the last texel of the last row, and increasing Y comes
+    // last.
+    float last = 0;
+    std::memcpy(&last, bytes.data() + bytes.size() - sizeof(last), sizeof(last));
+    EXPECT_EQ(last, image.pixels.texel(36, 18)[0]);
+}
+
+TEST(Exr, RefusesWhatIsNotFinite) {
+    for (const float value :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        ExrImage image = sample(PixelType::float32, Compression::zip);
+        image.pixels.texel(5, 7)[1] = value;
+        const auto bytes = encode_exr(image);
+        EXPECT_FALSE(bytes.value.has_value());
+        ASSERT_EQ(testing::first_code(bytes.diagnostics), "E0401");
+        EXPECT_NE(bytes.diagnostics[0].message.find("column 5, row 7, channel G"),
+                  std::string::npos);
+    }
+}
+
+TEST(Exr, RefusesWhatAHalfCannotHold) {
+    ExrImage image = sample(PixelType::half, Compression::zip);
+    image.pixels.texel(0, 0)[0] = 65504;
+    EXPECT_TRUE(encode_exr(image).value.has_value());
+    image.pixels.texel(0, 0)[0] = -65536;
+    EXPECT_EQ(testing::first_code(encode_exr(image).diagnostics), "E0402");
+    image.pixel_type = PixelType::float32;
+    EXPECT_TRUE(encode_exr(image).value.has_value());
+}
+
+TEST(Exr, RefusesLongAttributeNamesAndContradictions) {
+    ExrImage image = sample(PixelType::half, Compression::zip);
+    image.attributes = {{std::string(31, 'a'), "x"}};
+    EXPECT_TRUE(encode_exr(image).value.has_value());
+    image.attributes = {{std::string(32, 'a'), "x"}};
+    EXPECT_EQ(testing::first_code(encode_exr(image).diagnostics), "E0500");
+    image = sample(PixelType::half, Compression::zip);
+    image.channel_names.pop_back();
+    EXPECT_EQ(testing::first_code(encode_exr(image).diagnostics), "E0500");
+    EXPECT_EQ(testing::first_code(encode_exr({}).diagnostics), "E0500");
+}
+
+TEST(Exr, SaysWhatIsWrongWithAFileThatIsNone) {
+    for (const std::string bytes : {"", "hello", "\x76\x2f\x31\x01"}) {
+        const auto read = decode_exr(bytes, "broken.exr");
+        EXPECT_FALSE(read.value.has_value());
+        ASSERT_EQ(testing::first_code(read.diagnostics), "E0304");
+        EXPECT_EQ(read.diagnostics[0].where.source, "broken.exr");
+    }
+    EXPECT_EQ(testing::first_code(read_exr("/no/such.exr").diagnostics), "E0300");
+}
+
+TEST(Exr, SurvivesEveryTruncation) {
+    for (const Compression compression : {Compression::none, Compression::zip, Compression::piz}) {
+        const std::string bytes = *encode_exr(sample(PixelType::half, compression)).value;
+        for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 64) {
+            EXPECT_EQ(testing::first_code(decode_exr(bytes.substr(0, size), "cut.exr").diagnostics),
+                      "E0304")
+                << size;
+        }
+    }
+}
+
+TEST(Exr, SurvivesDamage) {
+    Random random(7);
+    for (const Compression compression : {Compression::none, Compression::zip, Compression::piz}) {
+        const std::string whole = *encode_exr(sample(PixelType::float32, compression)).value;
+        for (int round = 0; round < 400; ++round) {
+            std::string bytes = whole;
+            // The header is where damage hurts most.
+            const std::size_t reach =
+                round % 2 == 0 ? std::min<std::size_t>(bytes.size(), 500) : bytes.size();
+            for (std::size_t i = random.below(8) + 1; i > 0; --i) {
+                bytes[random.below(reach)] = static_cast<char>(random.next());
+            }
+            const auto read = decode_exr(bytes, "damaged.exr");  // any answer but a crash
+            EXPECT_NE(read.value.has_value(), !read.diagnostics.empty());
+        }
+    }
+}
+
+TEST(Exr, SurvivesRandomBytes) {
+    Random random(11);
+    for (int round = 0; round < 200; ++round) {
+        std::string bytes = "\x76\x2f\x31\x01\x02";
+        bytes.append(3, '\0');
+        for (std::size_t i = random.below(300); i > 0; --i)
+            bytes += static_cast<char>(random.next());
+        EXPECT_FALSE(decode_exr(bytes, "random.exr").value.has_value());
+    }
+}
+
+TEST(Exr, DoesNotAllocateWhatAHeaderLiesAbout) {
+    std::string bytes = *encode_exr(sample(PixelType::float32, Compression::zip)).value;
+    const std::size_t window = bytes.find("dataWindow");
+    ASSERT_NE(window, std::string::npos);
+    // name, 0, "box2i", 0, size of 4 bytes, then min and max.
+    const std::size_t maximum = window + sizeof("dataWindow") + sizeof("box2i") + 4 + 8;
+    const int huge[2] = {60000, 60000};
+    std::memcpy(bytes.data() + maximum, huge, sizeof(huge));
+    EXPECT_EQ(testing::first_code(decode_exr(bytes, "huge.exr").diagnostics), "E0304");
+}
+
+TEST(Exr, StoredBytesAreLittleEndianRowByRow) {
+    Image2<float> image(2, 1, 1);
+    image.texels = {1.0f, -2.0f};
+    EXPECT_EQ(stored_bytes(image, PixelType::float32), std::string("\0\0\x80\x3f\0\0\0\xc0", 8));
+    EXPECT_EQ(stored_bytes(image, PixelType::half), std::string("\0\x3c\0\xc0", 4));
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,154 @@
+#include "bakers/io/manifest.h"
+
+#include <limits>
+
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+using testing::Random;
+using testing::TemporaryFolder;
+
+std::string sample_text() {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance", "second"});
+    manifest.assets[1].error.reset();
+    return manifest_json(manifest);
+}
+
+// The sample with one piece of its text replaced.
+std::string message_with(const std::string& piece, const std::string& other) {
+    std::string text = sample_text();
+    const std::size_t at = text.find(piece);
+    EXPECT_NE(at, std::string::npos) << piece;
+    text.replace(at, piece.size(), other);
+    const auto manifest = parse_manifest(text, "manifest.json");
+    EXPECT_FALSE(manifest.value.has_value()) << other;
+    EXPECT_EQ(testing::first_code(manifest.diagnostics), "E0304");
+    return manifest.diagnostics.empty() ? "" : manifest.diagnostics[0].message;
+}
+
+TEST(Manifest, ReadsBackAsItWasWritten) {
+    const std::string text = sample_text();
+    const auto manifest = parse_manifest(text, "manifest.json");
+    ASSERT_TRUE(manifest.value.has_value()) << manifest.diagnostics[0].message;
+    EXPECT_EQ(manifest_json(*manifest.value), text);
+    ASSERT_EQ(manifest.value->assets.size(), 2u);
+    EXPECT_EQ(manifest.value->assets[0].probes.size(), 16u);
+    EXPECT_FALSE(manifest.value->assets[1].error.has_value());
+    EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Manifest, KeepsEveryBitOfANumber) {
+    Manifest manifest = new_manifest({});
+    manifest.wavelengths_nm = {0.1, 1.0 / 3, 680, 5e-324, std::numeric_limits<double>::max()};
+    const auto read = parse_manifest(manifest_json(manifest), "manifest.json");
+    ASSERT_TRUE(read.value.has_value());
+    EXPECT_EQ(read.value->wavelengths_nm, manifest.wavelengths_nm);
+}
+
+TEST(Manifest, NestsParametersByPath) {
+    const std::vector<config::ResolvedValue> values = {
+        {"wavelengths", "", "[\"680 nm\", \"550 nm\"]", ""},
+        {"atmosphere.ground_radius", "", "\"6360000 m\"", ""},
+        {"atmosphere.layers.\"sea fog\".g", "", "0.8", ""},
+        {"bake.transmittance.size", "", "[256, 64]", ""},
+    };
+    EXPECT_EQ(parameters_json(values),
+              R"({"wavelengths":["680 nm","550 nm"],"atmosphere":{"ground_radius":"6360000 m",)"
+              R"("layers":{"sea fog":{"g":0.8}}},"bake":{"transmittance":{"size":[256,64]}}})");
+}
+
+TEST(Manifest, NamesThePlaceOfDamage) {
+    EXPECT_NE(message_with("\"bytes\": ", "\"bytes\": -").find("assets[0].files[0].bytes"),
+              std::string::npos);
+    EXPECT_NE(message_with("\"quantity\"", "\"quality\"").find("assets[0].mapping.u"),
+              std::string::npos);
+    EXPECT_NE(message_with("\"assets\"", "\"asset\"").find("`assets` is missing"),
+              std::string::npos);
+    EXPECT_NE(message_with("\"format\": 1", "\"format\": 2").find("format 1"), std::string::npos);
+    EXPECT_NE(message_with("\"skybake\"", "\"other\"").find("not of skybake's"), std::string::npos);
+    EXPECT_NE(message_with("\"uv\": [", "\"uv\": [1, ").find("2 values"), std::string::npos);
+    EXPECT_NE(message_with("\"assets\": [", "\"assets\": [[").find("not JSON at line"),
+              std::string::npos);
+}
+
+TEST(Manifest, MayNotPointOutOfItsFolder) {
+    for (const char* path : {"/etc/passwd", "../a.exr", "a/../../b.exr", "", "a\\u0000b"}) {
+        const std::string message = message_with("\"path\": \"transmittance.exr\"",
+                                                 std::string("\"path\": \"") + path + "\"");
+        EXPECT_NE(message.find("within the manifest's folder"), std::string::npos) << message;
+    }
+}
+
+TEST(Manifest, SurvivesEveryTruncation) {
+    const std::string text = sample_text();
+    for (std::size_t size = 0; size + 1 < text.size(); size += 7) {
+        EXPECT_EQ(testing::first_code(parse_manifest(text.substr(0, size), "cut").diagnostics),
+                  "E0304");
+    }
+}
+
+TEST(Manifest, SurvivesDamage) {
+    Random random(3);
+    const std::string whole = sample_text();
+    for (int round = 0; round < 500; ++round) {
+        std::string text = whole;
+        for (std::size_t i = random.below(6) + 1; i > 0; --i) {
+            text[random.below(text.size())] = static_cast<char>(random.next());
+        }
+        const auto read = parse_manifest(text, "damaged");
+        EXPECT_NE(read.value.has_value(), !read.diagnostics.empty());
+        if (read.value)
+            manifest_json(*read.value);  // strings that are not UTF-8 must not throw either
+    }
+}
+
+TEST(Manifest, SurvivesDeepNesting) {
+    const std::string deep(200000, '[');
+    EXPECT_EQ(testing::first_code(parse_manifest(deep, "deep").diagnostics), "E0304");
+    const std::string closed = deep + std::string(200000, ']');
+    EXPECT_EQ(testing::first_code(parse_manifest(closed, "deep").diagnostics), "E0304");
+}
+
+TEST(Manifest, MergesByName) {
+    const auto named = [](std::vector<std::string> names, const std::string& kind) {
+        Manifest manifest = new_manifest({});
+        for (const std::string& name : names) {
+            manifest.assets.emplace_back();
+            manifest.assets.back().name = name;
+            manifest.assets.back().kind = kind;
+        }
+        return manifest;
+    };
+    const Manifest merged =
+        merge_manifests(named({"a", "b", "c"}, "old"), named({"d", "b"}, "new"));
+    std::string found;
+    for (const ManifestAsset& asset : merged.assets) found += asset.name + ":" + asset.kind + " ";
+    EXPECT_EQ(found, "a:old b:new c:old d:new ");
+}
+
+TEST(Manifest, ClaimsItsFilesAndItself) {
+    const TemporaryFolder folder;
+    const Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
+    EXPECT_TRUE(claims(manifest, "transmittance.exr"));
+    EXPECT_TRUE(claims(manifest, "./transmittance.exr"));
+    EXPECT_TRUE(claims(manifest, "manifest.json"));
+    EXPECT_FALSE(claims(manifest, "other.exr"));
+    EXPECT_FALSE(claims(manifest, "sub/transmittance.exr"));
+}
+
+TEST(Manifest, SchemaTravelsInTheProgram) {
+    EXPECT_NE(manifest_schema().find("\"title\": \"skybake manifest\""), std::string_view::npos);
+}
+
+TEST(Manifest, MissingOneIsNotADamagedOne) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(testing::first_code(read_manifest(folder.path()).diagnostics), "E0300");
+    testing::write_bytes(folder / "manifest.json", "{}");
+    EXPECT_EQ(testing::first_code(read_manifest(folder.path()).diagnostics), "E0304");
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,78 @@
+#include "bakers/io/output_folder.h"
+
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::first_code;
+using testing::TemporaryFolder;
+
+const std::vector<std::string> files = {"transmittance.exr", "manifest.json"};
+
+TEST(OutputFolder, AMissingOneIsFineAndNotMadeByLooking) {
+    const TemporaryFolder folder;
+    const auto result = inspect_output_folder(folder / "a/b/c", files, false);
+    EXPECT_TRUE(result.value.has_value());
+    EXPECT_TRUE(folder.names().empty());
+    EXPECT_TRUE(create_output_folder(folder / "a/b/c").value.has_value());
+    EXPECT_TRUE(fs::is_directory(folder / "a/b/c"));
+    EXPECT_TRUE(create_output_folder(folder / "a/b/c").value.has_value());
+}
+
+TEST(OutputFolder, RelativeAndCurrentFoldersAreFine) {
+    EXPECT_TRUE(inspect_output_folder("./skybake-absent/", files, false).value.has_value());
+    EXPECT_TRUE(inspect_output_folder(".", {}, false).value.has_value());
+}
+
+TEST(OutputFolder, ItsOwnFilesMayBeOverwritten) {
+    const TemporaryFolder folder;
+    testing::write_sample_bake(folder.path(), {"transmittance"});
+    const auto result = inspect_output_folder(folder.path(), files, false);
+    ASSERT_TRUE(result.value.has_value());
+    ASSERT_TRUE(result.value->previous.has_value());
+    EXPECT_EQ(result.value->previous->assets[0].name, "transmittance");
+}
+
+TEST(OutputFolder, ForeignFilesAreNotOverwritten) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "transmittance.exr", "mine");
+    testing::write_bytes(folder / "manifest.json", "{\"name\": \"a web page\"}");
+    const auto refused = inspect_output_folder(folder.path(), files, false);
+    EXPECT_FALSE(refused.value.has_value());
+    ASSERT_EQ(refused.diagnostics.size(), 2u);  // both are named in one run
+    EXPECT_EQ(refused.diagnostics[0].code, "E0303");
+    EXPECT_EQ(refused.diagnostics[1].code, "E0303");
+    EXPECT_NE(refused.diagnostics[0].label.find("--force"), std::string::npos);
+
+    const auto forced = inspect_output_folder(folder.path(), files, true);
+    ASSERT_TRUE(forced.value.has_value());
+    EXPECT_FALSE(forced.value->previous.has_value());
+}
+
+TEST(OutputFolder, OtherFilesDoNotMatter) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "notes.txt", "mine");
+    EXPECT_TRUE(inspect_output_folder(folder.path(), files, false).value.has_value());
+}
+
+TEST(OutputFolder, AManifestDoesNotClaimItsNeighbours) {
+    const TemporaryFolder folder;
+    testing::write_sample_bake(folder.path(), {"second"});
+    testing::write_bytes(folder / "transmittance.exr", "mine");
+    EXPECT_EQ(first_code(inspect_output_folder(folder.path(), files, false).diagnostics), "E0303");
+}
+
+TEST(OutputFolder, AFileInItsPlaceIsReported) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "file", "x");
+    for (const char* path : {"file", "file/below", "file/far/below"}) {
+        EXPECT_EQ(first_code(inspect_output_folder(folder / path, files, true).diagnostics),
+                  "E0302");
+        EXPECT_EQ(first_code(create_output_folder(folder / path).diagnostics), "E0302");
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,59 @@
+"""Validates manifests against their JSON Schema, and that the schema refuses what is wrong.
+
+usage: validate_manifest.py SCHEMA COMMAND...   COMMAND FOLDER writes FOLDER/manifest.json
+"""
+
+import copy
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SKIPPED = 77
+
+try:
+    import jsonschema
+except ImportError:
+    print("skipped: python3-jsonschema is not installed")
+    sys.exit(SKIPPED)
+
+
+def set_at(document, path, value):
+    changed = copy.deepcopy(document)
+    node = changed
+    for key in path[:-1]:
+        node = node[key]
+    node[path[-1]] = value
+    return changed
+
+
+def main():
+    schema = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run(sys.argv[2:] + [folder], check=True, stdout=subprocess.DEVNULL)
+        manifest = json.loads((Path(folder) / "manifest.json").read_text(encoding="utf-8"))
+
+    errors = [f"{error.json_path}: {error.message}" for error in validator.iter_errors(manifest)]
+    wrong = {
+        "a path that leaves the folder": (("assets", 0, "files", 0, "path"), "../a.exr"),
+        "an absolute path": (("assets", 0, "files", 0, "path"), "/a.exr"),
+        "a pixel type": (("assets", 0, "files", 0, "pixel_type"), "double"),
+        "a hash": (("assets", 0, "files", 0, "xxh3"), "xyz"),
+        "a size": (("assets", 0, "size"), [16]),
+        "too few probes": (("assets", 0, "probes"), []),
+        "uv out of range": (("assets", 0, "probes", 0, "uv"), [0, 1.5]),
+        "another tool": (("tool", "name"), "other"),
+    }
+    for name, (path, value) in wrong.items():
+        if validator.is_valid(set_at(manifest, path, value)):
+            errors.append(f"the schema accepts {name}")
+    print("\n".join(errors) or f"{len(manifest['assets'])} assets, valid")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,144 @@
+#include "bakers/io/verify.h"
+
+#include <set>
+
+#include "bakers/io/hash.h"
+#include "bakers/io/metadata.h"
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::TemporaryFolder;
+using Checks = std::multiset<std::string>;
+
+Checks failed_checks(const fs::path& folder, std::span<const AssetCheck> further = {}) {
+    const auto report = verify_folder(folder, further);
+    Checks checks;
+    if (!report.value) {
+        ADD_FAILURE() << report.diagnostics[0].message;
+        return checks;
+    }
+    for (const VerifyFailure& failure : report.value->failures) checks.insert(failure.check);
+    return checks;
+}
+
+void save(const fs::path& folder, const Manifest& manifest) {
+    testing::write_bytes(folder / manifest_name, manifest_json(manifest));
+}
+
+// Rewrites an image of the bake, and byte count and hash with it, so that only what lies deeper
+// fails.
+void rewrite(const fs::path& folder, Manifest& manifest,
+             const std::function<void(ExrImage&)>& change) {
+    ManifestFile& file = manifest.assets[0].files[0];
+    ExrImage image = *read_exr(folder / file.path).value;
+    change(image);
+    const std::string bytes = *encode_exr(image).value;
+    testing::write_bytes(folder / file.path, bytes);
+    file.bytes = bytes.size();
+    file.xxh3 = xxh3_hex(bytes);
+    save(folder, manifest);
+}
+
+TEST(Verify, PassesWhatWasBaked) {
+    const TemporaryFolder folder;
+    testing::write_sample_bake(folder.path(), {"transmittance", "second"});
+    const auto report = verify_folder(folder.path());
+    ASSERT_TRUE(report.value.has_value());
+    EXPECT_TRUE(report.value->failures.empty());
+    EXPECT_EQ(report.value->files, 2);
+    EXPECT_GT(report.value->checks, 2 * 40);
+}
+
+TEST(Verify, ReportsEveryFailure) {
+    const TemporaryFolder folder;
+    testing::write_sample_bake(folder.path(), {"transmittance", "second"});
+    fs::remove(folder / "transmittance.exr");
+    testing::write_bytes(folder / "second.exr", "garbage");
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"file", "bytes", "xxh3", "format"}));
+}
+
+TEST(Verify, FindsAFlippedBit) {
+    const TemporaryFolder folder;
+    testing::write_sample_bake(folder.path(), {"transmittance"});
+    std::string bytes = testing::read_bytes(folder / "transmittance.exr");
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    testing::write_bytes(folder / "transmittance.exr", bytes);
+    const Checks failed = failed_checks(folder.path());
+    EXPECT_EQ(failed.count("xxh3"), 1u);
+    EXPECT_EQ(failed.count("bytes"), 0u);
+}
+
+TEST(Verify, FindsRowsUpsideDown) {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
+    rewrite(folder.path(), manifest, [](ExrImage& image) {
+        const Image2<float> old = image.pixels;
+        for (int y = 0; y < old.height; ++y) {
+            std::copy(old.texel(0, y), old.texel(0, y) + old.width * old.channels,
+                      image.pixels.texel(0, old.height - 1 - y));
+        }
+    });
+    const Checks failed = failed_checks(folder.path());
+    EXPECT_EQ(failed.count("content_hash"), 1u);
+    EXPECT_GT(failed.count("probe"), 8u);
+    EXPECT_EQ(failed.count("xxh3"), 0u);
+}
+
+TEST(Verify, FindsChangedAndMissingMetadata) {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
+    rewrite(folder.path(), manifest, [](ExrImage& image) {
+        image.attributes.erase(image.attributes.begin());
+        for (auto& [name, value] : image.attributes) {
+            if (name == "skybake/kind") value = "something else";
+        }
+    });
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"metadata", "metadata"}));
+}
+
+TEST(Verify, ComparesSizeChannelsAndType) {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
+    ManifestAsset& asset = manifest.assets[0];
+    asset.size = {8, 16};
+    asset.compression = config::Compression::piz;
+    asset.probes.clear();
+    save(folder.path(), manifest);
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"size", "compression"}));
+}
+
+TEST(Verify, ChecksEachProbe) {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
+    std::vector<Probe>& probes = manifest.assets[0].probes;
+    probes[1].value[2] += 1e-6;
+    probes[2].uv[0] = 1.001;
+    probes[3].tolerance.pop_back();
+    save(folder.path(), manifest);
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"probe", "probe", "probe"}));
+}
+
+TEST(Verify, RunsFurtherChecks) {
+    const TemporaryFolder folder;
+    testing::write_sample_bake(folder.path(), {"transmittance"});
+    const AssetCheck check{"mapping", [](const ManifestAsset&, const ExrImage&, int& checks) {
+                               checks += 3;
+                               return std::vector<std::string>{"one", "two"};
+                           }};
+    EXPECT_EQ(failed_checks(folder.path(), {&check, 1}), (Checks{"mapping", "mapping"}));
+    EXPECT_EQ(verify_folder(folder.path(), {&check, 1}).value->checks,
+              verify_folder(folder.path()).value->checks + 3);
+}
+
+TEST(Verify, NeedsAManifest) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(testing::first_code(verify_folder(folder.path()).diagnostics), "E0300");
+    testing::write_bytes(folder / "manifest.json", "not JSON");
+    EXPECT_EQ(testing::first_code(verify_folder(folder.path()).diagnostics), "E0304");
+}
+
+}  // namespace
+}  // namespace skybake
