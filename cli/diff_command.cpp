@@ -1,9 +1,9 @@
 // skybake diff: how far two baked files or folders are apart.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -113,13 +113,38 @@ Comparison compare(const fs::path& first, const fs::path& second) {
 
 // --- Showing ------------------------------------------------------------------------------------
 
-// Metadata may hold pages of text: the first line and a hint that there is more.
-std::string one_line(const std::optional<std::string>& text) {
+// The nearest position at or before this one where no sign of UTF-8 is cut.
+std::size_t sign_begin(const std::string& text, std::size_t position) {
+    while (position > 0 && position < text.size() && (text[position] & 0xC0) == 0x80) --position;
+    return position;
+}
+
+// The line of a text around a position, cut where it is long.
+std::string line_around(const std::string& text, std::size_t position) {
     constexpr std::size_t longest = 60;
-    if (!text) return "(missing)";
-    const std::string line = text->substr(0, text->find('\n'));
-    return line.size() < text->size() || line.size() > longest ? line.substr(0, longest) + " ..."
-                                                               : line;
+    constexpr std::size_t before = 20;
+    position = std::min(position, text.size());
+    const std::size_t start = position == 0 ? 0 : text.rfind('\n', position - 1) + 1;
+    const std::string line = text.substr(start, text.find('\n', start) - start);
+    const std::size_t column = position - start;
+    if (line.size() <= longest) return line;
+    const std::size_t begin = column + before <= longest ? 0 : sign_begin(line, column - before);
+    const std::size_t end = sign_begin(line, std::min(begin + longest, line.size()));
+    return fmt::format("{}{}{}", begin > 0 ? "..." : "", line.substr(begin, end - begin),
+                       end < line.size() ? "..." : "");
+}
+
+// Metadata may hold pages of text: shows both where they first differ.
+std::string difference_text(const AttributeDifference& entry) {
+    if (!entry.first) return "only in the second";
+    if (!entry.second) return "only in the first";
+    std::size_t same = 0;
+    while (same < entry.first->size() && same < entry.second->size() &&
+           (*entry.first)[same] == (*entry.second)[same]) {
+        ++same;
+    }
+    return fmt::format("{} | {}", line_around(*entry.first, same),
+                       line_around(*entry.second, same));
 }
 
 std::string channel_table(const ImageDifference& image) {
@@ -145,8 +170,7 @@ std::string as_text(const FileDifference& file, const Judgement& judgement) {
     if (!equal_within(file.image, 0) && file.image.layout.empty())
         text += channel_table(file.image);
     for (const AttributeDifference& entry : file.image.attributes) {
-        text += fmt::format("  {}: {} | {}\n", entry.name, one_line(entry.first),
-                            one_line(entry.second));
+        text += fmt::format("  {}: {}\n", entry.name, difference_text(entry));
     }
     return text;
 }

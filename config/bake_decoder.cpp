@@ -2,25 +2,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cassert>
+
 #include "config/key_path.h"
 #include "config/suggest.h"
 
 namespace skybake::config {
 namespace {
 
-template <class Asset, class Bound>
-Bake make_bake(const std::string& name, const DecodedSection& section,
-               std::span<const Bound> fields) {
+template <class Asset, auto fields>
+Bake bind_as(const std::string& name, const DecodedSection& section) {
     Asset asset;
-    bind(section, fields, asset);
+    bind(section, fields(), asset);
     return {name, asset};
 }
 
+// Which struct each bake section of the field tables fills.
+struct Binder {
+    std::string_view asset;
+    Bake (*bind)(const std::string& name, const DecodedSection& section);
+};
+
+constexpr std::array binders = {
+    Binder{"transmittance", bind_as<TransmittanceBake, transmittance_fields>},
+    Binder{"multiple_scattering", bind_as<MultipleScatteringBake, multiple_scattering_fields>},
+};
+
 Bake bind_bake(const std::string& name, std::string_view asset, const DecodedSection& section) {
-    if (asset == "transmittance") {
-        return make_bake<TransmittanceBake>(name, section, transmittance_fields());
-    }
-    return make_bake<MultipleScatteringBake>(name, section, multiple_scattering_fields());
+    const auto* binder = std::find_if(binders.begin(), binders.end(),
+                                      [&](const Binder& entry) { return entry.asset == asset; });
+    assert(binder != binders.end());
+    return binder->bind(name, section);
 }
 
 // The asset's name and where it is said; none if it is no text.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "config/field_reader.h"
 #include "config/key_path.h"
 #include "config/suggest.h"
 #include "config/toml_source.h"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "bakers/atmosphere/optical_depth.h"
@@ -32,6 +33,8 @@ TableModel transmittance_model(const Medium& medium, const TransmittanceBake& ba
                            ? TexelConvention::end_points_on_edges
                            : TexelConvention::end_points_on_texel_centres;
     model.cost_per_texel = {1};
+    model.lowest = 0;
+    model.highest = as_depth ? std::numeric_limits<double>::max() : 1;
     model.row = [&medium, shell, as_depth](int, double y, const std::vector<double>& x,
                                            double* values) {
         const auto count = static_cast<int>(x.size());

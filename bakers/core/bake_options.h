@@ -1,10 +1,12 @@
 // How, not what, to bake: none of it changes a texel.
 #pragma once
 
-#include "bakers/core/certify.h"
 #include "bakers/core/progress.h"
 
 namespace skybake {
+
+// How thoroughly a table's error is measured.
+enum class Certification { off, quick, full };
 
 struct BakeOptions {
     int threads = 0;  // 0: as many as the machine has

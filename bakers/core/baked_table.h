@@ -63,6 +63,7 @@ struct BakedTable {
     RangeCounts range;
     bool certified = false;
     Certificate certificate;
+    double bake_seconds = 0;  // wall time of making the texels: the one figure that is not pure
     std::vector<Probe> probes;
     std::string parameters;  // TOML: the resolved parameters that this table depends on
     std::vector<std::pair<std::string, std::string>> details;  // further facts, for example counts

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 
 #include "bakers/core/bilinear.h"
 #include "bakers/core/error_statistics.h"
-#include "bakers/core/parallel.h"
+#include "bakers/core/tiles.h"
 
 namespace skybake {
 
@@ -15,10 +16,10 @@ using Values = std::vector<std::vector<double>>;
 
 // Values of a function of (y, x[], out) at all points.
 template <class Function>
-Values evaluate(const std::vector<PointRow>& rows, int channels, int threads,
-                const Function& function) {
+Values evaluate(const std::vector<PointRow>& rows, int channels, const BakeOptions& options,
+                std::string_view step, const Function& function) {
     Values values(rows.size());
-    parallel_for(static_cast<int>(rows.size()), threads, [&](int i) {
+    for_each_tile(static_cast<int>(rows.size()), options, step, [&](int i) {
         const auto j = static_cast<std::size_t>(i);
         values[j].resize(rows[j].x.size() * static_cast<std::size_t>(channels));
         function(rows[j].y, rows[j].x, values[j].data());
@@ -26,9 +27,10 @@ Values evaluate(const std::vector<PointRow>& rows, int channels, int threads,
     return values;
 }
 
-ReferencePoints with_reference(const TableModel& model, std::vector<PointRow> rows, int threads) {
+ReferencePoints with_reference(const TableModel& model, std::vector<PointRow> rows,
+                               const BakeOptions& options) {
     ReferencePoints points;
-    points.values = evaluate(rows, model.channels, threads, model.reference);
+    points.values = evaluate(rows, model.channels, options, "reference", model.reference);
     points.rows = std::move(rows);
     const auto channels = static_cast<std::size_t>(model.channels);
     points.scale.assign(channels, 0);
@@ -68,12 +70,13 @@ int ReferencePoints::count() const {
     return static_cast<int>(sum);
 }
 
-ReferencePoints reference_points(const TableModel& model, PointCounts counts, int threads) {
-    return with_reference(model, low_discrepancy_points(counts.rows, counts.per_row), threads);
+ReferencePoints reference_points(const TableModel& model, PointCounts counts,
+                                 const BakeOptions& options) {
+    return with_reference(model, low_discrepancy_points(counts.rows, counts.per_row), options);
 }
 
 ReferencePoints reference_texels(const TableModel& model, std::array<int, 2> size,
-                                 PointCounts counts, int threads) {
+                                 PointCounts counts, const BakeOptions& options) {
     std::vector<PointRow> rows;
     const auto x_of = [&](int i) { return texel_coordinate(model.convention, i, size[0]); };
     const auto y_of = [&](int j) { return texel_coordinate(model.convention, j, size[1]); };
@@ -90,13 +93,13 @@ ReferencePoints reference_texels(const TableModel& model, std::array<int, 2> siz
             for (double& x : row.x) x = x_of(static_cast<int>(x * size[0]));
         }
     }
-    return with_reference(model, std::move(rows), threads);
+    return with_reference(model, std::move(rows), options);
 }
 
 MeasuredErrors measure_lookups(const TableModel& model, const Image2<float>& image,
                                const ReferencePoints& points) {
     const Values values =
-        evaluate(points.rows, model.channels, 1,
+        evaluate(points.rows, model.channels, BakeOptions{1}, "lookups",
                  [&](double y, const std::vector<double>& x, double* out) {
                      const double v = texture_coordinate(model.convention, y, image.height);
                      for (std::size_t i = 0; i < x.size(); ++i) {
@@ -108,9 +111,9 @@ MeasuredErrors measure_lookups(const TableModel& model, const Image2<float>& ima
 }
 
 MeasuredErrors measure_kernel(const TableModel& model, int level, const ReferencePoints& points,
-                              int threads) {
+                              const BakeOptions& options) {
     return measure(model, points,
-                   evaluate(points.rows, model.channels, threads,
+                   evaluate(points.rows, model.channels, options, "levels",
                             [&](double y, const std::vector<double>& x, double* out) {
                                 model.row(level, y, x, out);
                             }));

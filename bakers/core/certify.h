@@ -4,12 +4,11 @@
 #include <array>
 #include <vector>
 
+#include "bakers/core/bake_options.h"
 #include "bakers/core/low_discrepancy.h"
 #include "bakers/core/table_model.h"
 
 namespace skybake {
-
-enum class Certification { off, quick, full };
 
 // How many points: rows of the table's second coordinate, and points in each. References that share
 // work along a row are asked for few rows.
@@ -27,11 +26,13 @@ struct ReferencePoints {
 };
 
 // Points of the fixed low-discrepancy set, between texels.
-ReferencePoints reference_points(const TableModel& model, PointCounts counts, int threads);
+ReferencePoints reference_points(const TableModel& model, PointCounts counts,
+                                 const BakeOptions& options);
 
 // Texel centres: those that the same set falls into, or all where the table has no more than that.
 ReferencePoints reference_texels(const TableModel& model, std::array<int, 2> size,
-                                 PointCounts counts, int threads);
+                                 PointCounts counts,
+                                 const BakeOptions& options);
 
 struct MeasuredErrors {
     ErrorFigures figures;
@@ -44,6 +45,6 @@ MeasuredErrors measure_lookups(const TableModel& model, const Image2<float>& ima
 
 // The kernel itself at the points, at a quadrature level: what no table can undercut.
 MeasuredErrors measure_kernel(const TableModel& model, int level, const ReferencePoints& points,
-                              int threads);
+                              const BakeOptions& options);
 
 }  // namespace skybake

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 
@@ -32,7 +33,7 @@ struct LevelChoice {
 };
 
 LevelChoice choose_level(const TableModel& model, const AccuracyRequest& request,
-                         const ReferencePoints& texels, int threads) {
+                         const ReferencePoints& texels, const BakeOptions& options) {
     LevelChoice choice;
     if (!request.max_texel_error) {
         choice.level = 0;
@@ -40,7 +41,7 @@ LevelChoice choose_level(const TableModel& model, const AccuracyRequest& request
     }
     for (std::size_t level = 0; level < model.cost_per_texel.size(); ++level) {
         choice.best_error =
-            measure_kernel(model, static_cast<int>(level), texels, threads).figures.max;
+            measure_kernel(model, static_cast<int>(level), texels, options).figures.max;
         if (choice.best_error <= *request.max_texel_error) {
             choice.level = static_cast<int>(level);
             break;
@@ -51,27 +52,33 @@ LevelChoice choose_level(const TableModel& model, const AccuracyRequest& request
 
 std::optional<Diagnostic> check_range(const Image2<double>& texels, const BakedTable& table,
                                       const std::function<Place(double x, double y)>& place_of,
-                                      TexelConvention convention) {
+                                      const TableModel& model) {
     for (std::size_t i = 0; i < texels.texels.size(); ++i) {
         const float stored = table.image.texels[i];
-        if (std::isfinite(stored)) continue;
+        const double value = texels.texels[i];
+        if (std::isfinite(stored) && value >= model.lowest && value <= model.highest) continue;
         const auto texel = static_cast<int>(i / static_cast<std::size_t>(texels.channels));
         const int x = texel % texels.width;
         const int y = texel / texels.width;
         const std::string place =
-            place_text(place_of(texel_coordinate(convention, x, texels.width),
-                                texel_coordinate(convention, y, texels.height)));
-        if (std::isfinite(texels.texels[i])) {
-            return failure("E0402",
-                           fmt::format("`{}`: {} of {} values are beyond what {} holds; the first, "
-                                       "{:.6g}, at {}",
-                                       table.name, table.range.above_range, texels.texels.size(),
-                                       table.pixel_type == config::PixelType::half ? "half" : "float",
-                                       texels.texels[i], place),
-                           "bake it as float, or as transmittance");
+            place_text(place_of(texel_coordinate(model.convention, x, texels.width),
+                                texel_coordinate(model.convention, y, texels.height)));
+        if (!std::isfinite(value)) {
+            return failure("E0401",
+                           fmt::format("`{}`: the value at {} is not finite", table.name, place));
         }
-        return failure("E0401",
-                       fmt::format("`{}`: the value at {} is not finite", table.name, place));
+        if (!(value >= model.lowest && value <= model.highest)) {
+            return failure("E0405", fmt::format("`{}`: the value at {} is {:.6g}, outside [{:g}, {:g}]",
+                                                table.name, place, value, model.lowest,
+                                                model.highest));
+        }
+        return failure("E0402",
+                       fmt::format("`{}`: {} of {} values are beyond what {} holds; the first, "
+                                   "{:.6g}, at {}",
+                                   table.name, table.range.above_range, texels.texels.size(),
+                                   table.pixel_type == config::PixelType::half ? "half" : "float",
+                                   value, place),
+                       "bake it as float, or as transmittance");
     }
     return std::nullopt;
 }
@@ -110,19 +117,18 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
                                  const BakeOptions& options,
                                  const std::function<Place(double x, double y)>& place_of,
                                  BakedTable table) {
-    const int threads = options.threads;
     const PointCounts counts = points_of(request, options.certification);
     const bool certify = options.certification != Certification::off;
     Outcome<BakedTable> outcome;
 
     std::optional<ReferencePoints> points;
-    if (certify || request.max_error) points = reference_points(model, counts, threads);
+    if (certify || request.max_error) points = reference_points(model, counts, options);
     std::array<int, 2> size = request.size;
     int level = 0;
     std::optional<ReferencePoints> texels;
     if (request.max_error) {
         const TableSearch search =
-            smallest_table(model, *request.max_error, table.pixel_type, *points, threads);
+            smallest_table(model, *request.max_error, table.pixel_type, *points, options);
         if (!search.found) {
             outcome.diagnostics.push_back(failure(
                 "E0403",
@@ -136,10 +142,10 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         level = search.found->level;
     }
     if (certify || (!request.max_error && request.max_texel_error)) {
-        texels = reference_texels(model, size, counts, threads);
+        texels = reference_texels(model, size, counts, options);
     }
     if (!request.max_error) {
-        const LevelChoice choice = choose_level(model, request, *texels, threads);
+        const LevelChoice choice = choose_level(model, request, *texels, options);
         if (!choice.level) {
             outcome.diagnostics.push_back(
                 failure("E0404", fmt::format("`{}`: max_texel_error {:.3g} is not reached; the "
@@ -151,9 +157,11 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         level = *choice.level;
     }
 
-    const Image2<double> values = bake_texels(model, level, size, threads);
+    const auto start = std::chrono::steady_clock::now();
+    const Image2<double> values = bake_texels(model, level, size, options);
+    table.bake_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     table.image = store_texels(values, table.pixel_type, table.range);
-    if (const auto problem = check_range(values, table, place_of, model.convention)) {
+    if (const auto problem = check_range(values, table, place_of, model)) {
         outcome.diagnostics.push_back(*problem);
         return outcome;
     }

@@ -7,6 +7,7 @@
 
 #include "bakers/core/bake_options.h"
 #include "bakers/core/baked_table.h"
+#include "bakers/core/certify.h"
 #include "bakers/core/table_model.h"
 #include "config/diagnostic.h"
 

@@ -95,14 +95,14 @@ double lookup_error(const TableModel& model, const Candidate& candidate, config:
 }  // namespace
 
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
-                           const ReferencePoints& points, int threads) {
+                           const ReferencePoints& points, const BakeOptions& options) {
     // A level whose kernel is off by more than the bound holds it with no table, and one that is off by
     // an eighth of it gains next to nothing from a dearer one.
     const int levels = static_cast<int>(model.cost_per_texel.size());
     int first = levels;
     int last = levels - 1;
     for (int level = levels - 1; level >= 0; --level) {
-        const double error = measure_kernel(model, level, points, threads).figures.max;
+        const double error = measure_kernel(model, level, points, options).figures.max;
         if (!(error <= max_error)) break;
         first = level;
         if (error <= max_error / 8) last = level;
@@ -112,6 +112,7 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
     // Points that refuted the last tables are tried first: most candidates fall at the first one.
     std::vector<PointIndex> order = all_points(points);
     for (const Candidate& candidate : candidates(model)) {
+        if (options.progress != nullptr && options.progress->cancelled()) break;
         if (candidate.level < first || candidate.level > last) continue;
         double largest = 0;
         for (std::size_t k = 0; k < order.size() && largest <= max_error; ++k) {

@@ -23,6 +23,6 @@ struct TableSearch {
 // stored lookups are within `max_error` at every point. The cost is fixed, so the choice is a pure
 // function of the parameters.
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
-                           const ReferencePoints& points, int threads);
+                           const ReferencePoints& points, const BakeOptions& options);
 
 }  // namespace skybake

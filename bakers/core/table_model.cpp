@@ -1,16 +1,16 @@
 #include "bakers/core/table_model.h"
 
-#include "bakers/core/parallel.h"
 #include "bakers/core/pixel_type.h"
+#include "bakers/core/tiles.h"
 
 namespace skybake {
 
 Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size,
-                           int threads) {
+                           const BakeOptions& options) {
     Image2<double> image(size[0], size[1], model.channels);
     std::vector<double> x;
     for (int i = 0; i < size[0]; ++i) x.push_back(texel_coordinate(model.convention, i, size[0]));
-    parallel_for(size[1], threads, [&](int j) {
+    for_each_tile(size[1], options, "texels", [&](int j) {
         model.row(level, texel_coordinate(model.convention, j, size[1]), x, image.texel(0, j));
     });
     return image;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/core/bake_options.h"
 #include "bakers/core/baked_table.h"
 #include "bakers/core/texel_axis.h"
 
@@ -25,13 +26,18 @@ struct TableModel {
     // The reference, in the same form.
     std::function<void(double y, const std::vector<double>& x, double* values)> reference;
 
+    // The least and the largest value that physics allows.
+    double lowest = 0;
+    double highest = 0;
+
     // Error of a stored or looked-up value. `scale` is the largest reference value of the channel over
     // the points measured.
     std::function<double(double value, double reference, double scale)> error;
 };
 
 // Texels of a table as its kernel gives them, before rounding. Tiles are rows.
-Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size, int threads);
+Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size,
+                           const BakeOptions& options);
 
 // The same rounded to the pixel type.
 Image2<float> store_texels(const Image2<double>& texels, config::PixelType type, RangeCounts& range);

@@ -2,109 +2,24 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <charconv>
-#include <csignal>
-#include <cstring>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "bakers/io/file_descriptor.h"
 #include "bakers/io/file_diagnostic.h"
+#include "bakers/io/temporary_file.h"
 
 namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-
-// --- What the signal handler removes ------------------------------------------------------------
-
-// Paths lie in static memory, since a handler may neither lock nor allocate.
-struct CurrentTemporary {
-    enum State : int { unused, claimed, active };
-    std::atomic<int> state{unused};
-    std::array<char, 4096> path{};
-};
-static_assert(std::atomic<int>::is_always_lock_free);
-std::array<CurrentTemporary, 16> current_temporaries;
-
-// A slot of the table above; none is left if very many threads write at once, and then a second
-// Ctrl-C leaves that temporary to the next run.
-class Registration {
-  public:
-    explicit Registration(const fs::path& path) {
-        if (path.native().size() >= current_temporaries[0].path.size()) return;
-        for (CurrentTemporary& entry : current_temporaries) {
-            int unused = CurrentTemporary::unused;
-            if (!entry.state.compare_exchange_strong(unused, CurrentTemporary::claimed)) continue;
-            std::memcpy(entry.path.data(), path.c_str(), path.native().size() + 1);
-            entry.state = CurrentTemporary::active;
-            entry_ = &entry;
-            return;
-        }
-    }
-    Registration(const Registration&) = delete;
-    Registration& operator=(const Registration&) = delete;
-    ~Registration() {
-        if (entry_ != nullptr) entry_->state = CurrentTemporary::unused;
-    }
-
-  private:
-    CurrentTemporary* entry_ = nullptr;
-};
-
-// --- Names of temporaries -----------------------------------------------------------------------
-
-// ".NAME.skybake-"; long names are cut so that the whole stays within the 255 bytes of a name.
-std::string temporary_prefix(const fs::path& path) {
-    constexpr std::size_t longest_name = 200;
-    return fmt::format(".{}.skybake-", path.filename().string().substr(0, longest_name));
-}
-
-constexpr std::string_view temporary_suffix = ".tmp";
-
-// The PID of ".NAME.skybake-PID-N.tmp", or nothing for any other name.
-std::optional<pid_t> temporary_owner(std::string_view name, std::string_view prefix) {
-    if (name.size() <= prefix.size() + temporary_suffix.size() ||
-        name.substr(0, prefix.size()) != prefix ||
-        name.substr(name.size() - temporary_suffix.size()) != temporary_suffix) {
-        return std::nullopt;
-    }
-    name = name.substr(prefix.size(), name.size() - prefix.size() - temporary_suffix.size());
-    pid_t owner = 0;
-    unsigned number = 0;
-    const char* const end = name.data() + name.size();
-    const auto pid = std::from_chars(name.data(), end, owner);
-    if (pid.ec != std::errc{} || pid.ptr == end || *pid.ptr != '-' || owner <= 0)
-        return std::nullopt;
-    const auto count = std::from_chars(pid.ptr + 1, end, number);
-    if (count.ec != std::errc{} || count.ptr != end) return std::nullopt;
-    return owner;
-}
-
-// A temporary is left over if its process is gone *and* nobody holds its lock: process numbers are
-// told apart by neither containers nor machines that share a folder, the lock is.
-bool is_left_over(const fs::path& temporary, pid_t owner) {
-    const bool alive = owner != ::getpid() && (::kill(owner, 0) == 0 || errno != ESRCH);
-    if (alive) return false;
-    const FileDescriptor file(
-        ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    return file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
-}
-
-// Held while a temporary exists without its lock, so that no other thread takes it for a left-over.
-std::mutex creation_mutex;
-
-// --- Writing ------------------------------------------------------------------------------------
 
 config::Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
     return {{},
@@ -153,43 +68,6 @@ bool is_unchanged(const fs::path& path, const struct stat& status, std::string_v
     return file.valid() && holds(file.get(), bytes);
 }
 
-// A new file beside the target, locked while it exists, removed with this object unless it has
-// become the target.
-class Temporary {
-  public:
-    // errno where the file cannot be made (see valid).
-    explicit Temporary(const fs::path& target) {
-        static std::atomic<unsigned> counter{0};
-        const std::lock_guard lock(creation_mutex);
-        do {
-            path_ = target.parent_path() / fmt::format("{}{}-{}{}", temporary_prefix(target),
-                                                       ::getpid(), counter++, temporary_suffix);
-            registration_.emplace(path_);  // first: no moment in which a signal would miss the file
-            file_ = FileDescriptor(
-                ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-        } while (!file_.valid() && (errno == EINTR || errno == EEXIST));
-        // Where a file system has no locks the sweep finds none either, and removes nothing.
-        if (file_.valid()) ::flock(file_.get(), LOCK_EX | LOCK_NB);
-    }
-    Temporary(const Temporary&) = delete;
-    Temporary& operator=(const Temporary&) = delete;
-    ~Temporary() {
-        if (file_.valid() && !renamed_) ::unlink(path_.c_str());
-    }
-    bool valid() const { return file_.valid(); }
-    int descriptor() const { return file_.get(); }
-    bool rename_to(const fs::path& target) {
-        renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
-        return renamed_;
-    }
-
-  private:
-    fs::path path_;
-    std::optional<Registration> registration_;
-    FileDescriptor file_;
-    bool renamed_ = false;
-};
-
 bool is_cancelled(const Progress* progress) { return progress != nullptr && progress->cancelled(); }
 
 // Writes all bytes; returns errno, 0, or ECANCELED.
@@ -217,27 +95,34 @@ int flush(int descriptor) {
     return 0;
 }
 
-config::Outcome<WriteResult> replace(const fs::path& path, const fs::path& target,
-                                     std::optional<mode_t> mode, std::string_view bytes,
-                                     const Progress* progress) {
-    Temporary temporary(target);
-    if (!temporary.valid()) return failure(path, errno);
-    if (mode && ::fchmod(temporary.descriptor(), *mode) != 0) return failure(path, errno);
-    int error = write_all(temporary.descriptor(), bytes, progress);
-    if (error == 0) error = flush(temporary.descriptor());
-    if (error == ECANCELED) return {WriteResult::interrupted, {}};
-    if (error != 0) return failure(path, error);
-    if (!temporary.rename_to(target)) return failure(path, errno);
-    return {WriteResult::written, {}};
+// Makes the temporary hold the bytes; errno, 0, or ECANCELED.
+int fill(const TemporaryFile& temporary, std::optional<mode_t> mode, std::string_view bytes,
+         const Progress* progress) {
+    if (!temporary.valid()) return errno;
+    if (mode && ::fchmod(temporary.descriptor(), *mode) != 0) return errno;
+    const int error = write_all(temporary.descriptor(), bytes, progress);
+    return error != 0 ? error : flush(temporary.descriptor());
 }
 
 }  // namespace
 
-config::Outcome<WriteResult> write_file_atomically(const fs::path& path, std::string_view bytes,
-                                                   const Progress* progress) {
+struct AtomicFiles::Staged {
+    Staged(fs::path path_, fs::path target_)
+        : path(std::move(path_)), target(std::move(target_)), temporary(target) {}
+
+    fs::path path;    // as the user knows it
+    fs::path target;  // where its links lead
+    TemporaryFile temporary;
+};
+
+AtomicFiles::AtomicFiles() = default;
+AtomicFiles::~AtomicFiles() = default;
+
+config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
+                                                const Progress* progress) {
     if (!path.has_filename()) return failure(path, "it is a folder");
     std::error_code link_error;
-    const fs::path target = resolve_links(path, link_error);
+    fs::path target = resolve_links(path, link_error);
     if (link_error) return failure(path, link_error.message());
 
     std::optional<mode_t> mode;
@@ -252,27 +137,30 @@ config::Outcome<WriteResult> write_file_atomically(const fs::path& path, std::st
     }
     remove_stale_temporaries(target);
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    return replace(path, target, mode, bytes, progress);
+    auto staged = std::make_unique<Staged>(path, std::move(target));
+    const int error = fill(staged->temporary, mode, bytes, progress);
+    if (error == ECANCELED) return {WriteResult::interrupted, {}};
+    if (error != 0) return failure(path, error);
+    staged_.push_back(std::move(staged));
+    return {WriteResult::written, {}};
 }
 
-void remove_stale_temporaries(const fs::path& path) {
-    const std::string prefix = temporary_prefix(path);
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    const std::lock_guard lock(creation_mutex);
-    std::error_code error;
-    std::vector<fs::path> stale;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const auto owner = temporary_owner(entry->path().filename().native(), prefix);
-        if (owner && is_left_over(entry->path(), *owner)) stale.push_back(entry->path());
+std::vector<config::Diagnostic> AtomicFiles::commit() {
+    for (; !staged_.empty(); staged_.pop_back()) {
+        Staged& last = *staged_.back();
+        if (!last.temporary.rename_to(last.target)) return failure(last.path, errno).diagnostics;
     }
-    for (const fs::path& temporary : stale) ::unlink(temporary.c_str());
+    return {};
 }
 
-void unlink_current_temporaries() noexcept {
-    for (const CurrentTemporary& entry : current_temporaries) {
-        if (entry.state == CurrentTemporary::active) ::unlink(entry.path.data());
-    }
+config::Outcome<WriteResult> write_file_atomically(const fs::path& path, std::string_view bytes,
+                                                   const Progress* progress) {
+    AtomicFiles files;
+    config::Outcome<WriteResult> result = files.stage(path, bytes, progress);
+    if (!result.value) return result;
+    std::vector<config::Diagnostic> diagnostics = files.commit();
+    if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
+    return result;
 }
 
 }  // namespace skybake

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string_view>
+#include <vector>
 
 #include "bakers/core/progress.h"
 #include "config/diagnostic.h"
@@ -19,17 +21,36 @@ enum class WriteResult {
     interrupted,  // progress->cancelled() became true: nothing was changed
 };
 
-// Writes `bytes` to `path`. An existing file keeps its permissions, a new one gets those of the
-// umask. A symbolic link stays one: the file it points to is replaced. E0301 with the system's
-// reason where the file cannot be written: no such folder, not permitted, read-only, disk full, a
-// folder or a device of that name.
+// Several files that belong together. All are on the disk before the first replaces an old one, so
+// a full disk or an interruption leaves every old file in place. What was not committed is removed
+// with this object.
+class AtomicFiles {
+  public:
+    AtomicFiles();
+    AtomicFiles(const AtomicFiles&) = delete;
+    AtomicFiles& operator=(const AtomicFiles&) = delete;
+    ~AtomicFiles();
+
+    // Brings `bytes` to the disk under a temporary name. An existing file keeps its permissions, a
+    // new one gets those of the umask. A symbolic link stays one: the file it points to is
+    // replaced. E0301 with the system's reason where the file cannot be written: no such folder,
+    // not permitted, read-only, disk full, a folder or a device of that name.
+    config::Outcome<WriteResult> stage(const std::filesystem::path& path, std::string_view bytes,
+                                       const Progress* progress = nullptr);
+
+    // Renames the staged files to their targets, the last one first: a manifest, staged when all
+    // that it describes is known, claims its files before they appear. E0301.
+    std::vector<config::Diagnostic> commit();
+
+  private:
+    struct Staged;
+    std::vector<std::unique_ptr<Staged>> staged_;
+};
+
+// One file by itself, as stage and commit.
 config::Outcome<WriteResult> write_file_atomically(const std::filesystem::path& path,
                                                    std::string_view bytes,
                                                    const Progress* progress = nullptr);
-
-// Removes temporaries of `path` whose process is gone. Errors are not reported: a leftover is
-// untidy, not wrong.
-void remove_stale_temporaries(const std::filesystem::path& path);
 
 // Unlinks the temporaries that this process is writing now. Async-signal-safe; meant to be followed
 // by _exit.

@@ -40,12 +40,21 @@ config::Outcome<EncodedTable> encode_table(const BakedTable& table) {
     return {std::move(encoded), std::move(bytes.diagnostics)};
 }
 
+config::Outcome<WriteResult> stage_table(EncodedTable& table, const std::filesystem::path& folder,
+                                         AtomicFiles& files, const Progress* progress) {
+    const Stopwatch stopwatch;
+    auto result = files.stage(folder / table_file_name(table.asset.name), table.bytes, progress);
+    table.asset.timing.write_s += stopwatch.seconds();
+    return result;
+}
+
 config::Outcome<WriteResult> write_table(EncodedTable& table, const std::filesystem::path& folder,
                                          const Progress* progress) {
-    const Stopwatch stopwatch;
-    auto result =
-        write_file_atomically(folder / table_file_name(table.asset.name), table.bytes, progress);
-    table.asset.timing.write_s += stopwatch.seconds();
+    AtomicFiles files;
+    auto result = stage_table(table, folder, files, progress);
+    if (!result.value) return result;
+    std::vector<config::Diagnostic> diagnostics = files.commit();
+    if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
     return result;
 }
 

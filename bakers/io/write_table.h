@@ -24,7 +24,11 @@ struct EncodedTable {
 // E0401, E0402 as encode_exr. asset.timing.write_s holds the time of the encoding.
 config::Outcome<EncodedTable> encode_table(const BakedTable& table);
 
-// Writes NAME.exr into the folder; adds the time it took to asset.timing.write_s. E0301.
+// Stages NAME.exr for the folder; adds the time it took to asset.timing.write_s. E0301.
+config::Outcome<WriteResult> stage_table(EncodedTable& table, const std::filesystem::path& folder,
+                                         AtomicFiles& files, const Progress* progress = nullptr);
+
+// Writes NAME.exr into the folder by itself; adds the time it took to asset.timing.write_s. E0301.
 config::Outcome<WriteResult> write_table(EncodedTable& table, const std::filesystem::path& folder,
                                          const Progress* progress = nullptr);
 

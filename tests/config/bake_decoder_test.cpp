@@ -32,6 +32,13 @@ TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
     EXPECT_EQ(scattering->method, MultipleScatteringMethod::converged);
 }
 
+TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
+    for (const std::string_view asset : asset_names()) {
+        const Recipe recipe = bake("[bake." + std::string(asset) + "]\n");
+        EXPECT_EQ(recipe.parameters.bakes.size(), 1u) << asset;
+    }
+}
+
 TEST(BakeDecoder, AssetDefaultsToTheName) {
     const Recipe recipe = bake("[bake.mine]\nasset = 'transmittance'\nmapping = 'ue'\n");
     ASSERT_EQ(recipe.parameters.bakes.size(), 1u);

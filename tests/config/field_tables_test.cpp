@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "config/field_value.h"
+#include "config/field_reader.h"
 #include "config/fields.h"
 
 namespace skybake::config {

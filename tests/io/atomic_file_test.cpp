@@ -178,6 +178,38 @@ TEST(AtomicFile, AFullDiskIsReportedAndNothingStays) {
     EXPECT_EQ(status, 0);
 }
 
+TEST(AtomicFile, AFullDiskLeavesAllFilesThatBelongTogether) {
+    const TemporaryFolder folder;
+    const int status = on_small_disk(folder, [&folder] {
+        write_bytes(folder / "a", "old");
+        write_bytes(folder / "b", "old");
+        AtomicFiles files;
+        if (files.stage(folder / "a", std::string(20000, 'x')).value != WriteResult::written)
+            return 1;
+        if (files.stage(folder / "b", std::string(60000, 'x')).value) return 2;
+        return read_bytes(folder / "a") == "old" && read_bytes(folder / "b") == "old" ? 0 : 3;
+    });
+    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
+    EXPECT_EQ(status, 0);
+}
+
+TEST(AtomicFile, StagedFilesAppearTogetherOrNotAtAll) {
+    const TemporaryFolder folder;
+    {
+        AtomicFiles files;
+        files.stage(folder / "a", "1");
+        files.stage(folder / "b", "2");
+        EXPECT_FALSE(fs::exists(folder / "a"));
+    }
+    EXPECT_TRUE(folder.names().empty());
+    AtomicFiles files;
+    files.stage(folder / "a", "1");
+    files.stage(folder / "b", "2");
+    EXPECT_TRUE(files.commit().empty());
+    EXPECT_EQ(folder.names(), (Names{"a", "b"}));
+    EXPECT_EQ(read_bytes(folder / "a"), "1");
+}
+
 TEST(AtomicFile, AReadOnlyDiskIsReported) {
     const TemporaryFolder folder;
     const int status = on_small_disk(folder, [&folder] {

@@ -1,0 +1,147 @@
+#include "bakers/io/temporary_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bakers/io/atomic_file.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+
+// --- What the signal handler removes ------------------------------------------------------------
+
+// Paths lie in static memory, since a handler may neither lock nor allocate.
+struct CurrentTemporary {
+    enum State : int { unused, claimed, active };
+    std::atomic<int> state{unused};
+    std::array<char, 4096> path{};
+};
+static_assert(std::atomic<int>::is_always_lock_free);
+std::array<CurrentTemporary, 64> current_temporaries;
+
+// Returns a slot of the table above, or -1: none is left if very many files are written at once,
+// and then a second Ctrl-C leaves that temporary to the next run.
+int enter(const fs::path& path) {
+    if (path.native().size() >= current_temporaries[0].path.size()) return -1;
+    for (std::size_t i = 0; i < current_temporaries.size(); ++i) {
+        CurrentTemporary& entry = current_temporaries[i];
+        int unused = CurrentTemporary::unused;
+        if (!entry.state.compare_exchange_strong(unused, CurrentTemporary::claimed)) continue;
+        std::memcpy(entry.path.data(), path.c_str(), path.native().size() + 1);
+        entry.state = CurrentTemporary::active;
+        return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void leave(int slot) {
+    if (slot >= 0)
+        current_temporaries[static_cast<std::size_t>(slot)].state = CurrentTemporary::unused;
+}
+
+// --- Names of temporaries -----------------------------------------------------------------------
+
+// ".NAME.skybake-"; long names are cut so that the whole stays within the 255 bytes of a name.
+std::string temporary_prefix(const fs::path& path) {
+    constexpr std::size_t longest_name = 200;
+    return fmt::format(".{}.skybake-", path.filename().string().substr(0, longest_name));
+}
+
+constexpr std::string_view temporary_suffix = ".tmp";
+
+// The PID of ".NAME.skybake-PID-N.tmp", or nothing for any other name.
+std::optional<pid_t> temporary_owner(std::string_view name, std::string_view prefix) {
+    if (name.size() <= prefix.size() + temporary_suffix.size() ||
+        name.substr(0, prefix.size()) != prefix ||
+        name.substr(name.size() - temporary_suffix.size()) != temporary_suffix) {
+        return std::nullopt;
+    }
+    name = name.substr(prefix.size(), name.size() - prefix.size() - temporary_suffix.size());
+    pid_t owner = 0;
+    unsigned number = 0;
+    const char* const end = name.data() + name.size();
+    const auto pid = std::from_chars(name.data(), end, owner);
+    if (pid.ec != std::errc{} || pid.ptr == end || *pid.ptr != '-' || owner <= 0)
+        return std::nullopt;
+    const auto count = std::from_chars(pid.ptr + 1, end, number);
+    if (count.ec != std::errc{} || count.ptr != end) return std::nullopt;
+    return owner;
+}
+
+// A temporary is left over if its process is gone *and* nobody holds its lock: process numbers are
+// told apart by neither containers nor machines that share a folder, the lock is.
+bool is_left_over(const fs::path& temporary, pid_t owner) {
+    const bool alive = owner != ::getpid() && (::kill(owner, 0) == 0 || errno != ESRCH);
+    if (alive) return false;
+    const FileDescriptor file(
+        ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    return file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+// Held while a temporary exists without its lock, so that no other thread takes it for a left-over.
+std::mutex creation_mutex;
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(const fs::path& target) {
+    static std::atomic<unsigned> counter{0};
+    const std::lock_guard lock(creation_mutex);
+    do {
+        leave(slot_);
+        path_ = target.parent_path() / fmt::format("{}{}-{}{}", temporary_prefix(target),
+                                                   ::getpid(), counter++, temporary_suffix);
+        slot_ = enter(path_);  // first: no moment in which a signal would miss the file
+        file_ =
+            FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    } while (!file_.valid() && (errno == EINTR || errno == EEXIST));
+    // Where a file system has no locks the sweep finds none either, and removes nothing.
+    if (file_.valid()) ::flock(file_.get(), LOCK_EX | LOCK_NB);
+}
+
+TemporaryFile::~TemporaryFile() {
+    if (file_.valid() && !renamed_) ::unlink(path_.c_str());
+    leave(slot_);
+}
+
+bool TemporaryFile::rename_to(const fs::path& target) {
+    renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
+    return renamed_;
+}
+
+void remove_stale_temporaries(const fs::path& target) {
+    const std::string prefix = temporary_prefix(target);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const std::lock_guard lock(creation_mutex);
+    std::error_code error;
+    std::vector<fs::path> stale;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const auto owner = temporary_owner(entry->path().filename().native(), prefix);
+        if (owner && is_left_over(entry->path(), *owner)) stale.push_back(entry->path());
+    }
+    for (const fs::path& temporary : stale) ::unlink(temporary.c_str());
+}
+
+void unlink_current_temporaries() noexcept {
+    for (const CurrentTemporary& entry : current_temporaries) {
+        if (entry.state == CurrentTemporary::active) ::unlink(entry.path.data());
+    }
+}
+
+}  // namespace skybake

@@ -1,0 +1,36 @@
+// Files on their way to become others: `.NAME.skybake-PID-N.tmp` beside NAME.
+#pragma once
+
+#include <filesystem>
+
+#include "bakers/io/file_descriptor.h"
+
+namespace skybake {
+
+// A new file beside the target, locked while it is open, removed with this object unless it has
+// become the target.
+class TemporaryFile {
+  public:
+    // Not valid where the file cannot be made; errno says why.
+    explicit TemporaryFile(const std::filesystem::path& target);
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile();
+
+    bool valid() const { return file_.valid(); }
+    int descriptor() const { return file_.get(); }
+    // False where it cannot; errno says why.
+    bool rename_to(const std::filesystem::path& target);
+
+  private:
+    std::filesystem::path path_;
+    int slot_ = -1;  // in the table of what a signal handler removes
+    FileDescriptor file_;
+    bool renamed_ = false;
+};
+
+// Removes temporaries of `target` whose process is gone. Errors are not reported: a leftover is
+// untidy, not wrong.
+void remove_stale_temporaries(const std::filesystem::path& target);
+
+}  // namespace skybake

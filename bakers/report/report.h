@@ -1,0 +1,59 @@
+// What does accuracy cost? For one asset: the variants that its knobs allow, each with its time, its
+// error and its bytes, beside the baselines of the papers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bakers/core/baked_table.h"
+#include "bakers/core/progress.h"
+#include "config/diagnostic.h"
+#include "config/recipe.h"
+
+namespace skybake {
+
+// One variant of an asset.
+struct ReportRow {
+    std::string asset;     // NAME of [bake.NAME]
+    std::string family;    // what it shares with others: "exact, half", "midpoint rule"
+    std::string variant;   // what it differs in: "256x64", "40 steps", "level 3 of 9"
+    std::string baseline;  // the name of a baseline, or empty
+    bool of_recipe = false;         // the one that `bake` makes of the recipe
+    bool in_quadrature_sweep = false;  // same size, mapping and pixel type as others of that sweep
+    std::array<int, 2> size{};
+    config::PixelType pixel_type = config::PixelType::float32;
+    std::uint64_t file_bytes = 0;
+    double time_ms = 0;  // processor time of making the texels on one thread
+    ErrorFigures texel;
+    ErrorFigures lookup;
+    bool on_lookup_front = false;  // Pareto: time against lookup.rms, among all rows of the asset
+    bool on_texel_front = false;   // Pareto: time against texel.rms, within the quadrature sweep
+};
+
+struct AssetReport {
+    std::string name;
+    std::string kind;       // "transmittance", "multiple_scattering"
+    std::string reference;  // what errors were measured against
+    std::string scale;      // what an error of 1 means
+    std::string timing;     // what the times are
+    int texel_points = 0;   // at most so many texels were compared
+    int lookup_points = 0;
+    int repetitions = 0;    // times are medians of so many
+    std::vector<std::string> notes;  // what was left out, and why
+    std::vector<ReportRow> rows;
+};
+
+struct ReportOptions {
+    int threads = 0;     // for references alone: 0, as many as the machine has
+    bool quick = false;  // fewer repetitions, points and sizes
+    Progress* progress = nullptr;
+};
+
+// Sweeps and measures one section of a recipe. Errors are pure functions of the parameters; times are
+// not. No value and no diagnostics: the user has interrupted. Diagnostics as of bake_table.
+config::Outcome<AssetReport> report_asset(const config::Recipe& recipe, const config::Bake& bake,
+                                          const ReportOptions& options);
+
+}  // namespace skybake

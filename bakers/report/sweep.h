@@ -1,0 +1,50 @@
+// The variants of an asset that a report compares.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bakers/core/certify.h"
+#include "bakers/core/table_model.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// One way to make a table. Texels are a function of model, level and size; the pixel type comes after.
+struct Variant {
+    std::string family;
+    std::string name;
+    std::string baseline;
+    bool of_recipe = false;
+    bool in_quadrature_sweep = false;
+    std::array<int, 2> size{};
+    config::PixelType pixel_type = config::PixelType::float32;
+    std::shared_ptr<const TableModel> model;
+    int level = 0;
+    // The model whose reference, texel convention and error are the measure; shared by all variants
+    // that mean the same values at the same coordinates.
+    std::shared_ptr<const TableModel> truth;
+};
+
+struct Sweep {
+    std::string timing;  // what the times are
+    PointCounts texels;  // at most so many are compared
+    PointCounts lookups;
+    std::vector<Variant> variants;
+};
+
+// Sizes that are the given one times the factors, at least 2 texels an axis, without those of more
+// than `max_texels` and without duplicates.
+std::vector<std::array<int, 2>> sizes_around(std::array<int, 2> size,
+                                             const std::vector<std::array<double, 2>>& factors,
+                                             long max_texels);
+
+// The size halved on both axes until it has no more than `max_texels` (at least 4).
+std::array<int, 2> size_within(std::array<int, 2> size, long max_texels);
+
+// "256x64"
+std::string size_text(std::array<int, 2> size);
+
+}  // namespace skybake

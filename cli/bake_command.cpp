@@ -1,0 +1,283 @@
+// skybake bake: makes what the recipe asks for.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bakers/core/parallel.h"
+#include "bakers/io/atomic_file.h"
+#include "bakers/io/manifest.h"
+#include "bakers/io/output_folder.h"
+#include "bakers/io/write_table.h"
+#include "bakers/registry.h"
+#include "cli/bake_progress.h"
+#include "cli/bake_summary.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/parse_arguments.h"
+#include "config/suggest.h"
+
+namespace skybake::cli {
+namespace {
+
+using config::Bake;
+using config::Diagnostic;
+using config::Outcome;
+using config::Recipe;
+using Json = nlohmann::ordered_json;
+
+struct BakeJob {
+    Recipe recipe;
+    std::vector<const Bake*> bakes;  // those asked for
+    std::filesystem::path folder;
+    BakeOptions options;
+    bool json = false;
+};
+
+std::optional<int> thread_option(const Invocation& invocation) {
+    if (!invocation.has("jobs")) return 0;
+    const std::string text = invocation.value("jobs");
+    int threads = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+    if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > 1024) {
+        return std::nullopt;
+    }
+    return threads;
+}
+
+Certification certification_option(const Invocation& invocation) {
+    const std::string text = invocation.value("certify");
+    if (text == "off") return Certification::off;
+    return text == "full" ? Certification::full : Certification::quick;
+}
+
+// The sections to bake: all, or those that --only names.
+Outcome<std::vector<const Bake*>> chosen_bakes(const Recipe& recipe,
+                                               const std::vector<std::string>& only) {
+    Outcome<std::vector<const Bake*>> outcome;
+    std::vector<std::string_view> names;
+    for (const Bake& bake : recipe.parameters.bakes) names.push_back(bake.name);
+    for (const std::string& name : only) {
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        outcome.diagnostics.push_back(
+            usage_error(fmt::format("--only: the recipe has no [bake.{}]", name),
+                        config::did_you_mean(name, names)));
+    }
+    if (names.empty()) {
+        outcome.diagnostics.push_back(usage_error("the recipe asks for nothing: it has no [bake.*]",
+                                                  "add [bake.transmittance]"));
+    }
+    if (!outcome.diagnostics.empty()) return outcome;
+    outcome.value.emplace();
+    for (const Bake& bake : recipe.parameters.bakes) {
+        const bool wanted =
+            only.empty() || std::find(only.begin(), only.end(), bake.name) != only.end();
+        if (wanted) outcome.value->push_back(&bake);
+    }
+    return outcome;
+}
+
+std::vector<std::string> file_names(const BakeJob& job) {
+    std::vector<std::string> names;
+    for (const Bake* bake : job.bakes) names.push_back(table_file_name(bake->name));
+    names.emplace_back(manifest_name);
+    return names;
+}
+
+void print_event(Console& console, const Json& event) {
+    console.result(event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void print_plan(const BakeJob& job, Console& console) {
+    if (!job.json) {
+        console.result(plan_text(job.bakes));
+        return;
+    }
+    Json assets = Json::array();
+    for (const Bake* bake : job.bakes) {
+        const Estimate estimate = baker_of(*bake).estimate(*bake);
+        assets.push_back({{"name", bake->name},
+                          {"kind", baker_of(*bake).asset},
+                          {"size", estimate.size},
+                          {"seconds", estimate.seconds},
+                          {"memory_mib", estimate.memory_mib},
+                          {"disk_mib", estimate.disk_mib}});
+    }
+    print_event(console, {{"event", "plan"}, {"assets", std::move(assets)}});
+}
+
+// Bakes and encodes everything before a byte is written: one failure leaves the folder as it was.
+Outcome<std::vector<EncodedTable>> bake_all(const BakeJob& job, Console& console) {
+    Outcome<std::vector<EncodedTable>> outcome;
+    std::vector<EncodedTable> tables;
+    bool failed = false;
+    for (const Bake* bake : job.bakes) {
+        BakeProgress progress(bake->name, console);
+        BakeOptions options = job.options;
+        options.progress = &progress;
+        Outcome<BakedTable> baked = bake_table(job.recipe, *bake, options);
+        progress.finish();
+        if (interrupted()) return outcome;
+        for (Diagnostic& diagnostic : baked.diagnostics) {
+            outcome.diagnostics.push_back(std::move(diagnostic));
+        }
+        if (!baked.value) {
+            failed = true;
+            continue;
+        }
+        Outcome<EncodedTable> encoded = encode_table(*baked.value);
+        for (Diagnostic& diagnostic : encoded.diagnostics) {
+            outcome.diagnostics.push_back(std::move(diagnostic));
+        }
+        if (!encoded.value) {
+            failed = true;
+            continue;
+        }
+        encoded.value->asset.timing.bake_s = baked.value->bake_seconds;
+        encoded.value->asset.timing.threads = thread_count(options.threads);
+        tables.push_back(std::move(*encoded.value));
+    }
+    if (!failed) outcome.value = std::move(tables);
+    return outcome;
+}
+
+Json asset_event(const ManifestAsset& asset, const std::filesystem::path& path,
+                 WriteResult result) {
+    Json event = {{"event", "asset"},
+                  {"name", asset.name},
+                  {"kind", asset.kind},
+                  {"path", path.string()},
+                  {"changed", result == WriteResult::written},
+                  {"size", asset.size},
+                  {"bake_s", asset.timing.bake_s},
+                  {"write_s", asset.timing.write_s}};
+    if (asset.error) {
+        event["lookup_error"] = {{"max", asset.error->lookup.max},
+                                 {"rms", asset.error->lookup.rms}};
+        event["texel_error"] = {{"max", asset.error->texel.max}, {"rms", asset.error->texel.rms}};
+    }
+    return event;
+}
+
+// Writes the files, then the manifest that claims them.
+ExitCode write_all(const BakeJob& job, const OutputFolder& folder,
+                   std::vector<EncodedTable>& tables, Console& console) {
+    Manifest manifest = new_manifest(job.recipe);
+    const BakeProgress progress("write", console);
+    for (EncodedTable& table : tables) {
+        const auto written = write_table(table, job.folder, &progress);
+        if (const ExitCode code = console.report(written.diagnostics); !written.value) return code;
+        if (*written.value == WriteResult::interrupted) return ExitCode::interrupted;
+        const std::filesystem::path path = job.folder / table_file_name(table.asset.name);
+        if (job.json) {
+            print_event(console, asset_event(table.asset, path, *written.value));
+        } else {
+            console.result(path.string() + "\n");
+        }
+        manifest.assets.push_back(table.asset);
+    }
+    const bool partial = job.bakes.size() < job.recipe.parameters.bakes.size();
+    if (partial && folder.previous)
+        manifest = merge_manifests(*folder.previous, std::move(manifest));
+    const std::filesystem::path path = job.folder / manifest_name;
+    const auto written = write_file_atomically(path, manifest_json(manifest), &progress);
+    if (const ExitCode code = console.report(written.diagnostics); !written.value) return code;
+    if (*written.value == WriteResult::interrupted) return ExitCode::interrupted;
+    if (!job.json) console.result(path.string() + "\n");
+    return ExitCode::done;
+}
+
+ExitCode bake(const BakeJob& job, bool force, Console& console) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto folder = inspect_output_folder(job.folder, file_names(job), force);
+    if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
+    auto tables = bake_all(job, console);
+    if (interrupted()) return ExitCode::interrupted;
+    if (const ExitCode code = console.report(tables.diagnostics); !tables.value) return code;
+    const auto made = create_output_folder(job.folder);
+    if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
+    if (const ExitCode code = write_all(job, *folder.value, *tables.value, console);
+        code != ExitCode::done) {
+        return code;
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (job.json) {
+        print_event(
+            console,
+            {{"event", "done"}, {"assets", tables.value->size()}, {"seconds", elapsed.count()}});
+    }
+    console.note(summary_text(*tables.value, elapsed.count()));
+    return ExitCode::done;
+}
+
+ExitCode run(const Invocation& invocation, Console& console) {
+    BakeJob job;
+    auto recipe = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
+    if (const ExitCode code = console.report(recipe.diagnostics); !recipe.value) return code;
+    job.recipe = std::move(*recipe.value);
+    const auto threads = thread_option(invocation);
+    if (!threads) {
+        return console.report(std::vector{usage_error(
+            fmt::format("-j: `{}` is not a number of threads", invocation.value("jobs")),
+            "1 to 1024")});
+    }
+    auto bakes = chosen_bakes(job.recipe, invocation.values("only"));
+    if (const ExitCode code = console.report(bakes.diagnostics); !bakes.value) return code;
+    job.bakes = std::move(*bakes.value);
+    job.folder = invocation.value("output");
+    job.options.threads = *threads;
+    job.options.certification = certification_option(invocation);
+    job.json = invocation.has("json");
+    if (job.json || invocation.has("dry-run")) print_plan(job, console);
+    if (invocation.has("dry-run")) return ExitCode::done;
+    return bake(job, invocation.has("force"), console);
+}
+
+}  // namespace
+
+Command bake_command() {
+    return {.name = "bake",
+            .summary = "make what a recipe asks for: EXR files and manifest.json",
+            .arguments = {{.name = "recipe.toml", .help = "the recipe"}},
+            .options = {{.name = "output",
+                         .short_name = 'o',
+                         .value = "FOLDER",
+                         .help = "where the files go",
+                         .fallback = "out"},
+                        {.name = "set",
+                         .value = "KEY=VALUE",
+                         .help = "override a value of the recipe",
+                         .repeatable = true},
+                        {.name = "only",
+                         .value = "NAME",
+                         .help = "bake just [bake.NAME]; other entries of the manifest stay",
+                         .repeatable = true},
+                        {.name = "certify",
+                         .value = "HOW",
+                         .help = "how thoroughly to measure the error",
+                         .choices = {"quick", "full", "off"},
+                         .fallback = "quick"},
+                        {.name = "jobs",
+                         .short_name = 'j',
+                         .value = "N",
+                         .help = "threads; results do not depend on it (default: all)"},
+                        {.name = "dry-run", .help = "say what would be made, and make nothing"},
+                        {.name = "force", .help = "overwrite files that skybake did not write"},
+                        {.name = "json", .help = "events as JSON Lines on stdout"}},
+            .examples = {{"skybake bake earth.toml", "into ./out"},
+                         {"skybake bake earth.toml --set atmosphere.layers.mie.g=0.76 -o haze",
+                          "one value changed"},
+                         {"skybake bake earth.toml --only transmittance --certify full",
+                          "one table, its error measured at every texel"}},
+            .exit_codes = {ExitCode::io, ExitCode::checks},
+            .run = run};
+}
+
+}  // namespace skybake::cli

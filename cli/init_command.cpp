@@ -1,0 +1,108 @@
+// skybake init: a commented recipe to start from.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+#include "bakers/io/atomic_file.h"
+#include "bakers/io/file_diagnostic.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/parse_arguments.h"
+#include "cli/table_printer.h"
+#include "config/init_text.h"
+#include "config/presets.h"
+#include "config/suggest.h"
+
+namespace skybake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view default_file = "skybake.toml";
+constexpr std::string_view standard_output = "-";
+
+std::string preset_list() {
+    TextTable table({}, 0);
+    for (const config::Preset& preset : config::presets()) {
+        table.add_row({std::string(preset.name), config::preset_title(preset)});
+    }
+    return table.text();
+}
+
+config::Diagnostic unknown_preset(const std::string& name) {
+    const auto names = config::preset_names();
+    std::string label = config::did_you_mean(name, names);
+    if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
+    config::Diagnostic diagnostic = usage_error(fmt::format("unknown preset `{}`", name), label);
+    diagnostic.code = "E0115";
+    return diagnostic;
+}
+
+config::Diagnostic would_overwrite(const std::string& file) {
+    config::Diagnostic diagnostic =
+        file_error("E0303", file, fmt::format("`{}` exists and would be overwritten", file));
+    diagnostic.label = "--force overwrites it";
+    return diagnostic;
+}
+
+ExitCode write_recipe(const std::string& file, const std::string& text, bool force,
+                      Console& console) {
+    std::error_code error;
+    const bool exists = fs::symlink_status(file, error).type() != fs::file_type::not_found;
+    if (exists && !force) return console.report(std::array{would_overwrite(file)});
+    const auto outcome = write_file_atomically(file, text);
+    const ExitCode code = console.report(outcome.diagnostics);
+    if (!outcome.value) return code;
+    console.result(file + '\n');
+    console.note(fmt::format("next: skybake bake {} -o out\n", file));
+    return ExitCode::done;
+}
+
+ExitCode run(const Invocation& invocation, Console& console) {
+    if (invocation.has("list")) {
+        console.result(preset_list());
+        return ExitCode::done;
+    }
+    const std::string name = invocation.value("preset");
+    const config::Preset* preset = config::find_preset(name);
+    if (!preset) return console.report(std::array{unknown_preset(name)});
+    const auto& arguments = invocation.arguments();
+    const std::string file = arguments.empty() ? std::string(default_file) : arguments[0];
+    if (config::find_preset(file)) {
+        return console.report(
+            std::array{usage_error(fmt::format("`{}` is the name of a preset, not of a file", file),
+                                   fmt::format("skybake init {}.toml --preset {}", file, file))});
+    }
+    const std::string text = config::init_text(*preset);
+    if (file == standard_output) {
+        console.result(text);
+        return ExitCode::done;
+    }
+    return write_recipe(file, text, invocation.has("force"), console);
+}
+
+}  // namespace
+
+Command init_command() {
+    return {.name = "init",
+            .summary = "write a commented recipe from a preset",
+            .arguments = {{.name = "file",
+                           .help = "the recipe to write (default skybake.toml); - is stdout",
+                           .required = false}},
+            .options = {{.name = "preset",
+                         .value = "NAME",
+                         .help = "what to start from",
+                         .fallback = "earth"},
+                        {.name = "list", .help = "list the presets and write nothing"},
+                        {.name = "force", .help = "overwrite an existing file"}},
+            .examples = {{"skybake init earth.toml", "the Earth, every value with its meaning"},
+                         {"skybake init mars.toml --preset mars", "another planet"},
+                         {"skybake init --list", "the presets, a line each"}},
+            .exit_codes = {ExitCode::io},
+            .run = run};
+}
+
+}  // namespace skybake::cli

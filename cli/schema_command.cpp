@@ -1,0 +1,56 @@
+// skybake schema: the JSON Schemas of what people write and what skybake writes.
+#include "config/schema.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "bakers/io/manifest.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/parse_arguments.h"
+#include "config/suggest.h"
+
+namespace skybake::cli {
+namespace {
+
+struct Schema {
+    std::string_view name;
+    std::string (*text)();
+};
+
+constexpr std::array schemas = {
+    Schema{"recipe", config::recipe_schema},
+    Schema{"manifest", [] { return std::string(manifest_schema()); }},
+};
+
+ExitCode run(const Invocation& invocation, Console& console) {
+    const auto& arguments = invocation.arguments();
+    const std::string name = arguments.empty() ? std::string(schemas[0].name) : arguments[0];
+    std::vector<std::string_view> names;
+    for (const Schema& schema : schemas) {
+        names.push_back(schema.name);
+        if (schema.name != name) continue;
+        console.result(schema.text());
+        return ExitCode::done;
+    }
+    std::string label = config::did_you_mean(name, names);
+    if (label.empty()) label = "recipe or manifest";
+    return console.report(
+        std::array{usage_error(fmt::format("there is no schema `{}`", name), label)});
+}
+
+}  // namespace
+
+Command schema_command() {
+    return {
+        .name = "schema",
+        .summary = "print the JSON Schema of recipes or of manifests",
+        .arguments = {{.name = "what", .help = "recipe (default) or manifest", .required = false}},
+        .examples = {{"skybake schema > recipe.schema.json", "for an editor's TOML mode"},
+                     {"skybake schema manifest", "what a manifest.json contains"}},
+        .run = run};
+}
+
+}  // namespace skybake::cli

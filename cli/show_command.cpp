@@ -1,0 +1,185 @@
+// skybake show: every resolved value of a recipe, with where it came from. The output is TOML.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/parse_arguments.h"
+#include "cli/table_printer.h"
+#include "cli/text_width.h"
+#include "config/key_path.h"
+#include "config/recipe.h"
+#include "config/suggest.h"
+#include "config/units.h"
+#include "config/zenith_optical_depth.h"
+
+namespace skybake::cli {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// A value, its path split into the table and the key.
+struct Line {
+    std::string table;
+    std::string key;
+    const config::ResolvedValue* value = nullptr;
+};
+
+Line make_line(const config::ResolvedValue& value) {
+    const Names names = config::split_path(value.path).value_or(Names{});
+    Line line;
+    line.value = &value;
+    for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+        line.table = config::join_path(line.table, names[i]);
+    }
+    if (!names.empty()) line.key = config::spell_key(names.back());
+    return line;
+}
+
+// Whether a path lies at or below the one asked for, in which `*` stands for any name.
+bool is_below(std::string_view path, const Names& asked) {
+    const Names names = config::split_path(path).value_or(Names{});
+    if (names.size() < asked.size()) return false;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (asked[i] != "*" && asked[i] != names[i]) return false;
+    }
+    return true;
+}
+
+std::vector<Line> lines_below(const config::Recipe& recipe, const Names& asked) {
+    std::vector<Line> lines;
+    for (const config::ResolvedValue& value : recipe.values) {
+        if (is_below(value.path, asked)) lines.push_back(make_line(value));
+    }
+    return lines;
+}
+
+// Keys, values and origins of one table below each other. Long values do not push all origins out.
+std::string block_text(const std::vector<Line>& lines) {
+    constexpr int widest_aligned = 64;
+    int key_width = 0;
+    int value_width = 0;
+    for (const Line& line : lines) {
+        key_width = std::max(key_width, text_width(line.key));
+        const int width = text_width(line.value->written);
+        if (width <= widest_aligned) value_width = std::max(value_width, width);
+    }
+    std::string text;
+    for (const Line& line : lines) {
+        const int key_gap = key_width - text_width(line.key);
+        const int value_gap = std::max(0, value_width - text_width(line.value->written));
+        text += fmt::format("{}{:{}} = {}{:{}}   # {}\n", line.key, "", key_gap,
+                            line.value->written, "", value_gap, line.value->origin);
+    }
+    return text;
+}
+
+// Headers are left out where all values are of the one table that was asked for.
+std::string values_text(const std::vector<Line>& lines, const std::string& asked) {
+    std::string text;
+    const bool one_table = std::all_of(lines.begin(), lines.end(), [&](const Line& line) {
+        return !asked.empty() && line.table == lines.front().table;
+    });
+    for (std::size_t start = 0; start < lines.size();) {
+        std::size_t end = start;
+        while (end < lines.size() && lines[end].table == lines[start].table) ++end;
+        if (!text.empty()) text += '\n';
+        if (!one_table && !lines[start].table.empty()) {
+            text += fmt::format("[{}]\n", lines[start].table);
+        }
+        text += block_text({lines.begin() + static_cast<std::ptrdiff_t>(start),
+                            lines.begin() + static_cast<std::ptrdiff_t>(end)});
+        start = end;
+    }
+    return text;
+}
+
+std::vector<std::string> depth_row(const std::string& name, const std::vector<double>& depths) {
+    std::vector<std::string> row = {"# " + name};
+    for (const double depth : depths) row.push_back(fmt::format("{:.4g}", depth));
+    return row;
+}
+
+// A slip of a unit shows in these sums as in no single number.
+std::string depths_text(const config::Parameters& parameters) {
+    TextTable table({Align::left, Align::right, Align::right, Align::right}, 0);
+    std::vector<std::string> heading = {"# zenith optical depth"};
+    for (const config::Length wavelength : parameters.wavelengths) {
+        heading.push_back(config::spell_wavelength(wavelength.meters));
+    }
+    table.add_row(std::move(heading));
+    std::vector<double> total(parameters.wavelengths.size(), 0);
+    for (const config::Layer& layer : parameters.atmosphere.layers) {
+        const auto depths = config::zenith_optical_depth(layer, parameters.atmosphere);
+        for (std::size_t i = 0; i < total.size(); ++i) total[i] += depths[i];
+        table.add_row(depth_row("  " + config::spell_key(layer.name), depths));
+    }
+    table.add_row(depth_row("  all layers", total));
+    return table.text();
+}
+
+bool shows_layers(const std::vector<Line>& lines) {
+    return std::any_of(lines.begin(), lines.end(), [](const Line& line) {
+        return line.table.starts_with("atmosphere.layers.");
+    });
+}
+
+config::Diagnostic unknown_path(const config::Recipe& recipe, const std::string& asked) {
+    std::vector<std::string> known;
+    for (const config::ResolvedValue& value : recipe.values) {
+        const Line line = make_line(value);
+        known.push_back(value.path);
+        known.push_back(line.table);
+    }
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    return usage_error(fmt::format("the recipe has nothing at `{}`", asked),
+                       config::did_you_mean(asked, names));
+}
+
+ExitCode run(const Invocation& invocation, Console& console) {
+    const auto outcome = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
+    const ExitCode code = console.report(outcome.diagnostics);
+    if (!outcome.value) return code;
+    const bool whole = invocation.arguments().size() < 2;
+    const std::string asked = whole ? "" : invocation.arguments()[1];
+    const Names names = config::split_path(asked).value_or(Names{});
+    const std::vector<Line> lines = lines_below(*outcome.value, names);
+    if (!whole && (names.empty() || lines.empty())) {
+        return console.report(std::array{unknown_path(*outcome.value, asked)});
+    }
+    std::string text = values_text(lines, asked);
+    // Whoever asks for one layer, or one key of all, has not asked for the sums.
+    const bool all_layers = names.size() <= 2 && shows_layers(lines);
+    if (whole || all_layers) {
+        text += '\n' + depths_text(outcome.value->parameters);
+    }
+    console.result(text);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+Command show_command() {
+    return {
+        .name = "show",
+        .summary = "show every resolved value and where it came from",
+        .arguments = {{.name = "recipe.toml", .help = "the recipe to resolve"},
+                      {.name = "path",
+                       .help = "only what lies at or below it; * stands for any name",
+                       .required = false}},
+        .options = {{.name = "set",
+                     .value = "KEY=VALUE",
+                     .help = "override a value of the recipe",
+                     .repeatable = true}},
+        .examples = {{"skybake show earth.toml", "all values and the zenith optical depths"},
+                     {"skybake show earth.toml atmosphere.layers.mie", "those of one layer"},
+                     {"skybake show earth.toml --set preset=mars", "what another preset would do"}},
+        .exit_codes = {ExitCode::io},
+        .run = run};
+}
+
+}  // namespace skybake::cli

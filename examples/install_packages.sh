@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs what skybake needs on Debian 12, as root or with sudo. Does nothing where all is there.
+#   examples/install_packages.sh          to build and run
+#   examples/install_packages.sh --tests  to run the tests as well
+set -euo pipefail
+
+packages=(
+    cmake g++ ninja-build
+    libcli11-dev libfmt-dev libhwy-dev libimath-dev libopenexr-dev libtbb-dev libtomlplusplus-dev
+    libxxhash-dev nlohmann-json3-dev
+)
+if [[ "${1:-}" == --tests ]]; then
+    packages+=(
+        clang-14 libclang-rt-14-dev libbenchmark-dev libboost-dev libgtest-dev librapidcheck-dev
+        locales-all openexr python3 python3-jsonschema
+    )
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+    [[ "$status" == installed ]] || missing+=("$package")
+done
+((${#missing[@]})) || exit 0
+
+as_root=()
+if ((EUID != 0)); then
+    command -v sudo >/dev/null || { echo "install as root: ${missing[*]}" >&2; exit 1; }
+    as_root=(sudo)
+fi
+echo "installing: ${missing[*]}" >&2
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

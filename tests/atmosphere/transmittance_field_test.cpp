@@ -1,0 +1,63 @@
+#include "bakers/atmosphere/transmittance_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bakers/atmosphere/optical_depth.h"
+#include "bakers/atmosphere/transmittance_mapping.h"
+#include "bakers/core/low_discrepancy.h"
+#include "bakers/core/transcendental.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake {
+namespace {
+
+double interpolated(const TransmittanceField& field, int channel, double altitude_km, double x_mu) {
+    const TransmittanceField::Row row = field.row_at(altitude_km);
+    const auto at = [&](int column) {
+        const int i = channel * field.row_stride() + column;
+        return row.weights[0] * row.values[i] + row.weights[1] * row.values[i + field.row_size()] +
+               row.weights[2] * row.slopes[i] + row.weights[3] * row.slopes[i + field.row_size()];
+    };
+    const double position = x_mu * (field.columns() - 1);
+    const int column = std::min(static_cast<int>(position), field.columns() - 2);
+    return at(column) + (position - column) * (at(column + 1) - at(column));
+}
+
+TEST(TransmittanceField, IsWithinTwoTenThousandthsOfTheExactOne) {
+    const Medium earth = test::preset_medium("earth");
+    const TransmittanceField field(earth, {}, 1);
+    const Shell shell = shell_of(earth);
+    double worst = 0;
+    for (const PointRow& point : low_discrepancy_points(4000, 1)) {
+        const TransmittanceRay ray = transmittance_ray(shell, {point.x[0], point.y});
+        const Spectrum tau = optical_depth_to_top(earth, ray.altitude_km, ray.s_km);
+        for (int c = 0; c < 3; ++c) {
+            const double exact = exponential(-tau[static_cast<std::size_t>(c)]);
+            const double value = interpolated(field, c, ray.altitude_km, point.x[0]);
+            worst = std::max(worst, std::fabs(value - exact));
+            EXPECT_GE(value, 0);
+            EXPECT_LE(value, 1);
+        }
+    }
+    EXPECT_LT(worst, 2e-4);
+}
+
+TEST(TransmittanceField, StaysInRangeWhereALayerIsSharp) {
+    const Medium fog = test::preset_medium(
+        "vacuum", {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "
+                   "top_altitude=\"1 m\", scattering=\"0.5 /m\"}"});
+    const TransmittanceField field(fog, {}, 1);
+    for (double altitude = 0; altitude <= fog.thickness_km; altitude += 0.0137) {
+        for (double x = 0; x <= 1; x += 0.043) {
+            const double value = interpolated(field, 0, altitude, x);
+            EXPECT_GE(value, 0);
+            EXPECT_LE(value, 1);
+        }
+        if (altitude > 0.2) altitude += 3;
+    }
+}
+
+}  // namespace
+}  // namespace skybake

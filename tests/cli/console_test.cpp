@@ -1,0 +1,109 @@
+#include "cli/console.h"
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+struct Capture {
+    std::string out, error;
+    Console console(Display display = {}, bool broken = false) {
+        return Console({[this, broken](std::string_view text) {
+                           if (!broken) out += text;
+                           return !broken;
+                       }},
+                       {[this](std::string_view text) {
+                           error += text;
+                           return true;
+                       }},
+                       display);
+    }
+};
+
+std::vector<config::Diagnostic> one(const std::string& code) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.message = "something";
+    if (code[0] == 'W') diagnostic.severity = config::Severity::warning;
+    return {diagnostic};
+}
+
+TEST(Console, SendsResultsAndNotesApart) {
+    Capture capture;
+    Console console = capture.console();
+    console.result("out.exr\n");
+    console.note("a table\n");
+    console.detail("a detail\n");
+    EXPECT_EQ(capture.out, "out.exr\n");
+    EXPECT_EQ(capture.error, "a table\n");
+    EXPECT_EQ(console.finish(ExitCode::done), ExitCode::done);
+}
+
+TEST(Console, QuietSilencesNotesButNotErrors) {
+    Capture capture;
+    Console console = capture.console({.quiet = true});
+    console.note("a table\n");
+    console.report(one("E0102"));
+    EXPECT_EQ(capture.error, "error[E0102]: something\n");
+}
+
+TEST(Console, KnowsExitCodes) {
+    Capture capture;
+    Console console = capture.console();
+    EXPECT_EQ(console.report({}), ExitCode::done);
+    EXPECT_EQ(console.report(one("W0201")), ExitCode::done);
+    EXPECT_EQ(console.report(one("E0102")), ExitCode::usage);
+    EXPECT_EQ(console.report(one("E0301")), ExitCode::io);
+    EXPECT_EQ(console.report(one("E0401")), ExitCode::checks);
+    EXPECT_EQ(console.report(one("E0500")), ExitCode::internal);
+}
+
+TEST(Console, ALostResultIsAnError) {
+    Capture capture;
+    Console console = capture.console({}, true);
+    console.result("out.exr\n");
+    EXPECT_EQ(console.finish(ExitCode::done), ExitCode::io);
+    EXPECT_EQ(console.finish(ExitCode::checks), ExitCode::checks);
+}
+
+TEST(Console, MachinesHaveStderrToThemselves) {
+    Capture capture;
+    Console console = capture.console({.diagnostics = DiagnosticFormat::sarif});
+    console.note("a table\n");
+    console.report(one("E0102"));
+    console.report(one("W0201"));
+    EXPECT_EQ(capture.error, "");
+    console.finish(ExitCode::usage);
+    const auto document = nlohmann::json::parse(capture.error);
+    EXPECT_EQ(document["runs"][0]["results"].size(), 2u);
+    EXPECT_EQ(capture.out, "");
+}
+
+TEST(Console, DiagnosticsMayBeTheResult) {
+    for (const auto format : {DiagnosticFormat::json, DiagnosticFormat::sarif}) {
+        Capture capture;
+        Console console = capture.console({.diagnostics = format});
+        console.report_results(one("E0102"));
+        console.finish(ExitCode::usage);
+        EXPECT_NE(capture.out, "");
+        EXPECT_EQ(capture.error, "");
+    }
+    Capture capture;
+    capture.console().report_results(one("E0102"));
+    EXPECT_EQ(capture.out, "");
+    EXPECT_NE(capture.error, "");
+}
+
+TEST(Console, ColourDependsOnWishTerminalAndEnvironment) {
+    EXPECT_TRUE(wants_color("always", false, "1"));
+    EXPECT_FALSE(wants_color("never", true, nullptr));
+    EXPECT_TRUE(wants_color("auto", true, nullptr));
+    EXPECT_TRUE(wants_color("auto", true, ""));
+    EXPECT_FALSE(wants_color("auto", true, "1"));
+    EXPECT_FALSE(wants_color("auto", false, nullptr));
+}
+
+}  // namespace
+}  // namespace skybake::cli

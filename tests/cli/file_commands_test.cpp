@@ -1,0 +1,156 @@
+// info, diff and verify on sample bakes.
+#include <nlohmann/json.hpp>
+
+#include "bakers/io/exr.h"
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+using nlohmann::json;
+using skybake::testing::write_sample_bake;
+using testing::contains;
+using testing::Result;
+using testing::run_words;
+using testing::TemporaryFolder;
+
+// Two folders with the same bake.
+struct Pair {
+    TemporaryFolder first, second;
+    Pair() {
+        write_sample_bake(first.path(), {"transmittance", "second"});
+        write_sample_bake(second.path(), {"transmittance", "second"});
+    }
+    std::vector<std::string> words(std::vector<std::string> more = {}) const {
+        std::vector<std::string> words = {"diff", first.path().string(), second.path().string()};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    void change(const std::function<void(ExrImage&)>& edit) const {
+        ExrImage image = *read_exr(second / "transmittance.exr").value;
+        edit(image);
+        testing::write_bytes(second / "transmittance.exr", *encode_exr(image).value);
+    }
+};
+
+TEST(InfoCommand, ShowsAFile) {
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance"});
+    const Result result = run_words({"info", (folder / "transmittance.exr").string()});
+    EXPECT_EQ(result.code, 0);
+    for (const char* piece :
+         {"16 x 8", "R G B, float", "skybake/kind", "bruneton", "ground_radius"}) {
+        EXPECT_TRUE(contains(result.out, piece)) << piece;
+    }
+    const Result machine = run_words({"info", (folder / "transmittance.exr").string(), "--json"});
+    const json document = json::parse(machine.out);
+    EXPECT_EQ(document["size"], json::parse("[16, 8]"));
+    EXPECT_EQ(document["attributes"]["skybake/kind"], "transmittance");
+}
+
+TEST(InfoCommand, ShowsAFolder) {
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance", "second"});
+    const Result result = run_words({"info", folder.path().string()});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, "second.exr"));
+    EXPECT_EQ(run_words({"info", (folder / "manifest.json").string()}).out, result.out);
+    const Result machine = run_words({"info", folder.path().string(), "--json"});
+    EXPECT_EQ(json::parse(machine.out)["assets"].size(), 2u);
+}
+
+TEST(InfoCommand, SaysWhatItCannotRead) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "a.exr", "not an image");
+    EXPECT_EQ(run_words({"info", (folder / "a.exr").string()}).code, 3);
+    EXPECT_EQ(run_words({"info", (folder / "absent.exr").string()}).code, 3);
+    EXPECT_EQ(run_words({"info", folder.path().string()}).code, 3);
+}
+
+TEST(DiffCommand, EqualFoldersAreEqual) {
+    const Pair pair;
+    const Result result = run_words(pair.words());
+    EXPECT_EQ(result.code, 0) << result.out;
+    EXPECT_EQ(result.out, "second.exr: equal\ntransmittance.exr: equal\n");
+}
+
+TEST(DiffCommand, ShowsWhereValuesDiffer) {
+    const Pair pair;
+    pair.change([](ExrImage& image) { image.pixels.texel(3, 5)[1] += 0.5f; });
+    const Result result = run_words(pair.words());
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.out, "transmittance.exr: differs"));
+    EXPECT_TRUE(contains(result.out, "column 3, row 5")) << result.out;
+    EXPECT_EQ(run_words(pair.words({"--tolerance", "0.5"})).code, 0);
+    EXPECT_EQ(run_words(pair.words({"--tolerance", "0.4"})).code, 1);
+    const json document = json::parse(run_words(pair.words({"--json"})).out);
+    EXPECT_EQ(document["equal"], false);
+    EXPECT_EQ(document["files"][1]["channels"][1]["max_absolute"], 0.5);
+}
+
+TEST(DiffCommand, MetadataCountsOnRequest) {
+    const Pair pair;
+    pair.change([](ExrImage& image) { image.attributes[0].second = "other"; });
+    const Result result = run_words(pair.words());
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, "skybake/channels: R G B | other")) << result.out;
+    EXPECT_EQ(run_words(pair.words({"--metadata"})).code, 1);
+}
+
+TEST(DiffCommand, ReportsFilesWithoutCounterpart) {
+    const Pair pair;
+    std::filesystem::remove(pair.second / "second.exr");
+    const Result result = run_words(pair.words());
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.out, "second.exr: only in"));
+}
+
+TEST(DiffCommand, RefusesWhatCannotBeCompared) {
+    const Pair pair;
+    EXPECT_EQ(
+        run_words({"diff", pair.first.path().string(), (pair.second / "second.exr").string()}).code,
+        2);
+    EXPECT_EQ(run_words({"diff", "/absent/a.exr", "/absent/b.exr"}).code, 3);
+    EXPECT_EQ(run_words({"diff", "/absent/a", pair.first.path().string()}).code, 3);
+    for (const char* tolerance : {"-1", "nan", "x", "1e", ""}) {
+        EXPECT_EQ(run_words(pair.words({std::string("--tolerance=") + tolerance, "-q"})).code, 2)
+            << tolerance;
+    }
+}
+
+TEST(VerifyCommand, CountsWhatPassed) {
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance", "second"});
+    const Result result = run_words({"verify", folder.path().string()});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, "2 files, ")) << result.out;
+    EXPECT_TRUE(contains(result.out, " checks, all passed\n"));
+}
+
+TEST(VerifyCommand, ListsEveryFailure) {
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance", "second"});
+    std::filesystem::remove(folder / "second.exr");
+    std::filesystem::resize_file(folder / "transmittance.exr", 500);
+    const Result result = run_words({"verify", folder.path().string()});
+    EXPECT_EQ(result.code, 1);
+    for (const char* piece :
+         {"second.exr: file: ", "transmittance.exr: bytes: ", "transmittance.exr: xxh3: ",
+          "transmittance.exr: format: ", "4 failed\n"}) {
+        EXPECT_TRUE(contains(result.out, piece)) << piece << "\n" << result.out;
+    }
+    const json document = json::parse(run_words({"verify", folder.path().string(), "--json"}).out);
+    EXPECT_EQ(document["passed"], false);
+    EXPECT_EQ(document["failures"].size(), 4u);
+}
+
+TEST(VerifyCommand, NeedsAManifest) {
+    const TemporaryFolder folder;
+    const Result result = run_words({"verify", folder.path().string()});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "error[E0300]")) << result.error;
+    EXPECT_TRUE(result.out.empty());
+}
+
+}  // namespace
+}  // namespace skybake::cli

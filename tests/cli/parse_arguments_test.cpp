@@ -1,0 +1,120 @@
+#include "cli/parse_arguments.h"
+
+#include "cli/commands.h"
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// A command with an option of each kind.
+const std::vector<Command>& sample_commands() {
+    static const std::vector<Command> table = {
+        {.name = "bake",
+         .summary = "make something",
+         .arguments = {{.name = "recipe", .help = "what to make"},
+                       {.name = "more", .help = "more of them", .required = false}},
+         .options =
+             {{.name = "output",
+               .short_name = 'o',
+               .value = "FOLDER",
+               .help = "where",
+               .fallback = "./out"},
+              {.name = "set", .value = "KEY=VALUE", .help = "a setting", .repeatable = true},
+              {.name = "level", .value = "LEVEL", .help = "how", .choices = {"quick", "full"}},
+              {.name = "force", .help = "overwrite"}},
+         .examples = {{.command = "skybake bake earth.toml", .what = "makes it"}}},
+        {.name = "verify", .summary = "prove it", .examples = {{.command = "skybake verify out"}}},
+    };
+    return table;
+}
+
+CommandLine parse(const Words& words) {
+    return parse_arguments(words, sample_commands(), global_options());
+}
+
+// The one complaint about these words: message and label.
+std::string complaint(const Words& words) {
+    const CommandLine line = parse(words);
+    EXPECT_EQ(line.diagnostics.size(), 1u);
+    if (line.diagnostics.empty()) return "";
+    EXPECT_EQ(line.diagnostics[0].code, "E0001");
+    return line.diagnostics[0].message + "; " + line.diagnostics[0].label;
+}
+
+TEST(ParseArguments, TakesOptionsAnywhere) {
+    for (const Words& words :
+         {Words{"bake", "a.toml", "-o", "x", "--force"}, Words{"bake", "--force", "-ox", "a.toml"},
+          Words{"--quiet", "bake", "--output=x", "a.toml", "--force"},
+          Words{"--color", "never", "bake", "--force", "a.toml", "--output", "x"}}) {
+        const CommandLine line = parse(words);
+        EXPECT_TRUE(line.diagnostics.empty()) << line.diagnostics[0].message;
+        ASSERT_NE(line.command, nullptr);
+        EXPECT_EQ(line.command->name, "bake");
+        EXPECT_EQ(line.invocation.arguments(), Words{"a.toml"});
+        EXPECT_EQ(line.invocation.value("output"), "x");
+        EXPECT_TRUE(line.invocation.has("force"));
+    }
+}
+
+TEST(ParseArguments, KnowsFallbacks) {
+    const CommandLine line = parse({"bake", "a.toml"});
+    EXPECT_EQ(line.invocation.value("output"), "./out");
+    EXPECT_FALSE(line.invocation.has("output"));
+    EXPECT_EQ(line.invocation.value("diagnostics"), "human");
+    EXPECT_EQ(line.invocation.value("level"), "");
+}
+
+TEST(ParseArguments, RepeatsWhatRepeatsAndElseTakesTheLast) {
+    const CommandLine line = parse({"bake", "--set", "a=1", "x.toml", "--set=b=[1, 2]", "--set",
+                                    "c={}", "-o", "x", "-o", "y"});
+    EXPECT_TRUE(line.diagnostics.empty());
+    EXPECT_EQ(line.invocation.values("set"), (Words{"a=1", "b=[1, 2]", "c={}"}));
+    EXPECT_EQ(line.invocation.value("output"), "y");
+    EXPECT_EQ(line.invocation.arguments(), Words{"x.toml"});
+}
+
+TEST(ParseArguments, PassesStrangeArgumentsOn) {
+    EXPECT_EQ(parse({"bake", "[a].toml", "{}"}).invocation.arguments(), (Words{"[a].toml", "{}"}));
+    EXPECT_EQ(parse({"bake", "--", "-x", "--force"}).invocation.arguments(),
+              (Words{"-x", "--force"}));
+    EXPECT_EQ(parse({"bake", "", "a b"}).invocation.arguments(), (Words{"", "a b"}));
+}
+
+TEST(ParseArguments, SuggestsTheNearestName) {
+    EXPECT_EQ(complaint({"baek", "a.toml"}), "unknown command `baek`; did you mean `bake`?");
+    EXPECT_EQ(complaint({"zzzzzz"}),
+              "unknown command `zzzzzz`; `skybake --help` lists the commands");
+    EXPECT_EQ(complaint({"bake", "a", "--ouput", "x"}),
+              "unknown option `--ouput`; did you mean `--output`?");
+    EXPECT_EQ(complaint({"bake", "a", "--quite"}),
+              "unknown option `--quite`; did you mean `--quiet`?");
+    EXPECT_EQ(complaint({"bake", "a", "-Z"}),
+              "unknown option `-Z`; `skybake bake --help` lists the options");
+    EXPECT_EQ(complaint({"bake", "a", "--level=fulll"}),
+              "`--level` cannot be `fulll`; did you mean `full`?");
+    EXPECT_EQ(complaint({"bake", "a", "--level=9"}), "`--level` cannot be `9`; one of quick, full");
+    EXPECT_EQ(complaint({"--versoin"}), "unknown option `--versoin`; did you mean `--version`?");
+}
+
+TEST(ParseArguments, SaysWhatIsMissingOrTooMuch) {
+    EXPECT_EQ(complaint({"bake"}), "`skybake bake` needs <recipe>; skybake bake earth.toml");
+    EXPECT_EQ(complaint({"bake", "a", "b", "c"}),
+              "unexpected argument `c`; `skybake bake --help` shows what it takes");
+    EXPECT_EQ(complaint({"verify", "x"}),
+              "unexpected argument `x`; `skybake verify --help` shows what it takes");
+    EXPECT_EQ(complaint({"bake", "a", "--output"}), "`--output` needs a value: --output FOLDER; ");
+    EXPECT_EQ(complaint({"bake", "a", "--output", "--force"}),
+              "`--output` needs a value: --output FOLDER; ");
+    EXPECT_EQ(complaint({"bake", "a", "--force=3"}), "`--force` takes no value; ");
+}
+
+TEST(ParseArguments, HelpNeedsNothingElse) {
+    const CommandLine line = parse({"bake", "--help"});
+    EXPECT_TRUE(line.diagnostics.empty());
+    EXPECT_TRUE(line.invocation.has("help"));
+}
+
+}  // namespace
+}  // namespace skybake::cli

@@ -1,0 +1,194 @@
+// init, check, show, explain and schema, as a user meets them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "config/presets.h"
+#include "config/recipe.h"
+#include "tests/cli/program.h"
+
+namespace skybake::cli::testing {
+namespace {
+
+// --- init ---------------------------------------------------------------------------------------
+
+TEST(InitCommand, WritesARecipeThatChecks) {
+    const TemporaryFolder folder;
+    for (const config::Preset& preset : config::presets()) {
+        SCOPED_TRACE(preset.name);
+        const std::string file = (folder / (std::string(preset.name) + ".toml")).string();
+        const Result init = run_words({"init", file, "--preset", std::string(preset.name)});
+        EXPECT_EQ(init.code, 0) << init.error;
+        EXPECT_EQ(init.out, file + "\n");
+        const Result check = run_words({"check", file});
+        EXPECT_EQ(check.code, 0) << check.error;
+        EXPECT_EQ(check.out, "");
+    }
+}
+
+TEST(InitCommand, DoesNotOverwriteWithoutForce) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "mine.toml").string();
+    write_bytes(file, "precious");
+    const Result refused = run_words({"init", file});
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_TRUE(contains(refused.error, "E0303"));
+    EXPECT_EQ(read_bytes(file), "precious");
+    EXPECT_EQ(run_words({"init", file, "--force"}).code, 0);
+    EXPECT_NE(read_bytes(file), "precious");
+}
+
+TEST(InitCommand, PrintsToStandardOutput) {
+    const Result result = run_words({"init", "-", "--preset", "mars"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, "[atmosphere.layers.dust]"));
+    EXPECT_EQ(result.error, "");
+}
+
+TEST(InitCommand, ListsThePresets) {
+    const Result result = run_words({"init", "--list"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(count_lines(result.out), static_cast<long>(config::presets().size()));
+}
+
+TEST(InitCommand, UnknownPresetsAreSuggested) {
+    const Result result = run_words({"init", "-", "--preset", "eart"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.error, "did you mean `earth`?"));
+    EXPECT_EQ(result.out, "");
+}
+
+TEST(InitCommand, TakesAPresetsNameForASlip) {
+    const Result result = run_words({"init", "mars"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.error, "skybake init mars.toml --preset mars"));
+}
+
+TEST(InitCommand, AFolderThatDoesNotExistIsNotMade) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(run_words({"init", (folder / "none" / "x.toml").string()}).code, 3);
+}
+
+// --- check --------------------------------------------------------------------------------------
+
+TEST(CheckCommand, ReportsAllErrorsAtOnce) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "bad.toml").string();
+    write_bytes(file,
+                "preset = \"earth\"\n"
+                "[atmosphere.layers.rayleigh]\n"
+                "scale_hieght = \"8 km\"\n"
+                "[atmosphere.layers.mie]\n"
+                "g = 1.2\n");
+    const Result result =
+        run_words({"check", file, "--set", "atmosphere.layers.ozone.half_width=40deg"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_TRUE(contains(
+        result.error, "error[E0102]: unknown key `scale_hieght` in [atmosphere.layers.rayleigh]"));
+    EXPECT_TRUE(contains(result.error, "^^^^^^^^^^^^ did you mean `scale_height`?"));
+    EXPECT_TRUE(contains(result.error, "^^^ must be in (-1, 1); typical haze 0.76"));
+    EXPECT_TRUE(contains(result.error, "--set `atmosphere.layers.ozone.half_width=40deg`"));
+    EXPECT_TRUE(contains(result.error, "3 errors"));
+}
+
+TEST(CheckCommand, MachineFormatsAreResults) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "bad.toml").string();
+    write_bytes(file, "preset = \"earth\"\nfromat = 1\n");
+    const Result result = run_words({"check", file, "--diagnostics", "json"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.out, "E0102"));
+    EXPECT_EQ(result.error, "");
+}
+
+TEST(CheckCommand, AMissingRecipeCannotBeRead) {
+    const Result result = run_words({"check", "nowhere.toml"});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "E0300"));
+}
+
+TEST(CheckCommand, WarningsAreNoFailure) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "thick.toml").string();
+    write_bytes(file, "preset = \"earth\"\n[atmosphere.layers.mie]\nextinction = \"1 /m\"\n");
+    const Result result = run_words({"check", file});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.error, "warning[W0202]"));
+}
+
+// --- show ---------------------------------------------------------------------------------------
+
+class ShowCommand : public ::testing::Test {
+  protected:
+    ShowCommand() { write_bytes(file_, "preset = \"earth\"\n[atmosphere.layers.mie]\ng = 0.7\n"); }
+
+    Result show(std::vector<std::string> words) const {
+        words.insert(words.begin(), {"show", file_});
+        return run_words(words);
+    }
+
+    TemporaryFolder folder_;
+    std::string file_ = (folder_ / "recipe.toml").string();
+};
+
+TEST_F(ShowCommand, NamesTheOriginOfEachValue) {
+    const Result result = show({"--set", "atmosphere.ground_albedo=0.1"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.error, "");
+    EXPECT_TRUE(contains(result.out, "# preset earth\n"));
+    EXPECT_TRUE(contains(result.out, "# " + file_ + ":3\n"));
+    EXPECT_TRUE(contains(result.out,
+                         "ground_albedo = 0.1         # --set `atmosphere.ground_albedo=0.1`\n"));
+    EXPECT_TRUE(contains(result.out, "# default\n"));
+    EXPECT_TRUE(contains(result.out, "# derived\n"));
+}
+
+TEST_F(ShowCommand, PrintsZenithOpticalDepths) {
+    const Result result = show({});
+    EXPECT_TRUE(contains(result.out, "# zenith optical depth    680 nm    550 nm    440 nm\n"));
+    EXPECT_TRUE(contains(result.out, "#   rayleigh             0.04642    0.1085    0.2648\n"));
+    EXPECT_TRUE(contains(result.out, "#   mie                 0.005328  0.005328  0.005328\n"));
+    EXPECT_TRUE(contains(result.out, "#   ozone                0.00975   0.02822  0.001275\n"));
+}
+
+TEST_F(ShowCommand, ShowsOnePart) {
+    EXPECT_TRUE(show({"atmosphere.layers.mie"}).out.starts_with("profile      = \"exponential\""));
+    EXPECT_EQ(show({"atmosphere.layers.mie.g"}).out, "g = 0.7   # " + file_ + ":3\n");
+    EXPECT_EQ(count_lines(show({"atmosphere.layers.*.scale_height"}).out), 5);
+    const Result unknown = show({"atmosphere.layers.mei"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_TRUE(contains(unknown.error, "did you mean `atmosphere.layers.mie`?"));
+}
+
+// What show prints is TOML again.
+TEST_F(ShowCommand, PrintsToml) {
+    const Result result = show({"atmosphere.layers.mie"});
+    const auto outcome = config::parse_recipe(
+        "preset = \"vacuum\"\n[atmosphere.layers.mie]\n" + result.out, "shown");
+    EXPECT_TRUE(outcome.value);
+}
+
+// --- explain and schema -------------------------------------------------------------------------
+
+TEST(ExplainCommand, ExplainsKeysAndCodes) {
+    EXPECT_TRUE(contains(run_words({"explain", "layers.*.g"}).out, "typical haze 0.76"));
+    EXPECT_TRUE(contains(run_words({"explain", "E0102"}).out, "E0102: unknown key"));
+    EXPECT_TRUE(contains(run_words({"explain"}).out, "[atmosphere.layers.*]"));
+    const Result unknown = run_words({"explain", "scale_hieght"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_TRUE(contains(unknown.error, "did you mean `scale_height`?"));
+}
+
+TEST(SchemaCommand, PrintsJson) {
+    for (const char* what : {"recipe", "manifest"}) {
+        const Result result = run_words({"schema", what});
+        EXPECT_EQ(result.code, 0);
+        EXPECT_FALSE(nlohmann::json::parse(result.out, nullptr, false).is_discarded()) << what;
+    }
+    EXPECT_EQ(run_words({"schema"}).out, run_words({"schema", "recipe"}).out);
+    EXPECT_EQ(run_words({"schema", "recip"}).code, 2);
+}
+
+}  // namespace
+}  // namespace skybake::cli::testing

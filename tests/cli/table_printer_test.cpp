@@ -1,0 +1,44 @@
+#include "cli/table_printer.h"
+
+#include <gtest/gtest.h>
+
+#include "cli/text_width.h"
+
+namespace skybake::cli {
+namespace {
+
+TEST(TablePrinter, AlignsColumns) {
+    TextTable table({Align::left, Align::right});
+    table.add_row({"asset", "bytes", "error"});
+    table.add_row({"transmittance", "12", ""});
+    table.add_row({"µ", "1234567"});
+    EXPECT_EQ(table.text(),
+              "  asset            bytes  error\n"
+              "  transmittance       12\n"
+              "  µ              1234567\n");
+}
+
+TEST(TablePrinter, AnEmptyTableIsNoText) {
+    EXPECT_EQ(TextTable().text(), "");
+    EXPECT_TRUE(TextTable().empty());
+}
+
+TEST(TextWidth, CountsColumnsNotBytes) {
+    EXPECT_EQ(text_width("abc"), 3);
+    EXPECT_EQ(text_width("µ²−"), 3);
+    EXPECT_EQ(text_width("霧"), 2);
+    EXPECT_EQ(text_width("e\u0301"), 1);
+    EXPECT_EQ(text_width("\xff\xc3"), 2);
+}
+
+TEST(TextWidth, ReadsCodePoints) {
+    const std::string text = "a\u00b5\u96e7\U0001F600\xff";
+    std::size_t position = 0;
+    for (const std::uint32_t wanted : {0x61u, 0xB5u, 0x96E7u, 0x1F600u, 0xFFFDu}) {
+        EXPECT_EQ(next_code_point(text, position), wanted);
+    }
+    EXPECT_EQ(position, text.size());
+}
+
+}  // namespace
+}  // namespace skybake::cli

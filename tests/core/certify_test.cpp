@@ -1,0 +1,71 @@
+#include "bakers/core/certify.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace skybake {
+namespace {
+
+// f(x, y) = x^2 + y, whose bilinear interpolant on n texels is too high by at most 1 / (4 (n-1)^2);
+// `kernel_bias` is a wrong kernel.
+TableModel parabola(double kernel_bias = 0) {
+    TableModel model;
+    model.channels = 1;
+    model.cost_per_texel = {1};
+    model.highest = 10;
+    model.reference = [](double y, const std::vector<double>& x, double* values) {
+        for (const double at : x) *values++ = at * at + y;
+    };
+    model.row = [kernel_bias](int, double y, const std::vector<double>& x, double* values) {
+        for (const double at : x) *values++ = at * at + y + kernel_bias;
+    };
+    model.error = [](double value, double reference, double) { return value - reference; };
+    return model;
+}
+
+Image2<float> bake(const TableModel& model, int size) {
+    RangeCounts range;
+    return store_texels(bake_texels(model, 0, {size, size}, BakeOptions{1}),
+                        config::PixelType::float32, range);
+}
+
+TEST(Certify, LookupErrorIsThatOfTheInterpolant) {
+    const TableModel model = parabola();
+    const ReferencePoints points = reference_points(model, {1024, 1}, BakeOptions{1});
+    EXPECT_EQ(points.count(), 1024);
+    for (const int size : {5, 9, 17}) {
+        const MeasuredErrors errors = measure_lookups(model, bake(model, size), points);
+        const double bound = 0.25 / ((size - 1) * (size - 1));
+        EXPECT_NEAR(errors.figures.max, bound, 0.05 * bound);
+        EXPECT_NEAR(errors.figures.rms, bound * std::sqrt(8.0 / 15), 0.05 * bound);
+    }
+}
+
+TEST(Certify, TexelErrorSeesTheKernelAndNotTheInterpolation) {
+    const TableModel model = parabola(1e-3);
+    const ReferencePoints texels = reference_texels(model, {9, 9}, {64, 1}, BakeOptions{1});
+    EXPECT_EQ(texels.count(), 64);
+    const MeasuredErrors errors = measure_lookups(model, bake(model, 9), texels);
+    EXPECT_NEAR(errors.figures.max, 1e-3, 1e-6);
+    EXPECT_NEAR(errors.figures.rms, 1e-3, 1e-6);
+    EXPECT_NEAR(measure_kernel(model, 0, texels, BakeOptions{1}).figures.max, 1e-3, 1e-12);
+}
+
+TEST(Certify, SmallTablesAreMeasuredAtEveryTexel) {
+    const TableModel model = parabola();
+    EXPECT_EQ(reference_texels(model, {3, 5}, {8, 8}, BakeOptions{1}).count(), 15);
+    EXPECT_EQ(reference_texels(model, {1, 1}, {8, 8}, BakeOptions{1}).count(), 1);
+}
+
+TEST(Certify, NotANumberIsNeverSmall) {
+    TableModel model = parabola();
+    model.row = [](int, double, const std::vector<double>& x, double* values) {
+        for (std::size_t i = 0; i < x.size(); ++i) *values++ = i == 0 ? NAN : 0;
+    };
+    const ReferencePoints texels = reference_texels(model, {3, 3}, {64, 1}, BakeOptions{1});
+    EXPECT_FALSE(measure_kernel(model, 0, texels, BakeOptions{1}).figures.max <= 1e30);
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,60 @@
+#include "bakers/core/smallest_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace skybake {
+namespace {
+
+// Curved along x alone, so that height buys nothing. Level 0 is cheap and off by 1e-3.
+TableModel model_of(double curvature) {
+    TableModel model;
+    model.channels = 1;
+    model.cost_per_texel = {1, 10};
+    model.reference = [=](double y, const std::vector<double>& x, double* values) {
+        for (const double at : x) *values++ = curvature * at * at + y;
+    };
+    model.row = [=](int level, double y, const std::vector<double>& x, double* values) {
+        for (const double at : x) *values++ = curvature * at * at + y + (level == 0 ? 1e-3 : 0);
+    };
+    model.error = [](double value, double reference, double) { return value - reference; };
+    return model;
+}
+
+TableSearch search(const TableModel& model, double max_error,
+                   config::PixelType type = config::PixelType::float32) {
+    const ReferencePoints points = reference_points(model, {256, 1}, BakeOptions{1});
+    return smallest_table(model, max_error, type, points, BakeOptions{1});
+}
+
+TEST(SmallestTable, SpendsTexelsWhereTheyHelp) {
+    // Interpolation is off by 1 / (4 (n-1)^2): below 1e-2 from n = 6, height 4 being the least.
+    const TableSearch found = search(model_of(1), 1.1e-2);
+    ASSERT_TRUE(found.found);
+    EXPECT_EQ(found.found->size, (std::array<int, 2>{6, 4}));
+    EXPECT_EQ(found.found->level, 0);
+    EXPECT_LE(found.found->max_error, 1.1e-2);
+}
+
+TEST(SmallestTable, TakesADearerLevelWhereTheCheapOneCannotHold) {
+    const TableSearch found = search(model_of(1), 5e-4);
+    ASSERT_TRUE(found.found);
+    EXPECT_EQ(found.found->level, 1);
+    EXPECT_EQ(found.found->size, (std::array<int, 2>{24, 4}));
+}
+
+TEST(SmallestTable, SaysHowFarItCameWhereNoneHolds) {
+    const TableSearch found = search(model_of(1e4), 1e-6);
+    EXPECT_FALSE(found.found);
+    EXPECT_GT(found.best.max_error, 1e-6);
+    EXPECT_LT(found.best.max_error, 1e-3);
+}
+
+TEST(SmallestTable, CountsThePixelType) {
+    EXPECT_TRUE(search(model_of(1), 1e-4).found);
+    EXPECT_FALSE(search(model_of(1), 1e-4, config::PixelType::half).found);
+}
+
+}  // namespace
+}  // namespace skybake

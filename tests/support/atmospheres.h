@@ -1,0 +1,33 @@
+// Media that tests share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "bakers/atmosphere/medium.h"
+#include "config/recipe.h"
+
+namespace skybake::test {
+
+inline config::Recipe recipe_of(const std::string& text, const std::vector<std::string>& settings = {}) {
+    const auto outcome = config::parse_recipe(text, "test.toml", {}, settings);
+    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
+        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
+    }
+    return outcome.value.value_or(config::Recipe{});
+}
+
+inline Medium preset_medium(const std::string& name, const std::vector<std::string>& settings = {}) {
+    return make_medium(
+        recipe_of("preset = \"" + name + "\"\n", settings).parameters.atmosphere);
+}
+
+inline const std::vector<std::string>& preset_list() {
+    static const std::vector<std::string> names = {"earth",       "earth_bruneton", "mars",
+                                                   "dense_earth", "tiny_planet",    "vacuum"};
+    return names;
+}
+
+}  // namespace skybake::test

@@ -1,0 +1,25 @@
+// Hard cases are tests that also say how well they did: `ctest -L hard` prints the table of all.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+namespace skybake::test {
+
+// Holds `error` to `bound` and adds a row to the table: the case's number and name in physics terms,
+// what it was held against, the error reached.
+inline void hold(const std::string& name, const std::string& against, double error, double bound) {
+    char row[512];
+    std::snprintf(row, sizeof row, "%-46s %-52s %9.2g  (bound %.0e)", name.c_str(), against.c_str(),
+                  error, bound);
+    EXPECT_LE(error, bound) << row;
+    if (const char* folder = std::getenv("SKYBAKE_HARD_CASES")) {
+        const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+        std::ofstream(std::string(folder) + "/" + info->name(), std::ios::app) << row << '\n';
+    }
+}
+
+}  // namespace skybake::test
