@@ -166,31 +166,37 @@ Json asset_event(const ManifestAsset& asset, const std::filesystem::path& path,
     return event;
 }
 
-// Writes the files, then the manifest that claims them.
-ExitCode write_all(const BakeJob& job, const OutputFolder& folder,
-                   std::vector<EncodedTable>& tables, Console& console) {
+// Brings all files to the disk, then renames them: an error leaves every old file in place.
+ExitCode write_all(const BakeJob& job, const OutputFolder& folder, std::vector<EncodedTable>& tables,
+                   Console& console) {
     Manifest manifest = new_manifest(job.recipe);
     const BakeProgress progress("write", console);
+    AtomicFiles files;
+    std::vector<Json> events;
+    std::string paths;
     for (EncodedTable& table : tables) {
-        const auto written = write_table(table, job.folder, &progress);
-        if (const ExitCode code = console.report(written.diagnostics); !written.value) return code;
-        if (*written.value == WriteResult::interrupted) return ExitCode::interrupted;
+        const auto staged = stage_table(table, job.folder, files, &progress);
+        if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
+        if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
         const std::filesystem::path path = job.folder / table_file_name(table.asset.name);
-        if (job.json) {
-            print_event(console, asset_event(table.asset, path, *written.value));
-        } else {
-            console.result(path.string() + "\n");
-        }
+        events.push_back(asset_event(table.asset, path, *staged.value));
+        paths += path.string() + "\n";
         manifest.assets.push_back(table.asset);
     }
     const bool partial = job.bakes.size() < job.recipe.parameters.bakes.size();
-    if (partial && folder.previous)
-        manifest = merge_manifests(*folder.previous, std::move(manifest));
+    if (partial && folder.previous) manifest = merge_manifests(*folder.previous, std::move(manifest));
     const std::filesystem::path path = job.folder / manifest_name;
-    const auto written = write_file_atomically(path, manifest_json(manifest), &progress);
-    if (const ExitCode code = console.report(written.diagnostics); !written.value) return code;
-    if (*written.value == WriteResult::interrupted) return ExitCode::interrupted;
-    if (!job.json) console.result(path.string() + "\n");
+    paths += path.string() + "\n";
+    const auto staged = files.stage(path, manifest_json(manifest), &progress);
+    if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
+    if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
+    const auto failures = files.commit();
+    if (!failures.empty()) return console.report(failures);
+    if (job.json) {
+        for (const Json& event : events) print_event(console, event);
+    } else {
+        console.result(paths);
+    }
     return ExitCode::done;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -50,7 +51,7 @@ Json sarif_location(const config::SourceRange& where) {
         Json region = {{"startLine", where.line}};
         if (where.column > 0) {
             region["startColumn"] = where.column;
-            region["endColumn"] = where.column + std::max(where.length, 1);
+            region["endColumn"] = std::int64_t{where.column} + std::max(where.length, 1);
         }
         place["region"] = std::move(region);
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "cli/diagnostic_json.h"
@@ -204,7 +205,7 @@ std::string print_github(std::span<const Diagnostic> diagnostics) {
         if (where.line > 0) text += fmt::format("line={},", where.line);
         if (where.column > 0) {
             text += fmt::format("col={},endColumn={},", where.column,
-                                where.column + std::max(where.length, 1));
+                                std::int64_t{where.column} + std::max(where.length, 1));
         }
         text +=
             fmt::format("title={}::{}", diagnostic.code, github_escaped(diagnostic.message, false));

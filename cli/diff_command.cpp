@@ -125,7 +125,7 @@ std::string line_around(const std::string& text, std::size_t position) {
     constexpr std::size_t before = 20;
     position = std::min(position, text.size());
     const std::size_t start = position == 0 ? 0 : text.rfind('\n', position - 1) + 1;
-    const std::string line = text.substr(start, text.find('\n', start) - start);
+    std::string line = text.substr(start, text.find('\n', start) - start);
     const std::size_t column = position - start;
     if (line.size() <= longest) return line;
     const std::size_t begin = column + before <= longest ? 0 : sign_begin(line, column - before);

@@ -86,8 +86,8 @@ std::string usage_line(const Command& command) {
 }
 
 constexpr std::array<Example, 3> first_steps = {{
-    {"skybake init earth > earth.toml", "a commented recipe"},
-    {"skybake bake earth.toml -o out", "its tables, with their errors"},
+    {"skybake init earth.toml", "write a commented recipe"},
+    {"skybake bake earth.toml -o out", "make its tables, say how wrong they are"},
     {"skybake bake --help", "the options of a command"},
 }};
 

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
+#include "bakers/probe_check.h"
 #include "cli/command.h"
 #include "cli/console.h"
 
@@ -37,7 +39,8 @@ std::string as_text(const VerifyReport& report) {
 }
 
 ExitCode run(const Invocation& invocation, Console& console) {
-    const auto outcome = verify_folder(invocation.arguments()[0]);
+    const std::array checks = {probe_check()};
+    const auto outcome = verify_folder(invocation.arguments()[0], checks);
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
     console.result(invocation.has("json") ? as_json(*outcome.value) : as_text(*outcome.value));

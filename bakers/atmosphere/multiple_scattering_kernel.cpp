@@ -147,7 +147,7 @@ HWY_INLINE void mean_sunlight(const LitPoint& point, int azimuths, Real a, Real 
     for (int lane = 0; lane < Access::kCount; ++lane) {
         if (as[lane] - bs[lane] >= point.dark_below_km) continue;
         double part[kMaxChannels] = {};
-        if (as[lane] + bs[lane] > point.dark_below_km) {
+        if (as[lane] + bs[lane] >= point.dark_below_km) {
             mean_over_lit_part(point, azimuths, as[lane], bs[lane], channels, part);
         }
         for (int c = 0; c < channels; ++c) means[c][lane] = part[c];
@@ -170,7 +170,7 @@ HWY_INLINE void add_point(const LitPoint& point, int azimuths, double along_km, 
     for (int i = 0; i < suns.padded; i += Access::kCount) {
         const Real a = Access::load(suns.cosine.data() + i) * Real(along_km);
         const Real b = Access::load(suns.sine.data() + i) * Real(across_km);
-        if (!any(a + b > Real(point.dark_below_km))) continue;
+        if (!any(a + b >= Real(point.dark_below_km))) continue;
         Real mean[kMaxChannels];
         mean_sunlight(point, azimuths, a, b, channels, mean);
         for (int c = 0; c < channels; ++c) {

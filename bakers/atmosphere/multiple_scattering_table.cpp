@@ -23,9 +23,15 @@ using config::MultipleScatteringMethod;
 
 namespace {
 
-// What the reference integrates with: several times finer than any level of the baker.
-constexpr QuadratureLevel kReferenceLevel = {40, 1e-4, 1e-5};
-constexpr TransmittanceField::Size kReferenceField = {768, 128};
+// What the reference integrates with: other nodes than any level of the baker, finer than those that it
+// comes to choose.
+constexpr QuadratureLevel kReferenceLevel = {36, 1e-4, 2e-5};
+constexpr TransmittanceField::Size kReferenceField = {768, 192};
+
+// Sunlight for the baker's levels: from the sixth on the finer table is what limits them.
+constexpr TransmittanceField::Size kField = {256, 128};
+constexpr TransmittanceField::Size kFineField = {512, 192};
+constexpr int kFirstFineLevel = 6;
 
 // Values below this share of the channel's maximum are compared with it and not with themselves.
 constexpr double kErrorFloor = 1e-3;
@@ -65,6 +71,25 @@ class Integrator {
     Sunlight sunlight_;
 };
 
+// Made when first asked for: not every bake needs every one.
+class LazyIntegrator {
+  public:
+    LazyIntegrator(const Medium& medium, TransmittanceField::Size field, int threads)
+        : medium_(medium), field_(field), threads_(threads) {}
+
+    const Integrator& get() {
+        std::call_once(made_, [this] { integrator_.emplace(medium_, field_, threads_); });
+        return *integrator_;
+    }
+
+  private:
+    const Medium& medium_;
+    TransmittanceField::Size field_;
+    int threads_;
+    std::once_flag made_;
+    std::optional<Integrator> integrator_;
+};
+
 std::vector<double> suns_at(MultipleScatteringMapping mapping, const std::vector<double>& x) {
     std::vector<double> suns;
     for (const double coordinate : x) suns.push_back(sun_cos_zenith_at(mapping, coordinate));
@@ -98,25 +123,19 @@ TableModel multiple_scattering_model(const Medium& medium, const MultipleScatter
         for (const QuadratureLevel& level : quadrature_levels()) {
             model.cost_per_texel.push_back(lookups_per_texel(level));
         }
-        const auto integrator =
-            std::make_shared<const Integrator>(medium, TransmittanceField::Size{}, threads);
-        model.row = [mapping, thickness_km, integrator](
+        model.row = [mapping, thickness_km,
+                     coarse = std::make_shared<LazyIntegrator>(medium, kField, threads),
+                     fine = std::make_shared<LazyIntegrator>(medium, kFineField, threads)](
                         int level, double y, const std::vector<double>& x, double* values) {
-            integrator->row(quadrature_levels()[static_cast<std::size_t>(level)], y * thickness_km,
-                            suns_at(mapping, x), values);
+            const Integrator& integrator = (level < kFirstFineLevel ? coarse : fine)->get();
+            integrator.row(quadrature_levels()[static_cast<std::size_t>(level)], y * thickness_km,
+                           suns_at(mapping, x), values);
         };
     }
-    // Made when first asked for: not every bake is certified.
-    struct Reference {
-        std::once_flag made;
-        std::optional<Integrator> integrator;
-    };
-    model.reference = [&medium, mapping, thickness_km, threads,
-                       reference = std::make_shared<Reference>()](
+    model.reference = [mapping, thickness_km,
+                       reference = std::make_shared<LazyIntegrator>(medium, kReferenceField, threads)](
                           double y, const std::vector<double>& x, double* values) {
-        std::call_once(reference->made,
-                       [&] { reference->integrator.emplace(medium, kReferenceField, threads); });
-        reference->integrator->row(kReferenceLevel, y * thickness_km, suns_at(mapping, x), values);
+        reference->get().row(kReferenceLevel, y * thickness_km, suns_at(mapping, x), values);
     };
     model.error = relative_error;
     return model;
@@ -143,7 +162,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =
-        "the same integral with 40 zenith nodes a part and 768 columns of sunlight";
+        "the same integral with 36 zenith nodes a part and 768 columns of sunlight";
     table.certificate.scale = "relative to max(reference, 1e-3 of the channel's largest)";
     table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
 

@@ -19,6 +19,13 @@ double monotone_slope(double before, double after) {
     return before * after > 0 ? 2 * before * after / (before + after) : 0;
 }
 
+// Slope at an end: that of the parabola through three nodes, within what keeps the cubic monotone.
+double monotone_end_slope(double nearest, double next) {
+    const double slope = 1.5 * nearest - 0.5 * next;
+    if (slope * nearest <= 0) return 0;
+    return std::fabs(slope) > 3 * std::fabs(nearest) ? 3 * nearest : slope;
+}
+
 }  // namespace
 
 TransmittanceField::TransmittanceField(const Medium& medium, Size size, int threads)
@@ -52,12 +59,19 @@ TransmittanceField::TransmittanceField(const Medium& medium, Size size, int thre
         const double* below = y > 0 ? row - row_length : row;
         const double* above = y + 1 < size.rows ? row + row_length : row;
         double* slope = slopes_.data() + row_length * static_cast<std::size_t>(y);
-        for (std::size_t i = 0; i < row_length; ++i) {
-            slope[i] = monotone_slope(row[i] - below[i], above[i] - row[i]);
+        if (y > 0 && y + 1 < size.rows) {
+            for (std::size_t i = 0; i < row_length; ++i) {
+                slope[i] = monotone_slope(row[i] - below[i], above[i] - row[i]);
+            }
+            continue;
         }
-        // At the ground and at the top the one difference there is.
-        if (y == 0 || y + 1 == size.rows) {
-            for (std::size_t i = 0; i < row_length; ++i) slope[i] = above[i] - below[i];
+        // At the ground and at the top from the two differences inwards.
+        const double* first = y == 0 ? row : below;
+        const double* second = y == 0 ? above : row;
+        const double* beyond = y == 0 ? above + row_length : below - row_length;
+        for (std::size_t i = 0; i < row_length; ++i) {
+            const double next = y == 0 ? beyond[i] - second[i] : first[i] - beyond[i];
+            slope[i] = monotone_end_slope(second[i] - first[i], next);
         }
     }
 }

@@ -14,8 +14,8 @@ namespace skybake {
 class TransmittanceField {
   public:
     struct Size {
-        int columns = 256;  // a multiple of 8
-        int rows = 128;
+        int columns = 0;  // a multiple of 8
+        int rows = 0;
     };
 
     explicit TransmittanceField(const Medium& medium, Size size, int threads);

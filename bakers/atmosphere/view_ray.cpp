@@ -24,7 +24,11 @@ constexpr std::array<std::array<double, kGauss>, kGauss> kUpTo = {{
 
 // However little light it scatters, no cell of a ray that is refined spans more than this variation.
 constexpr double kLargestVariation = 2.5;
-constexpr int kMostPasses = 16;
+constexpr int kMostPasses = 24;
+// Three Gauss nodes integrate e^-x over this much within 1e-4.
+constexpr double kLargestOpacity = 2;
+// Light that has passed this optical depth, e^-14, contributes nothing that a table could hold.
+constexpr double kLastLight = 14;
 
 double altitude_on(const Shell& shell, const ViewRay& ray, double distance_km) {
     return std::clamp(altitude_along_km(shell, ray.altitude_km, ray.s_km, distance_km), 0.0,
@@ -58,7 +62,7 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
         const Coefficients* at = coefficients.data() + i * kGauss;
         const double width = cell.to.distance_km - cell.from.distance_km;
         double spread = 0;
-        double opacity = 0;
+        bool empty = true;
         for (std::size_t c = 0; c < channels; ++c) {
             double mean = 0;
             double low = at[0].extinction_per_km[c];
@@ -75,14 +79,15 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
                 transmittance[(i * kGauss + j) * channels + c] = -depth;
             }
             cell.optical_depth[c] = mean * width;
+            if (before[c] < kLastLight) cell.opacity = std::max(cell.opacity, cell.optical_depth[c]);
             before[c] += cell.optical_depth[c];
             if (mean > 0) spread = std::max(spread, (high - low) / mean);
-            opacity = std::max(opacity, cell.optical_depth[c]);
+            empty = empty && mean == 0;
         }
         // The vertical turns by width / r; sunlight changes over the dip of the shell's top.
         const double dip = std::min(1.0, std::sqrt(shell.thickness_km / shell.ground_radius_km));
         const double turn = width / (shell.ground_radius_km * dip);
-        cell.variation = opacity > 0 ? spread + opacity + 4 * turn : 0;
+        cell.variation = empty ? 0 : spread + cell.opacity + 4 * turn;
     }
     exponentials(transmittance.data(), static_cast<int>(transmittance.size()));
 
@@ -102,6 +107,22 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
         }
     }
     return cells;
+}
+
+// Halves the cells of which `split` says so, until it says so of none.
+template <class Predicate>
+void halve_cells(const Medium& medium, ViewRay& ray, const Predicate& split) {
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        std::vector<RayBreak> breaks = {{0, -1}};
+        for (const RayCell& cell : ray.cells) {
+            if (split(cell)) {
+                breaks.push_back({0.5 * (cell.from.distance_km + cell.to.distance_km), -1});
+            }
+            breaks.push_back(cell.to);
+        }
+        if (breaks.size() == ray.cells.size() + 1) return;
+        ray.cells = integrate_cells(medium, ray, breaks);
+    }
 }
 
 bool too_coarse(const RayCell& cell, const Spectrum& whole, double tolerance) {
@@ -126,26 +147,17 @@ ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_al
     ray.hits_ground = hits_ground;
     ray.length_km = hits_ground ? distance_to_ground_km(shell, altitude_km, s_km)
                                 : distance_to_top_km(shell, altitude_km, s_km);
-    if (ray.length_km > 0) {
-        ray.cells = integrate_cells(
-            medium, ray,
-            ray_breaks(shell, altitude_km, s_km, ray.length_km, break_altitudes_km));
-    }
+    if (!(ray.length_km > 0)) return ray;
+    ray.cells =
+        integrate_cells(medium, ray,
+                        ray_breaks(shell, altitude_km, s_km, ray.length_km, break_altitudes_km));
+    halve_cells(medium, ray, [](const RayCell& cell) { return cell.opacity > kLargestOpacity; });
     return ray;
 }
 
 void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray) {
-    for (int pass = 0; pass < kMostPasses; ++pass) {
-        std::vector<RayBreak> breaks = {{0, -1}};
-        for (const RayCell& cell : ray.cells) {
-            if (too_coarse(cell, whole, tolerance)) {
-                breaks.push_back({0.5 * (cell.from.distance_km + cell.to.distance_km), -1});
-            }
-            breaks.push_back(cell.to);
-        }
-        if (breaks.size() == ray.cells.size() + 1) return;
-        ray.cells = integrate_cells(medium, ray, breaks);
-    }
+    halve_cells(medium, ray,
+                [&](const RayCell& cell) { return too_coarse(cell, whole, tolerance); });
 }
 
 std::vector<RayNode> nodes_of(const Medium& medium, const ViewRay& ray) {

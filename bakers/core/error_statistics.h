@@ -11,7 +11,7 @@ class ErrorStatistics {
   public:
     void add(double error) {
         const double size = std::fabs(error);
-        if (!(size <= max_)) max_ = size;  // keeps NaN, which no bound then accepts
+        if (size > max_ || std::isnan(size)) max_ = size;  // NaN stays: no bound accepts it
         sum_of_squares_ += error * error;
         ++count_;
     }

@@ -1,6 +1,7 @@
 #include "bakers/report/measure_sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -15,6 +16,9 @@
 namespace skybake {
 
 namespace {
+
+// Medians of equal work have been seen to differ by so much.
+constexpr double kTimingNoise = 0.05;
 
 // Texels that variants share: the pixel type does not change them.
 struct Texels {
@@ -33,9 +37,8 @@ bool makes(const Texels& texels, const Variant& variant) {
 std::vector<Texels> texels_of(const Sweep& sweep) {
     std::vector<Texels> all;
     for (const Variant& variant : sweep.variants) {
-        const bool there = std::any_of(all.begin(), all.end(), [&](const Texels& texels) {
-            return makes(texels, variant);
-        });
+        const bool there = std::any_of(
+            all.begin(), all.end(), [&](const Texels& texels) { return makes(texels, variant); });
         if (!there) all.push_back({variant.model.get(), variant.level, variant.size, {}});
     }
     return all;
@@ -108,8 +111,7 @@ ReportRow describe(const Variant& variant, const BakedTable& baked) {
 }
 
 // Marks the rows that `takes_part` accepts and that no other of them beats.
-void mark_front(std::vector<ReportRow>& rows, bool ReportRow::*mark,
-                ErrorFigures ReportRow::*error,
+void mark_front(std::vector<ReportRow>& rows, bool ReportRow::*mark, ErrorFigures ReportRow::*error,
                 const std::function<bool(const ReportRow&)>& takes_part) {
     std::vector<CostAndError> choices;
     std::vector<ReportRow*> taking_part;
@@ -118,7 +120,7 @@ void mark_front(std::vector<ReportRow>& rows, bool ReportRow::*mark,
         choices.push_back({row.time_ms, (row.*error).rms});
         taking_part.push_back(&row);
     }
-    const std::vector<bool> front = pareto_front(choices);
+    const std::vector<bool> front = pareto_front(choices, kTimingNoise);
     for (std::size_t i = 0; i < front.size(); ++i) taking_part[i]->*mark = front[i];
 }
 
@@ -137,7 +139,7 @@ std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const BakedTable&
             *std::find_if(all_texels.begin(), all_texels.end(),
                           [&](const Texels& candidate) { return makes(candidate, variant); });
         ReportRow row = describe(variant, baked);
-        row.time_ms = texels.seconds * 1e3;
+        row.time_ms = std::round(texels.seconds * 1e9) / 1e6;  // the clock's nanoseconds
         BakedTable table = baked;
         table.pixel_type = variant.pixel_type;
         table.range = {};

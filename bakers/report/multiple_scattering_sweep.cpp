@@ -28,7 +28,8 @@ std::string mapping_name(MultipleScatteringMapping mapping) {
 class MultipleScatteringSweep {
   public:
     MultipleScatteringSweep(const Medium& medium, const MultipleScatteringBake& bake,
-                            std::array<int, 2> size, int level, bool quick, int threads)
+                            std::array<int, 2> size, std::optional<int> level, bool quick,
+                            int threads)
         : medium_(medium), bake_(bake), size_(size), level_(level), threads_(threads) {
         std::vector<std::array<double, 2>> factors = {{0.5, 0.5}, {1, 1}, {2, 2}};
         if (!quick) factors.push_back({4, 2});
@@ -42,10 +43,9 @@ class MultipleScatteringSweep {
     std::vector<Variant> variants() {
         const Model converged = model_of(MultipleScatteringMethod::converged, bake_.mapping);
         const Model paper = model_of(MultipleScatteringMethod::as_in_paper, bake_.mapping);
-        const MultipleScatteringMapping other =
-            bake_.mapping == MultipleScatteringMapping::hillaire
-                ? MultipleScatteringMapping::twilight
-                : MultipleScatteringMapping::hillaire;
+        const MultipleScatteringMapping other = bake_.mapping == MultipleScatteringMapping::hillaire
+                                                    ? MultipleScatteringMapping::twilight
+                                                    : MultipleScatteringMapping::hillaire;
         add_levels(converged);
         const std::string family = "sizes, " + mapping_name(bake_.mapping);
         add_sizes(family, converged, converged, sizes_with_own_, PixelType::float32);
@@ -72,9 +72,8 @@ class MultipleScatteringSweep {
         const std::size_t count = model->cost_per_texel.size();
         for (std::size_t level = 0; level < count; ++level) {
             Variant variant;
-            variant.family = "levels, " + mapping_name(bake_.mapping);
-            variant.name =
-                "level " + std::to_string(level + 1) + " of " + std::to_string(count);
+            variant.family = "quadrature levels, " + mapping_name(bake_.mapping);
+            variant.name = "level " + std::to_string(level + 1);
             variant.in_quadrature_sweep = true;
             variant.size = levels_size();
             variant.model = model;
@@ -84,13 +83,19 @@ class MultipleScatteringSweep {
         }
     }
 
+    // The level that sizes are swept at.
+    int level_of(const TableModel& model) const {
+        const auto count = static_cast<int>(model.cost_per_texel.size());
+        return count == 1 ? 0 : level_.value_or(count - 1);
+    }
+
     // Leaves out what is among the levels.
     void add_sizes(const std::string& family, const Model& model, const Model& truth,
                    const std::vector<std::array<int, 2>>& sizes, PixelType pixel_type) {
-        const int level = model->cost_per_texel.size() > 1 ? level_ : 0;
+        const int level = level_of(*model);
         for (const std::array<int, 2> size : sizes) {
-            const bool there = std::any_of(
-                variants_.begin(), variants_.end(), [&](const Variant& variant) {
+            const bool there =
+                std::any_of(variants_.begin(), variants_.end(), [&](const Variant& variant) {
                     return variant.model == model && variant.level == level &&
                            variant.size == size && variant.pixel_type == pixel_type;
                 });
@@ -110,19 +115,20 @@ class MultipleScatteringSweep {
     // The paper's quadrature; at the size of the levels it can be compared with them.
     void add_paper(const Model& paper, const Model& truth) {
         const bool own = bake_.method == MultipleScatteringMethod::as_in_paper;
-        add_sizes("as in the paper", paper, truth, {levels_size()}, PixelType::float32);
         add_sizes("as in the paper", paper, truth, own ? sizes_with_own_ : sizes_,
                   PixelType::float32);
+        add_sizes("as in the paper", paper, truth, {levels_size()}, PixelType::float32);
         if (own) add_sizes("as in the paper", paper, truth, {size_}, bake_.pixel_type);
         for (Variant& variant : variants_) {
             if (variant.model != paper || variant.size != levels_size()) continue;
-            variant.baseline = "Hillaire 2020, 64 directions x 20 steps";
+            variant.baseline = "Hillaire 2020 (64 directions, 20 steps)";
             variant.in_quadrature_sweep = true;
         }
     }
 
     void mark_recipe(const Model& own) {
-        const int level = own->cost_per_texel.size() > 1 ? level_ : 0;
+        if (!level_ && own->cost_per_texel.size() > 1) return;
+        const int level = level_of(*own);
         for (Variant& variant : variants_) {
             variant.of_recipe = variant.model == own && variant.level == level &&
                                 variant.size == size_ && variant.pixel_type == bake_.pixel_type;
@@ -132,7 +138,7 @@ class MultipleScatteringSweep {
     const Medium& medium_;
     const MultipleScatteringBake& bake_;
     std::array<int, 2> size_;
-    int level_;
+    std::optional<int> level_;
     int threads_;
     std::vector<std::array<int, 2>> sizes_;
     std::vector<std::array<int, 2>> sizes_with_own_;
@@ -142,7 +148,8 @@ class MultipleScatteringSweep {
 }  // namespace
 
 Sweep multiple_scattering_sweep(const Medium& medium, const MultipleScatteringBake& bake,
-                                std::array<int, 2> size, int level, bool quick, int threads) {
+                                std::array<int, 2> size, std::optional<int> level, bool quick,
+                                int threads) {
     Sweep sweep;
     sweep.timing =
         "processor time of the texels, one thread; tables of sunlight are ready made for all";

@@ -10,8 +10,9 @@ struct CostAndError {
     double error = 0;
 };
 
-// True for each choice that no other beats: none costs no more and errs no more, and less in one of
-// the two. Equal choices share their fate; one that is not finite is never on the front.
-std::vector<bool> pareto_front(const std::vector<CostAndError>& choices);
+// True for each choice that no other beats: by a smaller error at no greater cost, or by a smaller
+// cost at the same error. Costs that are apart by no more than the share `noise` count as the same
+// where errors differ. A choice that is not finite is never on the front.
+std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double noise = 0);
 
 }  // namespace skybake

@@ -1,6 +1,9 @@
 #include "bakers/report/report.h"
 
+#include <algorithm>
 #include <charconv>
+#include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -28,7 +31,9 @@ constexpr int kQuickRepetitions = 3;
 int chosen_level(const BakedTable& table) {
     int level = 1;
     for (const auto& [key, text] : table.details) {
-        if (key == "quadrature_level") std::from_chars(text.data(), text.data() + text.size(), level);
+        if (key == "quadrature_level") {
+            std::from_chars(text.data(), text.data() + text.size(), level);
+        }
     }
     return level - 1;
 }
@@ -43,14 +48,28 @@ Bake subject(const Bake& bake) {
     return result;
 }
 
+// The same whatever its quadrature reaches.
+Bake without_texel_bound(const Bake& bake) {
+    Bake result = bake;
+    if (auto* asset = std::get_if<MultipleScatteringBake>(&result.asset)) {
+        asset->max_texel_error = std::numeric_limits<double>::infinity();
+    }
+    return result;
+}
+
+bool misses_texel_bound(const Outcome<BakedTable>& baked) {
+    return std::any_of(baked.diagnostics.begin(), baked.diagnostics.end(),
+                       [](const config::Diagnostic& found) { return found.code == "E0404"; });
+}
+
 Sweep sweep_of(const Bake& bake, const Medium& medium, const BakedTable& baked,
-               const ReportOptions& options) {
+               std::optional<int> level, const ReportOptions& options) {
     const std::array<int, 2> size = {baked.image.width, baked.image.height};
     if (const auto* asset = std::get_if<TransmittanceBake>(&bake.asset)) {
         return transmittance_sweep(medium, *asset, size, options.quick);
     }
     return multiple_scattering_sweep(medium, std::get<MultipleScatteringBake>(bake.asset), size,
-                                     chosen_level(baked), options.quick, options.threads);
+                                     level, options.quick, options.threads);
 }
 
 }  // namespace
@@ -59,26 +78,33 @@ Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake
                                   const ReportOptions& options) {
     Outcome<AssetReport> outcome;
     const BakeOptions bake_options{.threads = options.threads, .progress = options.progress};
+    AssetReport report;
     Outcome<BakedTable> baked = bake_table(recipe, subject(bake), bake_options);
+    const bool holds = !misses_texel_bound(baked);
+    if (!holds) {
+        // All the more reason to show what can be had.
+        report.notes.push_back("`bake` refuses: " + baked.diagnostics.front().message);
+        baked = bake_table(recipe, without_texel_bound(subject(bake)), bake_options);
+    }
     if (options.progress != nullptr && options.progress->cancelled()) return outcome;
     outcome.diagnostics = std::move(baked.diagnostics);
     if (!baked.value) return outcome;
-
-    AssetReport report;
     report.name = bake.name;
     report.kind = baked.value->kind;
     report.reference = baked.value->certificate.reference;
     report.scale = baked.value->certificate.scale;
     report.repetitions = options.quick ? kQuickRepetitions : kRepetitions;
     const Medium medium = make_medium(recipe.parameters.atmosphere);
-    const Sweep sweep = sweep_of(bake, medium, *baked.value, options);
+    const std::optional<int> level =
+        holds ? std::optional(chosen_level(*baked.value)) : std::nullopt;
+    const Sweep sweep = sweep_of(bake, medium, *baked.value, level, options);
     report.timing = sweep.timing;
     report.texel_points = sweep.texels.rows * sweep.texels.per_row;
     report.lookup_points = sweep.lookups.rows * sweep.lookups.per_row;
     auto measured = measure_sweep(sweep, *baked.value, report.repetitions, options);
     if (!measured) return {};
     report.rows = std::move(measured->rows);
-    report.notes = std::move(measured->notes);
+    report.notes.insert(report.notes.end(), measured->notes.begin(), measured->notes.end());
     outcome.value = std::move(report);
     return outcome;
 }

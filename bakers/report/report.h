@@ -1,5 +1,5 @@
-// What does accuracy cost? For one asset: the variants that its knobs allow, each with its time, its
-// error and its bytes, beside the baselines of the papers.
+// What does accuracy cost? For one asset: the variants that its knobs allow, each with its time,
+// its error and its bytes, beside the baselines of the papers.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ namespace skybake {
 
 // One variant of an asset.
 struct ReportRow {
-    std::string asset;     // NAME of [bake.NAME]
-    std::string family;    // what it shares with others: "exact, half", "midpoint rule"
-    std::string variant;   // what it differs in: "256x64", "40 steps", "level 3 of 9"
-    std::string baseline;  // the name of a baseline, or empty
-    bool of_recipe = false;         // the one that `bake` makes of the recipe
+    std::string asset;                 // NAME of [bake.NAME]
+    std::string family;                // what it shares with others: "exact, half", "midpoint rule"
+    std::string variant;               // what it differs in: "256x64", "40 steps", "level 3"
+    std::string baseline;              // the name of a baseline, or empty
+    bool of_recipe = false;            // the one that `bake` makes of the recipe
     bool in_quadrature_sweep = false;  // same size, mapping and pixel type as others of that sweep
     std::array<int, 2> size{};
     config::PixelType pixel_type = config::PixelType::float32;
@@ -40,7 +40,7 @@ struct AssetReport {
     std::string timing;     // what the times are
     int texel_points = 0;   // at most so many texels were compared
     int lookup_points = 0;
-    int repetitions = 0;    // times are medians of so many
+    int repetitions = 0;             // times are medians of so many
     std::vector<std::string> notes;  // what was left out, and why
     std::vector<ReportRow> rows;
 };
@@ -51,8 +51,8 @@ struct ReportOptions {
     Progress* progress = nullptr;
 };
 
-// Sweeps and measures one section of a recipe. Errors are pure functions of the parameters; times are
-// not. No value and no diagnostics: the user has interrupted. Diagnostics as of bake_table.
+// Sweeps and measures one section of a recipe. Errors are pure functions of the parameters; times
+// are not. No value and no diagnostics: the user has interrupted. Diagnostics as of bake_table.
 config::Outcome<AssetReport> report_asset(const config::Recipe& recipe, const config::Bake& bake,
                                           const ReportOptions& options);
 

@@ -15,7 +15,7 @@ std::vector<std::array<int, 2>> sizes_around(std::array<int, 2> size,
                                              const std::vector<std::array<double, 2>>& factors,
                                              long max_texels) {
     const auto scaled = [](int count, double factor) {
-        return std::max(2, static_cast<int>(std::lround(count * factor)));
+        return std::max(std::min(count, 2), static_cast<int>(std::lround(count * factor)));
     };
     std::vector<std::array<int, 2>> sizes;
     for (const auto& [along_u, along_v] : factors) {
@@ -30,7 +30,7 @@ std::vector<std::array<int, 2>> sizes_around(std::array<int, 2> size,
 
 std::array<int, 2> size_within(std::array<int, 2> size, long max_texels) {
     while (texel_count(size) > max_texels) {
-        for (int& count : size) count = std::max(2, count / 2);
+        for (int& count : size) count = std::max(std::min(count, 2), count / 2);
     }
     return size;
 }

@@ -12,7 +12,8 @@
 
 namespace skybake {
 
-// One way to make a table. Texels are a function of model, level and size; the pixel type comes after.
+// One way to make a table. Texels are a function of model, level and size; the pixel type comes
+// after.
 struct Variant {
     std::string family;
     std::string name;
@@ -35,7 +36,8 @@ struct Sweep {
     std::vector<Variant> variants;
 };
 
-// Sizes that are the given one times the factors, at least 2 texels an axis, without those of more
+// Sizes that are the given one times the factors, at least 2 texels an axis unless the size
+// itself has 1, without those of more
 // than `max_texels` and without duplicates.
 std::vector<std::array<int, 2>> sizes_around(std::array<int, 2> size,
                                              const std::vector<std::array<double, 2>>& factors,

@@ -34,8 +34,8 @@ struct NamedRule {
 
 const std::vector<NamedRule>& rules() {
     static const std::vector<NamedRule> all = {
-        {StepRule::end_point, "end-point rule", {10, 20, 40, 80, 160}, 40, "Hillaire 2020 sample"},
-        {StepRule::midpoint, "midpoint rule", {10, 20, 40, 80, 160}, 40, "midpoints instead"},
+        {StepRule::end_point, "end-point rule", {10, 20, 40, 80, 160}, 40, "Hillaire 2020"},
+        {StepRule::midpoint, "midpoint rule", {10, 20, 40, 80, 160}, 40, "midpoints"},
         {StepRule::trapezoid, "trapezoid rule", {50, 160, 500}, 500, "Bruneton 2008"}};
     return all;
 }
@@ -68,11 +68,19 @@ TableModel by_steps(const Medium& medium, const TableModel& exact, bool as_depth
     return model;
 }
 
+TransmittanceBake with(TransmittanceBake bake, PixelType pixel_type) {
+    bake.pixel_type = pixel_type;
+    return bake;
+}
+
 class TransmittanceSweep {
   public:
     TransmittanceSweep(const Medium& medium, const TransmittanceBake& bake, std::array<int, 2> size,
                        bool quick)
-        : medium_(medium), bake_(bake), size_(size), steps_size_(size_within(size, kMaxTexelsOfSteps)) {
+        : medium_(medium),
+          bake_(bake),
+          size_(size),
+          steps_size_(size_within(size, kMaxTexelsOfSteps)) {
         std::vector<std::array<double, 2>> factors = {{0.25, 0.25}, {0.5, 0.5}, {1, 1}, {2, 2}};
         if (!quick) factors.push_back({4, 4});
         const long own = static_cast<long>(size[0]) * size[1];
@@ -83,28 +91,28 @@ class TransmittanceSweep {
     }
 
     std::vector<Variant> variants() {
-        TransmittanceBake of_quadrature = bake_;
-        of_quadrature.pixel_type = PixelType::float32;
-        const Model exact = add_sizes(of_quadrature);
+        const Model exact = add_sizes(with(bake_, PixelType::float32));
         for (Variant& variant : variants_) {
             variant.in_quadrature_sweep = variant.size == steps_size_;
         }
+        add_sizes(with(bake_, PixelType::half), exact);
         TransmittanceBake other = bake_;
-        other.pixel_type = PixelType::half;
-        add_sizes(other, exact);
         other.content = bake_.content == TransmittanceContent::transmittance
                             ? TransmittanceContent::optical_depth
                             : TransmittanceContent::transmittance;
-        const Model of_other_content = add_sizes(other);
-        other.pixel_type = PixelType::float32;
-        add_sizes(other, of_other_content);
-        other = of_quadrature;
+        const Model of_other_content = add_sizes(with(other, PixelType::float32));
+        add_sizes(with(other, PixelType::half), of_other_content);
+        other = bake_;
         other.mapping = bake_.mapping == TransmittanceMapping::bruneton
                             ? TransmittanceMapping::ue
                             : TransmittanceMapping::bruneton;
-        const Model of_other_mapping = add_sizes(other);
-        for (const NamedRule& rule : rules()) add_rule(rule, exact);
-        add_sample_as_shipped(bake_.mapping == TransmittanceMapping::ue ? exact : of_other_mapping);
+        const Model of_other_mapping = add_sizes(with(other, PixelType::float32));
+        for (const NamedRule& rule : rules()) {
+            add_rule(rule, exact);
+            if (rule.rule == StepRule::end_point && other.mapping == TransmittanceMapping::ue) {
+                add_sample_as_shipped(rule, of_other_mapping);
+            }
+        }
         return std::move(variants_);
     }
 
@@ -152,11 +160,10 @@ class TransmittanceSweep {
     }
 
     // With the mapping that the sample has, too.
-    void add_sample_as_shipped(const Model& truth) {
-        const NamedRule& rule = rules().front();
+    void add_sample_as_shipped(const NamedRule& rule, const Model& truth) {
         Variant variant = steps_variant(rule, rule.baseline_steps, truth);
         variant.name += ", ue mapping";
-        variant.baseline = "the sample as shipped";
+        variant.baseline = "as shipped";
         variants_.push_back(std::move(variant));
     }
 

@@ -21,7 +21,9 @@ config::Outcome<BakedTable> try_bake(const std::string& section, const std::stri
 
 BakedTable bake(const std::string& section, const std::string& preset = "earth", int threads = 2) {
     const auto outcome = try_bake(section, preset, threads);
-    for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
+    for (const auto& diagnostic : outcome.diagnostics) {
+        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
+    }
     return outcome.value.value_or(BakedTable{});
 }
 

@@ -58,7 +58,7 @@ Medium random_medium() {
 }
 
 TEST(RandomAtmospheres, TransmittanceIsInRangeAndMonotoneAlongRays) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check([] {
         const Medium medium = random_medium();
         const Shell shell = shell_of(medium);
         const double altitude = uniform(0, 1) * medium.thickness_km;
@@ -77,11 +77,11 @@ TEST(RandomAtmospheres, TransmittanceIsInRangeAndMonotoneAlongRays) {
             }
             last = tau;
         }
-    });
+    }));
 }
 
 TEST(RandomAtmospheres, TransmittanceIsMultiplicativeAlongSegments) {
-    rc::check([] {
+    EXPECT_TRUE(rc::check([] {
         const Medium medium = random_medium();
         const Shell shell = shell_of(medium);
         const double altitude = uniform(0, 1) * medium.thickness_km;
@@ -100,7 +100,7 @@ TEST(RandomAtmospheres, TransmittanceIsMultiplicativeAlongSegments) {
             const double product = exponential(-before[c]) * exponential(-after[c]);
             RC_ASSERT(std::fabs(product - exponential(-whole[c])) < 1e-6);
         }
-    });
+    }));
 }
 
 // A double that counts the exponentials it takes.
@@ -138,8 +138,8 @@ long evaluations(const Medium& medium, double altitude_km, double s_km) {
 TEST(RandomAtmospheres, TakesNeverMoreThanTwentyTimesEarthsEvaluations) {
     const Medium earth = test::preset_medium("earth");
     const long earths = evaluations(earth, 0, 0);
-    EXPECT_GT(earths, 70);
-    rc::check([earths] {
+    EXPECT_GT(earths, 50);
+    EXPECT_TRUE(rc::check([earths] {
         const Medium medium = random_medium();
         const Shell shell = shell_of(medium);
         const double altitude = uniform(0, 1) * medium.thickness_km;
@@ -147,7 +147,7 @@ TEST(RandomAtmospheres, TakesNeverMoreThanTwentyTimesEarthsEvaluations) {
         RC_ASSERT(evaluations(medium, altitude, uniform(-rho, shell.ground_radius_km + altitude)) <=
                   20 * earths);
         RC_ASSERT(evaluations(medium, 0, 0) <= 20 * earths);
-    });
+    }));
 }
 
 TEST(RandomAtmospheres, MultipleScatteringIsFiniteAndPositiveAndOfBoundedCost) {
@@ -161,7 +161,7 @@ TEST(RandomAtmospheres, MultipleScatteringIsFiniteAndPositiveAndOfBoundedCost) {
     const QuadratureLevel level = quadrature_levels()[2];
     const std::size_t earths =
         lookups(earth, make_row_quadrature(earth, quadrature_altitudes_km(earth), 10, level));
-    rc::check([&] {
+    EXPECT_TRUE(rc::check([&] {
         const Medium medium = random_medium();
         const std::vector<double> altitudes = quadrature_altitudes_km(medium);
         const Sunlight sunlight(medium, altitudes, {64, 32}, 1);
@@ -177,7 +177,7 @@ TEST(RandomAtmospheres, MultipleScatteringIsFiniteAndPositiveAndOfBoundedCost) {
             RC_ASSERT(std::isfinite(psi[i]) && psi[i] >= 0);
         }
         for (std::size_t c = 0; c < 3; ++c) RC_ASSERT(row.escape[c] >= 0 && row.escape[c] < 1 + 1e-2);
-    });
+    }));
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "bakers/probe_check.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <variant>
+
+#include "bakers/atmosphere/multiple_scattering_mapping.h"
+#include "bakers/atmosphere/transmittance_mapping.h"
+#include "bakers/core/texel_axis.h"
+#include "config/recipe.h"
+
+namespace skybake {
+
+namespace {
+
+using Coordinates = std::array<double, 2>;
+
+Coordinates texture_coordinates(const config::TransmittanceBake& bake, const Shell& shell,
+                                const std::array<int, 2>& size, const Probe& probe) {
+    const auto convention = bake.mapping == config::TransmittanceMapping::ue
+                                ? TexelConvention::end_points_on_edges
+                                : TexelConvention::end_points_on_texel_centres;
+    const UnitCoordinates x =
+        transmittance_coordinates(shell, probe.at[0].second, probe.at[1].second);
+    return {texture_coordinate(convention, x.x_mu, size[0]),
+            texture_coordinate(convention, x.x_r, size[1])};
+}
+
+Coordinates texture_coordinates(const config::MultipleScatteringBake& bake, const Shell& shell,
+                                const std::array<int, 2>& size, const Probe& probe) {
+    constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+    return {texture_coordinate(kConvention, sun_coordinate(bake.mapping, probe.at[1].second), size[0]),
+            texture_coordinate(kConvention, probe.at[0].second / shell.thickness_km, size[1])};
+}
+
+std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int& checks) {
+    std::vector<std::string> failures;
+    // The parameters that an asset carries are themselves a recipe.
+    const auto recipe = config::parse_recipe(asset.parameters, asset.name);
+    if (!recipe.value || recipe.value->parameters.bakes.size() != 1) {
+        ++checks;
+        failures.push_back("its parameters cannot be read as a recipe");
+        return failures;
+    }
+    const config::Atmosphere& atmosphere = recipe.value->parameters.atmosphere;
+    const Shell shell = {atmosphere.ground_radius.kilometers(),
+                         (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000};
+    for (const Probe& probe : asset.probes) {
+        ++checks;
+        if (probe.at.size() != 2) {
+            failures.push_back("a probe has not two coordinates");
+            continue;
+        }
+        const Coordinates uv = std::visit(
+            [&](const auto& bake) { return texture_coordinates(bake, shell, asset.size, probe); },
+            recipe.value->parameters.bakes.front().asset);
+        if (std::fabs(uv[0] - probe.uv[0]) > 1e-9 || std::fabs(uv[1] - probe.uv[1]) > 1e-9) {
+            failures.push_back(fmt::format(
+                "{} {:.6g}, {} {:.6g} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",
+                probe.at[0].first, probe.at[0].second, probe.at[1].first, probe.at[1].second, uv[0],
+                uv[1], probe.uv[0], probe.uv[1]));
+        }
+    }
+    return failures;
+}
+
+}  // namespace
+
+AssetCheck probe_check() { return {"probe place", check}; }
+
+}  // namespace skybake

@@ -1,0 +1,13 @@
+// The picture of an asset's report: time against lookup error, and against texel error for the
+// quadrature sweep.
+#pragma once
+
+#include <string>
+
+#include "bakers/report/report.h"
+
+namespace skybake {
+
+std::string report_svg(const AssetReport& asset);
+
+}  // namespace skybake

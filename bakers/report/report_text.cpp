@@ -1,0 +1,113 @@
+#include "bakers/report/report_text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "bakers/io/release.h"
+#include "bakers/io/spelling.h"
+
+namespace skybake {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// One list of columns for both forms.
+struct Column {
+    std::string_view name;
+    std::function<Json(const ReportRow&)> value;
+};
+
+const std::vector<Column>& columns() {
+    static const std::vector<Column> all = {
+        {"asset", [](const ReportRow& row) { return Json(row.asset); }},
+        {"family", [](const ReportRow& row) { return Json(row.family); }},
+        {"variant", [](const ReportRow& row) { return Json(row.variant); }},
+        {"baseline", [](const ReportRow& row) { return Json(row.baseline); }},
+        {"of_recipe", [](const ReportRow& row) { return Json(row.of_recipe); }},
+        {"width", [](const ReportRow& row) { return Json(row.size[0]); }},
+        {"height", [](const ReportRow& row) { return Json(row.size[1]); }},
+        {"pixel_type", [](const ReportRow& row) { return Json(spell(row.pixel_type)); }},
+        {"file_bytes", [](const ReportRow& row) { return Json(row.file_bytes); }},
+        {"time_ms", [](const ReportRow& row) { return Json(row.time_ms); }},
+        {"texel_error_max", [](const ReportRow& row) { return Json(row.texel.max); }},
+        {"texel_error_rms", [](const ReportRow& row) { return Json(row.texel.rms); }},
+        {"lookup_error_max", [](const ReportRow& row) { return Json(row.lookup.max); }},
+        {"lookup_error_rms", [](const ReportRow& row) { return Json(row.lookup.rms); }},
+        {"on_lookup_front", [](const ReportRow& row) { return Json(row.on_lookup_front); }},
+        {"in_quadrature_sweep", [](const ReportRow& row) { return Json(row.in_quadrature_sweep); }},
+        {"on_texel_front", [](const ReportRow& row) { return Json(row.on_texel_front); }},
+    };
+    return all;
+}
+
+std::string dump(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+// A cell: quoted if it must be.
+std::string csv_cell(const Json& value) {
+    if (!value.is_string()) return dump(value, -1);
+    const auto& text = value.get_ref<const std::string&>();
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char letter : text) {
+        if (letter == '"') quoted += '"';
+        quoted += letter;
+    }
+    return quoted + '"';
+}
+
+Json to_json(const AssetReport& asset) {
+    Json rows = Json::array();
+    for (const ReportRow& row : asset.rows) {
+        Json entry = Json::object();
+        for (const Column& column : columns()) entry[std::string(column.name)] = column.value(row);
+        rows.push_back(std::move(entry));
+    }
+    return {{"name", asset.name},
+            {"kind", asset.kind},
+            {"reference", asset.reference},
+            {"scale", asset.scale},
+            {"timing", asset.timing},
+            {"repetitions", asset.repetitions},
+            {"texel_points", asset.texel_points},
+            {"lookup_points", asset.lookup_points},
+            {"notes", asset.notes},
+            {"rows", std::move(rows)}};
+}
+
+}  // namespace
+
+std::string report_csv(const std::vector<AssetReport>& assets) {
+    std::string text;
+    for (const Column& column : columns()) {
+        text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+    }
+    text += '\n';
+    for (const AssetReport& asset : assets) {
+        for (const ReportRow& row : asset.rows) {
+            std::string line;
+            for (const Column& column : columns()) {
+                if (&column != &columns().front()) line += ',';
+                line += csv_cell(column.value(row));
+            }
+            text += line + '\n';
+        }
+    }
+    return text;
+}
+
+std::string report_json(const std::vector<AssetReport>& assets) {
+    Json list = Json::array();
+    for (const AssetReport& asset : assets) list.push_back(to_json(asset));
+    const Json report = {{"report", {{"tool", tool_name()}, {"version", release()}, {"format", 1}}},
+                         {"assets", std::move(list)}};
+    return dump(report, 2) + "\n";
+}
+
+}  // namespace skybake

@@ -1,0 +1,164 @@
+// Speed against the project's own baselines, "as in the paper": each pair interleaved, thread CPU time,
+// quoted as a ratio in one run. tests/benchmarks/README.md keeps the figures reached.
+//
+// Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
+// --benchmark_report_aggregates_only=true.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "bakers/atmosphere/multiple_scattering_as_in_paper.h"
+#include "bakers/atmosphere/multiple_scattering_kernel.h"
+#include "bakers/atmosphere/optical_depth.h"
+#include "bakers/atmosphere/transmittance_as_in_paper.h"
+#include "bakers/atmosphere/transmittance_mapping.h"
+#include "bakers/atmosphere/transmittance_table.h"
+#include "bakers/core/table_model.h"
+#include "bakers/registry.h"
+#include "config/recipe.h"
+
+namespace skybake {
+namespace {
+
+const config::Recipe& earth_recipe() {
+    static const config::Recipe recipe =
+        *config::parse_recipe("preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n",
+                              "benchmark")
+             .value;
+    return recipe;
+}
+
+const Medium& earth() {
+    static const Medium medium = make_medium(earth_recipe().parameters.atmosphere);
+    return medium;
+}
+
+// 256x64 by a plain loop over texels and steps.
+void transmittance_by_steps(benchmark::State& state, int steps, StepRule rule) {
+    const Shell shell = shell_of(earth());
+    for (auto _ : state) {
+        double sum = 0;
+        for (int y = 0; y < 64; ++y) {
+            for (int x = 0; x < 256; ++x) {
+                const TransmittanceRay ray = transmittance_ray(shell, {x / 255.0, y / 63.0});
+                const Spectrum depth =
+                    optical_depth_by_steps(earth(), ray.altitude_km, ray.s_km, steps, rule);
+                for (const double tau : depth) sum += std::exp(-tau);
+            }
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+}
+
+void transmittance_exact(benchmark::State& state) {
+    const TableModel model = transmittance_model(earth(), config::TransmittanceBake{});
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(bake_texels(model, 0, {256, 64}, BakeOptions{1}));
+    }
+}
+
+// 32x32, both with a ready transmittance function.
+std::vector<double> suns() {
+    std::vector<double> result;
+    for (int i = 0; i < 32; ++i) result.push_back(-1 + 2 * i / 31.0);
+    return result;
+}
+
+void multiple_scattering_by_paper(benchmark::State& state) {
+    const Image2<float> transmittance = as_in_paper_transmittance(earth(), 1);
+    for (auto _ : state) {
+        for (int y = 0; y < 32; ++y) {
+            for (const double sun : suns()) {
+                benchmark::DoNotOptimize(multiple_scattering_as_in_paper(
+                    earth(), transmittance, 100 * y / 31.0, sun));
+            }
+        }
+    }
+}
+
+const Sunlight& ready_sunlight() {
+    static const Sunlight sunlight(earth(), quadrature_altitudes_km(earth()), {256, 128}, 1);
+    return sunlight;
+}
+
+std::vector<double> multiple_scattering_table(const QuadratureLevel& level) {
+    const std::vector<double> altitudes = quadrature_altitudes_km(earth());
+    const std::vector<double> sun = suns();
+    std::vector<double> psi(32 * 32 * 3);
+    for (int y = 0; y < 32; ++y) {
+        const RowQuadrature row =
+            make_row_quadrature(earth(), altitudes, 100 * y / 31.0, level);
+        integrate_row(earth(), ready_sunlight(), row, sun.data(), 32, psi.data() + y * 96);
+    }
+    return psi;
+}
+
+// RMS against the finest level, relative to max(value, 1e-3 of the channel's largest).
+double rms_error(const std::vector<double>& psi) {
+    static const std::vector<double> reference = multiple_scattering_table({48, 1e-4, 1e-5});
+    double largest[3] = {};
+    for (std::size_t i = 0; i < reference.size(); ++i) {
+        double& value = largest[i / 32 % 3];
+        value = std::max(value, reference[i]);
+    }
+    double sum = 0;
+    for (std::size_t i = 0; i < psi.size(); ++i) {
+        const double scale = std::max(reference[i], 1e-3 * largest[i / 32 % 3]);
+        sum += (psi[i] - reference[i]) * (psi[i] - reference[i]) / (scale * scale);
+    }
+    return std::sqrt(sum / static_cast<double>(psi.size()));
+}
+
+void multiple_scattering_converged(benchmark::State& state, int level) {
+    const QuadratureLevel& quadrature = quadrature_levels()[static_cast<std::size_t>(level)];
+    for (auto _ : state) benchmark::DoNotOptimize(multiple_scattering_table(quadrature));
+    state.counters["rms"] = rms_error(multiple_scattering_table(quadrature));
+}
+
+// Wall clock on one and two threads at 512x512.
+void table_on_threads(benchmark::State& state, std::size_t section, int threads) {
+    config::Bake bake = earth_recipe().parameters.bakes[section];
+    std::visit([](auto& asset) { asset.size = {512, 512}; }, bake.asset);
+    if (auto* asset = std::get_if<config::MultipleScatteringBake>(&bake.asset)) {
+        asset->max_texel_error = 0.05;
+    }
+    for (auto _ : state) {
+        const auto baked =
+            bake_table(earth_recipe(), bake, {threads, Certification::off, nullptr});
+        state.SetIterationTime(baked.value->bake_seconds);
+    }
+}
+
+}  // namespace
+}  // namespace skybake
+
+int main(int argc, char** argv) {
+    using namespace skybake;
+    using benchmark::kMillisecond;
+    const auto add = [](const std::string& name, auto function) {
+        return benchmark::RegisterBenchmark(name.c_str(), function)->Unit(kMillisecond);
+    };
+    add("transmittance 256x64, 40 steps, end points (as in the paper)",
+        [](benchmark::State& s) { transmittance_by_steps(s, 40, StepRule::end_point); });
+    add("transmittance 256x64, 40 steps, midpoints",
+        [](benchmark::State& s) { transmittance_by_steps(s, 40, StepRule::midpoint); });
+    add("transmittance 256x64, exact", transmittance_exact);
+    add("multiple scattering 32x32, as in the paper", multiple_scattering_by_paper);
+    for (int level = 0; level < static_cast<int>(quadrature_levels().size()); ++level) {
+        add("multiple scattering 32x32, converged, level " + std::to_string(level + 1),
+            [level](benchmark::State& s) { multiple_scattering_converged(s, level); });
+    }
+    for (const int threads : {1, 2}) {
+        add("transmittance 512x512, threads " + std::to_string(threads),
+            [threads](benchmark::State& s) { table_on_threads(s, 0, threads); })
+            ->UseManualTime();
+        add("multiple scattering 512x512, threads " + std::to_string(threads),
+            [threads](benchmark::State& s) { table_on_threads(s, 1, threads); })
+            ->UseManualTime();
+    }
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,28 @@
+// skybake with its vector kernels held to one instruction set: bake_on_target TARGET bake ...
+#include <hwy/targets.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+#include "cli/run.h"
+
+int main(int argc, char** argv) {
+    const bool list = argc == 2 && std::strcmp(argv[1], "--list") == 0;
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+        const std::int64_t target = left & -left;
+        if (list) {
+            std::puts(hwy::TargetName(target));
+        } else if (argc > 1 && std::strcmp(argv[1], hwy::TargetName(target)) == 0) {
+            hwy::SetSupportedTargetsForTest(target);
+            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+            const std::vector<std::string> words(argv + 2, argv + argc);
+            return static_cast<int>(skybake::cli::run(words, skybake::cli::descriptor_sink(1),
+                                                      skybake::cli::descriptor_sink(2), nullptr));
+        }
+    }
+    return list ? 0 : 2;
+}

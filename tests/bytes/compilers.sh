@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# GCC's build against Clang's. Skipped where there is no Clang.
+source "$(dirname "$0")/common.sh"
+if [[ -z "${CLANG_COMPILER:-}" || "$CLANG_COMPILER" == *NOTFOUND ]]; then
+    echo "skipped: no clang++ here"
+    exit 77
+fi
+cmake -S "$SKYBAKE_SOURCE" -B "$work/../clang-build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_CXX_COMPILER="$CLANG_COMPILER" -DSKYBAKE_WARNINGS_AS_ERRORS=ON \
+    -DSKYBAKE_TESTS=OFF -DSKYBAKE_BENCHMARKS=OFF >/dev/null
+cmake --build "$work/../clang-build" --target skybake
+bake "$work/gcc" "$program"
+bake "$work/clang" "$work/../clang-build/cli/skybake"
+same "$work/gcc" "$work/clang"
