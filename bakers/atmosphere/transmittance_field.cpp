@@ -13,17 +13,21 @@ namespace skybake {
 
 namespace {
 
-// Slope of a monotone cubic at a node between two differences: their harmonic mean where they have one
-// sign, else 0 (Fritsch & Butland 1984).
-double monotone_slope(double before, double after) {
-    return before * after > 0 ? 2 * before * after / (before + after) : 0;
+// A cubic between two nodes is monotone while its slopes have the sign of the difference and at most
+// three times its size (Fritsch & Carlson 1980).
+double within_three_times(double slope, double difference) {
+    if (slope * difference <= 0) return 0;
+    return std::fabs(slope) > 3 * std::fabs(difference) ? 3 * difference : slope;
 }
 
-// Slope at an end: that of the parabola through three nodes, within what keeps the cubic monotone.
+// Slope at a node between two differences: that of the parabola through three nodes.
+double monotone_slope(double before, double after) {
+    return within_three_times(within_three_times(0.5 * (before + after), before), after);
+}
+
+// The same at an end, from the two differences inwards.
 double monotone_end_slope(double nearest, double next) {
-    const double slope = 1.5 * nearest - 0.5 * next;
-    if (slope * nearest <= 0) return 0;
-    return std::fabs(slope) > 3 * std::fabs(nearest) ? 3 * nearest : slope;
+    return within_three_times(1.5 * nearest - 0.5 * next, nearest);
 }
 
 }  // namespace

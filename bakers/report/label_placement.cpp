@@ -10,7 +10,7 @@ namespace skybake {
 namespace {
 
 constexpr double kGap = 1.5;  // between a label and anything else
-constexpr std::array<double, 7> kDistances = {8, 14, 22, 32, 46, 64, 86};
+constexpr std::array<double, 7> kDistances = {9, 14, 22, 32, 46, 64, 86};
 constexpr int kDirections = 16;
 constexpr double kPriceOfCrossing = 14;  // as much as so many pixels further away
 constexpr double kPriceOfLeaning = 5;    // of a place above or below, where a leader reads worse

@@ -163,7 +163,7 @@ class TransmittanceSweep {
     void add_sample_as_shipped(const NamedRule& rule, const Model& truth) {
         Variant variant = steps_variant(rule, rule.baseline_steps, truth);
         variant.name += ", ue mapping";
-        variant.baseline = "as shipped";
+        variant.baseline = "sample as shipped";
         variants_.push_back(std::move(variant));
     }
 

@@ -67,13 +67,27 @@ TEST(Program, AClosedStderrIsNone) {
 }
 
 TEST(Program, VerifiesAFolder) {
+    using skybake::testing::read_bytes;
+    using skybake::testing::write_bytes;
     const TemporaryFolder folder;
-    skybake::testing::write_sample_bake(folder.path(), {"transmittance"});
-    EXPECT_EQ(run_program({"verify", folder.path().string()}).code, 0);
-    std::filesystem::remove(folder / "transmittance.exr");
-    EXPECT_EQ(run_program({"verify", folder.path().string()}).code, 1);
-    std::filesystem::remove(folder / "manifest.json");
-    EXPECT_EQ(run_program({"verify", folder.path().string()}).code, 3);
+    const std::string recipe = (folder / "recipe.toml").string();
+    const std::string out = (folder / "out").string();
+    write_bytes(recipe, "preset = \"earth\"\n[bake.transmittance]\nsize = [16, 8]\n");
+    ASSERT_EQ(run_program({"bake", recipe, "-o", out}).code, 0);
+    EXPECT_EQ(run_program({"verify", out}).code, 0);
+    // A probe that names another place than its texture coordinates.
+    std::string manifest = read_bytes(out + "/manifest.json");
+    const std::size_t at = manifest.find("\"cos_zenith\": 1.0");
+    ASSERT_NE(at, std::string::npos);
+    manifest.replace(at, 17, "\"cos_zenith\": 0.5");
+    write_bytes(out + "/manifest.json", manifest);
+    const Result moved = run_program({"verify", out});
+    EXPECT_EQ(moved.code, 1);
+    EXPECT_TRUE(contains(moved.out, "probe place")) << moved.out;
+    std::filesystem::remove(out + "/transmittance.exr");
+    EXPECT_EQ(run_program({"verify", out}).code, 1);
+    std::filesystem::remove(out + "/manifest.json");
+    EXPECT_EQ(run_program({"verify", out}).code, 3);
 }
 
 }  // namespace

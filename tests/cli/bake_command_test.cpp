@@ -1,0 +1,190 @@
+// The bake as a build engineer meets it: files, exit codes, and what is left behind when things fail.
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+using namespace skybake::cli::testing;
+namespace fs = std::filesystem;
+
+class Bake : public ::testing::Test {
+  protected:
+    Bake() {
+        write("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+              "[bake.multiple_scattering]\nsize = [8, 8]\nmax_texel_error = \"20 %\"\n");
+    }
+    void write(const std::string& text) { write_bytes(recipe_, text); }
+    std::vector<std::string> words(std::vector<std::string> more = {}) const {
+        std::vector<std::string> all = {"bake", recipe_, "-o", out_};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    Result bake(std::vector<std::string> more = {}) const { return run_program(words(std::move(more))); }
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        if (!fs::exists(out_)) return names;
+        for (const auto& entry : fs::directory_iterator(out_)) {
+            names.push_back(entry.path().filename().string());
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+    TemporaryFolder folder_;
+    std::string recipe_ = (folder_ / "recipe.toml").string();
+    std::string out_ = (folder_ / "out").string();
+    const std::vector<std::string> all_ = {"manifest.json", "multiple_scattering.exr",
+                                           "transmittance.exr"};
+};
+
+TEST_F(Bake, PrintsPathsOnStdoutAndTheTableOnStderr) {
+    const Result result = bake();
+    EXPECT_EQ(result.code, 0) << result.error;
+    EXPECT_EQ(result.out, out_ + "/transmittance.exr\n" + out_ + "/multiple_scattering.exr\n" + out_ +
+                              "/manifest.json\n");
+    EXPECT_TRUE(contains(result.error, "lookup error max / rms"));
+    EXPECT_EQ(files(), all_);
+    EXPECT_EQ(bake({"-q"}).error, "");
+}
+
+TEST_F(Bake, LeavesUnchangedFilesAlone) {
+    ASSERT_EQ(bake().code, 0);
+    const auto before = fs::last_write_time(out_ + "/transmittance.exr");
+    const std::string bytes = read_bytes(out_ + "/multiple_scattering.exr");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_EQ(bake({"--set", "atmosphere.ground_albedo=0.9"}).code, 0);
+    EXPECT_EQ(fs::last_write_time(out_ + "/transmittance.exr"), before);
+    EXPECT_NE(read_bytes(out_ + "/multiple_scattering.exr"), bytes);
+}
+
+TEST_F(Bake, OnlyKeepsTheOthersEntries) {
+    ASSERT_EQ(bake().code, 0);
+    ASSERT_EQ(bake({"--only", "transmittance"}).code, 0);
+    EXPECT_EQ(run_program({"verify", out_}).code, 0);
+    EXPECT_TRUE(contains(read_bytes(out_ + "/manifest.json"), "multiple_scattering.exr"));
+    const Result unknown = bake({"--only", "transmitance"});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_TRUE(contains(unknown.error, "did you mean `transmittance`?"));
+}
+
+TEST_F(Bake, DryRunMakesNothing) {
+    const Result result = bake({"--dry-run"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, "32x8"));
+    EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(Bake, JsonIsOneEventALine) {
+    const Result result = bake({"--json"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(count_lines(result.out), 4);
+    EXPECT_EQ(result.out.rfind("{\"event\":\"plan\"", 0), 0U);
+    EXPECT_TRUE(contains(result.out, "\n{\"event\":\"done\""));
+}
+
+TEST_F(Bake, RefusesToOverwriteWhatItDidNotWrite) {
+    fs::create_directory(out_);
+    write_bytes(out_ + "/transmittance.exr", "mine");
+    const Result result = bake();
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "transmittance.exr"));
+    EXPECT_EQ(read_bytes(out_ + "/transmittance.exr"), "mine");
+    EXPECT_EQ(files(), std::vector<std::string>{"transmittance.exr"});
+    EXPECT_EQ(bake({"--force"}).code, 0);
+    EXPECT_EQ(files(), all_);
+}
+
+TEST_F(Bake, OneFailureWritesNothing) {
+    write("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+          "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
+    const Result result = bake();
+    EXPECT_EQ(result.code, 4);
+    EXPECT_TRUE(contains(result.error, "E0403"));
+    EXPECT_TRUE(contains(result.error, "2048x2048 texels reach"));
+    EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Bake, ADiskThatFillsUpLosesNothing) {
+    ASSERT_EQ(bake().code, 0);
+    const std::string old = read_bytes(out_ + "/transmittance.exr");
+    const auto small_files = [] {
+        const rlimit limit = {2048, 2048};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    };
+    const Result result =
+        run_program(words({"--set", "atmosphere.layers.rayleigh.scale_height=9 km"}), small_files);
+    EXPECT_EQ(result.code, 3) << result.error;
+    EXPECT_EQ(read_bytes(out_ + "/transmittance.exr"), old);
+    EXPECT_EQ(files(), all_);
+    EXPECT_EQ(run_program({"verify", out_}).code, 0);
+}
+
+TEST_F(Bake, AFolderThatCannotBeMadeIsSaid) {
+    write_bytes(out_, "a file");
+    const Result result = bake();
+    EXPECT_EQ(result.code, 3);
+    EXPECT_EQ(read_bytes(out_), "a file");
+}
+
+TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
+    EXPECT_EQ(bake({"-j", "0"}).code, 2);
+    EXPECT_EQ(bake({"-j", "two"}).code, 2);
+    EXPECT_EQ(bake({"--certify", "maybe"}).code, 2);
+    EXPECT_EQ(bake({"--set", "atmosphere.top_radius=1 km"}).code, 2);
+    EXPECT_FALSE(fs::exists(out_));
+}
+
+// Starts a long bake, sends it a signal after `delay_ms`, and returns its status.
+int bake_and_signal(const std::string& recipe, const std::string& out, int signal, int delay_ms) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const int null = ::open("/dev/null", O_WRONLY);
+        ::dup2(null, STDOUT_FILENO);
+        ::dup2(null, STDERR_FILENO);
+        ::execl(SKYBAKE_PROGRAM, SKYBAKE_PROGRAM, "bake", recipe.c_str(), "-o", out.c_str(),
+                static_cast<char*>(nullptr));
+        ::_exit(126);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+}
+
+TEST_F(Bake, AnInterruptLeavesNoPartialFile) {
+    write("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+          "[bake.multiple_scattering]\nsize = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
+    const int status = bake_and_signal(recipe_, out_, SIGINT, 300);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(Bake, AKilledBakeIsMadeGoodByTheNext) {
+    ASSERT_EQ(bake().code, 0);
+    const std::string good = read_bytes(out_ + "/multiple_scattering.exr");
+    for (const int delay_ms : {0, 10, 20, 40, 60, 80, 100}) {
+        fs::remove_all(out_);
+        bake_and_signal(recipe_, out_, SIGKILL, delay_ms);
+        for (const std::string& name : files()) {
+            // Under its own name there is a whole file or none.
+            if (name == "multiple_scattering.exr") {
+                EXPECT_EQ(read_bytes(out_ + "/" + name), good);
+            }
+        }
+        EXPECT_EQ(bake().code, 0);
+        EXPECT_EQ(files(), all_);
+        EXPECT_EQ(read_bytes(out_ + "/multiple_scattering.exr"), good);
+    }
+}
+
+}  // namespace
+}  // namespace skybake::cli
