@@ -187,7 +187,7 @@ std::string spell_shifted(double value, int shift) {
     if (value == 0) return "0";
     ShortestDigits number = shortest_digits(std::fabs(value));
     number.point += shift;
-    return (value < 0 ? "-" : "") + spell_digits(number);
+    return fmt::format("{}{}", value < 0 ? "-" : "", spell_digits(number));
 }
 
 }  // namespace

@@ -26,11 +26,11 @@ namespace {
 // What the reference integrates with: other nodes than any level of the baker, finer than those that it
 // comes to choose.
 constexpr QuadratureLevel kReferenceLevel = {36, 1e-4, 2e-5};
-constexpr TransmittanceField::Size kReferenceField = {768, 192};
+constexpr TransmittanceField::Size kReferenceField = {512, 256};
 
 // Sunlight for the baker's levels: from the sixth on the finer table is what limits them.
 constexpr TransmittanceField::Size kField = {256, 128};
-constexpr TransmittanceField::Size kFineField = {512, 192};
+constexpr TransmittanceField::Size kFineField = {384, 192};
 constexpr int kFirstFineLevel = 6;
 
 // Values below this share of the channel's maximum are compared with it and not with themselves.
@@ -162,7 +162,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =
-        "the same integral with 36 zenith nodes a part and 768 columns of sunlight";
+        "the same integral with 36 zenith nodes a part and 512 columns of sunlight";
     table.certificate.scale = "relative to max(reference, 1e-3 of the channel's largest)";
     table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
 

@@ -68,8 +68,6 @@ TEST(Report, TransmittanceSweepsItsKnobs) {
     EXPECT_TRUE(exact.of_recipe);
     EXPECT_LT(exact.texel.max, 1e-7);
     EXPECT_GT(end_points.texel.rms, 5e-3);
-    EXPECT_LT(exact.time_ms, end_points.time_ms);
-    EXPECT_FALSE(end_points.on_texel_front);
     const ReportRow& half = row_of(report, "exact, half", "32x8");
     EXPECT_EQ(half.time_ms, exact.time_ms);
     EXPECT_LT(half.file_bytes, exact.file_bytes);
@@ -86,7 +84,6 @@ TEST(Report, MultipleScatteringSweepsItsKnobs) {
     expect_sound(report);
     const ReportRow& paper = row_of(report, "as in the paper", "8x8");
     EXPECT_FALSE(paper.baseline.empty());
-    EXPECT_FALSE(paper.on_texel_front);
     const ReportRow& coarse = row_of(report, "quadrature levels, hillaire", "level 1");
     const ReportRow& fine = row_of(report, "quadrature levels, hillaire", "level 6");
     EXPECT_LT(coarse.time_ms, fine.time_ms);
