@@ -33,8 +33,9 @@ Coordinates texture_coordinates(const config::TransmittanceBake& bake, const She
 Coordinates texture_coordinates(const config::MultipleScatteringBake& bake, const Shell& shell,
                                 const std::array<int, 2>& size, const Probe& probe) {
     constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
-    return {texture_coordinate(kConvention, sun_coordinate(bake.mapping, probe.at[1].second), size[0]),
-            texture_coordinate(kConvention, probe.at[0].second / shell.thickness_km, size[1])};
+    return {
+        texture_coordinate(kConvention, sun_coordinate(bake.mapping, probe.at[1].second), size[0]),
+        texture_coordinate(kConvention, probe.at[0].second / shell.thickness_km, size[1])};
 }
 
 std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int& checks) {
@@ -59,10 +60,10 @@ std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int&
             [&](const auto& bake) { return texture_coordinates(bake, shell, asset.size, probe); },
             recipe.value->parameters.bakes.front().asset);
         if (std::fabs(uv[0] - probe.uv[0]) > 1e-9 || std::fabs(uv[1] - probe.uv[1]) > 1e-9) {
-            failures.push_back(fmt::format(
-                "{} {:.6g}, {} {:.6g} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",
-                probe.at[0].first, probe.at[0].second, probe.at[1].first, probe.at[1].second, uv[0],
-                uv[1], probe.uv[0], probe.uv[1]));
+            failures.push_back(
+                fmt::format("{} {:.6g}, {} {:.6g} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",
+                            probe.at[0].first, probe.at[0].second, probe.at[1].first,
+                            probe.at[1].second, uv[0], uv[1], probe.uv[0], probe.uv[1]));
         }
     }
     return failures;

@@ -22,9 +22,9 @@ struct Estimate {
 };
 
 struct Baker {
-    std::string_view asset;                         // "transmittance"
-    int version = 0;                                // raised when its bytes change for equal parameters
-    std::vector<std::string_view> parameters;       // patterns of the parameters that it depends on
+    std::string_view asset;                    // "transmittance"
+    int version = 0;                           // raised when its bytes change for equal parameters
+    std::vector<std::string_view> parameters;  // patterns of the parameters that it depends on
     Estimate (*estimate)(const config::Bake& bake);
     config::Outcome<BakedTable> (*bake)(const config::Parameters& parameters,
                                         const config::Bake& bake, const BakeOptions& options,

@@ -1,12 +1,9 @@
 // skybake bake: makes what the recipe asks for.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,12 +14,11 @@
 #include "bakers/io/write_table.h"
 #include "bakers/registry.h"
 #include "cli/bake_progress.h"
+#include "cli/bake_selection.h"
 #include "cli/bake_summary.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
-#include "cli/parse_arguments.h"
-#include "config/suggest.h"
 
 namespace skybake::cli {
 namespace {
@@ -30,27 +26,14 @@ namespace {
 using config::Bake;
 using config::Diagnostic;
 using config::Outcome;
-using config::Recipe;
 using Json = nlohmann::ordered_json;
 
 struct BakeJob {
-    Recipe recipe;
-    std::vector<const Bake*> bakes;  // those asked for
+    BakeSelection selection;
     std::filesystem::path folder;
     BakeOptions options;
     bool json = false;
 };
-
-std::optional<int> thread_option(const Invocation& invocation) {
-    if (!invocation.has("jobs")) return 0;
-    const std::string text = invocation.value("jobs");
-    int threads = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
-    if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > 1024) {
-        return std::nullopt;
-    }
-    return threads;
-}
 
 Certification certification_option(const Invocation& invocation) {
     const std::string text = invocation.value("certify");
@@ -58,35 +41,9 @@ Certification certification_option(const Invocation& invocation) {
     return text == "full" ? Certification::full : Certification::quick;
 }
 
-// The sections to bake: all, or those that --only names.
-Outcome<std::vector<const Bake*>> chosen_bakes(const Recipe& recipe,
-                                               const std::vector<std::string>& only) {
-    Outcome<std::vector<const Bake*>> outcome;
-    std::vector<std::string_view> names;
-    for (const Bake& bake : recipe.parameters.bakes) names.push_back(bake.name);
-    for (const std::string& name : only) {
-        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-        outcome.diagnostics.push_back(
-            usage_error(fmt::format("--only: the recipe has no [bake.{}]", name),
-                        config::did_you_mean(name, names)));
-    }
-    if (names.empty()) {
-        outcome.diagnostics.push_back(usage_error("the recipe asks for nothing: it has no [bake.*]",
-                                                  "add [bake.transmittance]"));
-    }
-    if (!outcome.diagnostics.empty()) return outcome;
-    outcome.value.emplace();
-    for (const Bake& bake : recipe.parameters.bakes) {
-        const bool wanted =
-            only.empty() || std::find(only.begin(), only.end(), bake.name) != only.end();
-        if (wanted) outcome.value->push_back(&bake);
-    }
-    return outcome;
-}
-
 std::vector<std::string> file_names(const BakeJob& job) {
     std::vector<std::string> names;
-    for (const Bake* bake : job.bakes) names.push_back(table_file_name(bake->name));
+    for (const Bake& bake : job.selection.bakes) names.push_back(table_file_name(bake.name));
     names.emplace_back(manifest_name);
     return names;
 }
@@ -97,14 +54,14 @@ void print_event(Console& console, const Json& event) {
 
 void print_plan(const BakeJob& job, Console& console) {
     if (!job.json) {
-        console.result(plan_text(job.bakes));
+        console.result(plan_text(job.selection.bakes));
         return;
     }
     Json assets = Json::array();
-    for (const Bake* bake : job.bakes) {
-        const Estimate estimate = baker_of(*bake).estimate(*bake);
-        assets.push_back({{"name", bake->name},
-                          {"kind", baker_of(*bake).asset},
+    for (const Bake& bake : job.selection.bakes) {
+        const Estimate estimate = baker_of(bake).estimate(bake);
+        assets.push_back({{"name", bake.name},
+                          {"kind", baker_of(bake).asset},
                           {"size", estimate.size},
                           {"seconds", estimate.seconds},
                           {"memory_mib", estimate.memory_mib},
@@ -118,11 +75,11 @@ Outcome<std::vector<EncodedTable>> bake_all(const BakeJob& job, Console& console
     Outcome<std::vector<EncodedTable>> outcome;
     std::vector<EncodedTable> tables;
     bool failed = false;
-    for (const Bake* bake : job.bakes) {
-        BakeProgress progress(bake->name, console);
+    for (const Bake& bake : job.selection.bakes) {
+        BakeProgress progress(bake.name, console);
         BakeOptions options = job.options;
         options.progress = &progress;
-        Outcome<BakedTable> baked = bake_table(job.recipe, *bake, options);
+        Outcome<BakedTable> baked = bake_table(job.selection.recipe, bake, options);
         progress.finish();
         if (interrupted()) return outcome;
         for (Diagnostic& diagnostic : baked.diagnostics) {
@@ -167,9 +124,9 @@ Json asset_event(const ManifestAsset& asset, const std::filesystem::path& path,
 }
 
 // Brings all files to the disk, then renames them: an error leaves every old file in place.
-ExitCode write_all(const BakeJob& job, const OutputFolder& folder, std::vector<EncodedTable>& tables,
-                   Console& console) {
-    Manifest manifest = new_manifest(job.recipe);
+ExitCode write_all(const BakeJob& job, const OutputFolder& folder,
+                   std::vector<EncodedTable>& tables, Console& console) {
+    Manifest manifest = new_manifest(job.selection.recipe);
     const BakeProgress progress("write", console);
     AtomicFiles files;
     std::vector<Json> events;
@@ -183,8 +140,9 @@ ExitCode write_all(const BakeJob& job, const OutputFolder& folder, std::vector<E
         paths += path.string() + "\n";
         manifest.assets.push_back(table.asset);
     }
-    const bool partial = job.bakes.size() < job.recipe.parameters.bakes.size();
-    if (partial && folder.previous) manifest = merge_manifests(*folder.previous, std::move(manifest));
+    const bool partial = job.selection.bakes.size() < job.selection.recipe.parameters.bakes.size();
+    if (partial && folder.previous)
+        manifest = merge_manifests(*folder.previous, std::move(manifest));
     const std::filesystem::path path = job.folder / manifest_name;
     paths += path.string() + "\n";
     const auto staged = files.stage(path, manifest_json(manifest), &progress);
@@ -224,21 +182,12 @@ ExitCode bake(const BakeJob& job, bool force, Console& console) {
 }
 
 ExitCode run(const Invocation& invocation, Console& console) {
+    auto selection = select_bakes(invocation);
+    if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
     BakeJob job;
-    auto recipe = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
-    if (const ExitCode code = console.report(recipe.diagnostics); !recipe.value) return code;
-    job.recipe = std::move(*recipe.value);
-    const auto threads = thread_option(invocation);
-    if (!threads) {
-        return console.report(std::vector{usage_error(
-            fmt::format("-j: `{}` is not a number of threads", invocation.value("jobs")),
-            "1 to 1024")});
-    }
-    auto bakes = chosen_bakes(job.recipe, invocation.values("only"));
-    if (const ExitCode code = console.report(bakes.diagnostics); !bakes.value) return code;
-    job.bakes = std::move(*bakes.value);
+    job.selection = std::move(*selection.value);
     job.folder = invocation.value("output");
-    job.options.threads = *threads;
+    job.options.threads = job.selection.threads;
     job.options.certification = certification_option(invocation);
     job.json = invocation.has("json");
     if (job.json || invocation.has("dry-run")) print_plan(job, console);
@@ -257,23 +206,14 @@ Command bake_command() {
                          .value = "FOLDER",
                          .help = "where the files go",
                          .fallback = "out"},
-                        {.name = "set",
-                         .value = "KEY=VALUE",
-                         .help = "override a value of the recipe",
-                         .repeatable = true},
-                        {.name = "only",
-                         .value = "NAME",
-                         .help = "bake just [bake.NAME]; other entries of the manifest stay",
-                         .repeatable = true},
+                        set_option(),
+                        only_option("bake just [bake.NAME]; other entries of the manifest stay"),
                         {.name = "certify",
                          .value = "HOW",
                          .help = "how thoroughly to measure the error",
                          .choices = {"quick", "full", "off"},
                          .fallback = "quick"},
-                        {.name = "jobs",
-                         .short_name = 'j',
-                         .value = "N",
-                         .help = "threads; results do not depend on it (default: all)"},
+                        jobs_option("threads; results do not depend on it (default: all)"),
                         {.name = "dry-run", .help = "say what would be made, and make nothing"},
                         {.name = "force", .help = "overwrite files that skybake did not write"},
                         {.name = "json", .help = "events as JSON Lines on stdout"}},

@@ -25,9 +25,8 @@ void BakeProgress::advance(std::string_view step, double fraction) {
     const bool terminal = console_.error_is_terminal();
     if (since_shown < (terminal ? 0.1 : 10.0)) return;
     shown_ = now;
-    const std::string text =
-        fmt::format("{}: {} {:.0f} %, {:.0f} s", asset_, step, 100 * fraction,
-                    duration<double>(now - start_).count());
+    const std::string text = fmt::format("{}: {} {:.0f} %, {:.0f} s", asset_, step, 100 * fraction,
+                                         duration<double>(now - start_).count());
     line_shown_ = terminal;
     console_.note(terminal ? fmt::format("\r\033[K  {}", text) : text + "\n");
 }

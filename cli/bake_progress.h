@@ -1,5 +1,5 @@
-// How a bake shows how far it is: one line that is rewritten on a terminal, a line every ten seconds
-// elsewhere.
+// How a bake shows how far it is: one line that is rewritten on a terminal, a line every ten
+// seconds elsewhere.
 #pragma once
 
 #include <chrono>

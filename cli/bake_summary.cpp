@@ -28,16 +28,16 @@ std::string channels_text(const ManifestAsset& asset) {
 
 }  // namespace
 
-std::string plan_text(std::span<const config::Bake* const> bakes) {
+std::string plan_text(std::span<const config::Bake> bakes) {
     TextTable table({Align::left, Align::right, Align::left, Align::right, Align::right});
     table.add_row({"asset", "size", "file", "about", "disk"});
-    for (const config::Bake* bake : bakes) {
-        const Estimate estimate = baker_of(*bake).estimate(*bake);
+    for (const config::Bake& bake : bakes) {
+        const Estimate estimate = baker_of(bake).estimate(bake);
         const bool chosen = estimate.size[0] == 0;
         table.add_row(
-            {bake->name,
+            {bake.name,
              chosen ? "by max_error" : fmt::format("{}x{}", estimate.size[0], estimate.size[1]),
-             table_file_name(bake->name), time_text(estimate.seconds),
+             table_file_name(bake.name), time_text(estimate.seconds),
              chosen ? "" : size_text(estimate.disk_mib * 1024 * 1024)});
     }
     return table.text();
@@ -57,9 +57,9 @@ std::string summary_text(const std::vector<EncodedTable>& tables, double seconds
             {asset.name, fmt::format("{}x{}", asset.size[0], asset.size[1]), channels_text(asset),
              file.path, file.pixel_type == config::PixelType::half ? "half" : "float",
              time_text(asset.timing.bake_s), time_text(asset.timing.write_s),
-             asset.error ? fmt::format("{:.2g} / {:.2g}", asset.error->lookup.max,
-                                       asset.error->lookup.rms)
-                         : "not measured"});
+             asset.error
+                 ? fmt::format("{:.2g} / {:.2g}", asset.error->lookup.max, asset.error->lookup.rms)
+                 : "not measured"});
         if (asset.error && !asset.error->advice.empty()) {
             advice += fmt::format("  {}: worst at {}; {}\n", asset.name, asset.error->worst,
                                   asset.error->advice);

@@ -11,7 +11,7 @@
 namespace skybake::cli {
 
 // One row an asset: size, estimated time, memory and disk.
-std::string plan_text(std::span<const config::Bake* const> bakes);
+std::string plan_text(std::span<const config::Bake> bakes);
 
 // One row an asset: size, file, times, errors; then totals.
 std::string summary_text(const std::vector<EncodedTable>& tables, double seconds);

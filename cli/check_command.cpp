@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "config/recipe.h"
@@ -33,10 +34,7 @@ Command check_command() {
     return {.name = "check",
             .summary = "find all errors of a recipe, bake nothing",
             .arguments = {{.name = "recipe.toml", .help = "the recipe to check"}},
-            .options = {{.name = "set",
-                         .value = "KEY=VALUE",
-                         .help = "override a value of the recipe",
-                         .repeatable = true}},
+            .options = {set_option()},
             .examples = {{"skybake check earth.toml", "every error with its line and a remedy"},
                          {"skybake check earth.toml --diagnostics json", "the same for an editor"}},
             .exit_codes = {ExitCode::io},

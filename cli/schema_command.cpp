@@ -9,6 +9,7 @@
 #include "bakers/io/manifest.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_schema.h"
 #include "cli/parse_arguments.h"
 #include "config/suggest.h"
 
@@ -23,6 +24,7 @@ struct Schema {
 constexpr std::array schemas = {
     Schema{"recipe", config::recipe_schema},
     Schema{"manifest", [] { return std::string(manifest_schema()); }},
+    Schema{"events", [] { return std::string(event_schema()); }},
 };
 
 ExitCode run(const Invocation& invocation, Console& console) {
@@ -36,7 +38,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
         return ExitCode::done;
     }
     std::string label = config::did_you_mean(name, names);
-    if (label.empty()) label = "recipe or manifest";
+    if (label.empty()) label = "recipe, manifest or events";
     return console.report(
         std::array{usage_error(fmt::format("there is no schema `{}`", name), label)});
 }
@@ -44,13 +46,14 @@ ExitCode run(const Invocation& invocation, Console& console) {
 }  // namespace
 
 Command schema_command() {
-    return {
-        .name = "schema",
-        .summary = "print the JSON Schema of recipes or of manifests",
-        .arguments = {{.name = "what", .help = "recipe (default) or manifest", .required = false}},
-        .examples = {{"skybake schema > recipe.schema.json", "for an editor's TOML mode"},
-                     {"skybake schema manifest", "what a manifest.json contains"}},
-        .run = run};
+    return {.name = "schema",
+            .summary = "print the JSON Schema of recipes, manifests or bake --json",
+            .arguments = {{.name = "what",
+                           .help = "recipe (default), manifest or events",
+                           .required = false}},
+            .examples = {{"skybake schema > recipe.schema.json", "for an editor's TOML mode"},
+                         {"skybake schema manifest", "what a manifest.json contains"}},
+            .run = run};
 }
 
 }  // namespace skybake::cli

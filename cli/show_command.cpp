@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/parse_arguments.h"
@@ -171,10 +172,7 @@ Command show_command() {
                       {.name = "path",
                        .help = "only what lies at or below it; * stands for any name",
                        .required = false}},
-        .options = {{.name = "set",
-                     .value = "KEY=VALUE",
-                     .help = "override a value of the recipe",
-                     .repeatable = true}},
+        .options = {set_option()},
         .examples = {{"skybake show earth.toml", "all values and the zenith optical depths"},
                      {"skybake show earth.toml atmosphere.layers.mie", "those of one layer"},
                      {"skybake show earth.toml --set preset=mars", "what another preset would do"}},

@@ -173,7 +173,8 @@ std::string spell_digits(const ShortestDigits& number) {
         return number.digits.substr(0, split) + '.' + number.digits.substr(split);
     }
     if (point <= 0 && point > -4) {
-        return fmt::format("0.{}{}", std::string(static_cast<std::size_t>(-point), '0'), number.digits);
+        return fmt::format("0.{}{}", std::string(static_cast<std::size_t>(-point), '0'),
+                           number.digits);
     }
     const int exponent = point - 1;
     std::string text = number.digits.substr(0, 1);

@@ -1,8 +1,9 @@
-// The fixed panels by which the column of an exponential density is integrated (optical_depth-inl.h).
+// The fixed panels by which the column of an exponential density is integrated
+// (optical_depth-inl.h).
 //
 // On a panel of l scale heights n nodes leave about (l / 4)^(2n) / (2n)! of the density where it
-// begins, so panels may grow as the density falls: 6, 12 and 22 scale heights with 12 nodes each leave
-// less than 1e-14, and beyond 40 there is 4e-18 of the whole.
+// begins, so panels may grow as the density falls: 6, 12 and 22 scale heights with 12 nodes each
+// leave less than 1e-14, and beyond 40 there is 4e-18 of the whole.
 #pragma once
 
 #include <array>

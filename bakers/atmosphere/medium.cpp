@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "bakers/core/transcendental-inl.h"
 #include "bakers/core/transcendental.h"
 
 namespace skybake {
@@ -59,7 +60,8 @@ std::vector<LinearPiece> linear_pieces(const std::vector<ProfilePoint>& points,
         const double top = std::min(high.altitude_km, thickness_km);
         if (!(bottom < top) || (low.density == 0 && high.density == 0)) continue;
         const double slope = (high.density - low.density) / (high.altitude_km - low.altitude_km);
-        const LinearPiece whole{low.altitude_km, high.altitude_km, low.density, high.density, slope};
+        const LinearPiece whole{low.altitude_km, high.altitude_km, low.density, high.density,
+                                slope};
         pieces.push_back({bottom, top, density_at(whole, bottom), density_at(whole, top), slope});
     }
     return pieces;
@@ -135,7 +137,7 @@ std::vector<Coefficients> coefficients_at(const Medium& medium,
 Coefficients coefficients_at(const Medium& medium, double altitude_km) {
     Coefficients sum;
     for (const ExponentialLayer& layer : medium.exponential_layers) {
-        add_layer(sum, exponential(-altitude_km / layer.scale_height_km), layer);
+        add_layer(sum, HWY_NAMESPACE::exponential(-altitude_km / layer.scale_height_km), layer);
     }
     for (const PiecewiseLayer& layer : medium.piecewise_layers) {
         add_layer(sum, density_at(layer, altitude_km), layer);

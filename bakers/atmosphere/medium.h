@@ -1,5 +1,5 @@
-// The air of a planet as the kernels want it: lengths in km, coefficients per km, layers sorted into
-// the two forms that have their own integrals.
+// The air of a planet as the kernels want it: lengths in km, coefficients per km, layers sorted
+// into the two forms that have their own integrals.
 #pragma once
 
 #include <array>

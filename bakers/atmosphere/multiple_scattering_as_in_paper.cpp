@@ -12,7 +12,7 @@
 #include "bakers/core/bilinear.h"
 #include "bakers/core/parallel.h"
 #include "bakers/core/texel_axis.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/core/transcendental-inl.h"
 
 namespace skybake {
 
@@ -47,7 +47,7 @@ const std::vector<Vector>& directions() {
                 // sin(2 pi t) = cos(2 pi t - pi / 2); both arguments folded into [0, 1] half turns.
                 const auto cosine_of_turn = [](double t) {
                     const double folded = std::fabs(t - std::floor(t + 0.5));
-                    return cosine_of_pi(2 * folded);
+                    return HWY_NAMESPACE::cosine_of_pi(2 * folded);
                 };
                 result.push_back(
                     {sine * cosine_of_turn(turn), sine * cosine_of_turn(turn - 0.25), cosine});
@@ -70,8 +70,8 @@ Image2<float> as_in_paper_transmittance(const Medium& medium, int threads) {
                                           texel_coordinate(kConvention, y, kHeight)});
             const Spectrum depth = optical_depth_to_top(medium, ray.altitude_km, ray.s_km);
             for (int c = 0; c < medium.channels; ++c) {
-                table.texel(x, y)[c] =
-                    static_cast<float>(exponential(-depth[static_cast<std::size_t>(c)]));
+                table.texel(x, y)[c] = static_cast<float>(
+                    HWY_NAMESPACE::exponential(-depth[static_cast<std::size_t>(c)]));
             }
         }
     });
@@ -101,7 +101,8 @@ Spectrum multiple_scattering_as_in_paper(const Medium& medium, const Image2<floa
     Spectrum scattered{};
     for (const Vector& direction : directions()) {
         const double s = start.z * direction.z;
-        const bool hits_ground = s < -horizon_distance_km(shell, altitude_km) || (altitude_km == 0 && s < 0);
+        const bool hits_ground =
+            s < -horizon_distance_km(shell, altitude_km) || (altitude_km == 0 && s < 0);
         const double length = hits_ground ? distance_to_ground_km(shell, altitude_km, s)
                                           : distance_to_top_km(shell, altitude_km, s);
         Spectrum throughput{};
@@ -112,14 +113,14 @@ Spectrum multiple_scattering_as_in_paper(const Medium& medium, const Image2<floa
             const double dt = next - t;
             t = next;
             const Vector p = along(start, direction, t);
-            const double altitude = std::clamp(
-                altitude_along_km(shell, altitude_km, s, t), 0.0, shell.thickness_km);
+            const double altitude =
+                std::clamp(altitude_along_km(shell, altitude_km, s, t), 0.0, shell.thickness_km);
             const Coefficients at = coefficients_at(medium, altitude);
             const Spectrum light = sunlight(p, altitude);
             for (std::size_t c = 0; c < channels; ++c) {
                 const double extinction = at.extinction_per_km[c];
                 if (!(extinction > 0)) continue;
-                const double passed = exponential(-extinction * dt);
+                const double passed = HWY_NAMESPACE::exponential(-extinction * dt);
                 const double share =
                     throughput[c] * at.scattering_per_km[c] * (1 - passed) / extinction;
                 scattered[c] += share;

@@ -1,9 +1,9 @@
-// Hillaire's multiple scattering by the quadrature of the paper and of its sample: the baseline that
-// every other figure is a ratio to, and `method = "as_in_paper"`.
+// Hillaire's multiple scattering by the quadrature of the paper and of its sample: the baseline
+// that every other figure is a ratio to, and `method = "as_in_paper"`.
 //
-// 64 directions, uniform over the sphere, 20 steps each, evaluated at 0.3 of a step, sunlight from a
-// bilinear lookup of a 256x64 transmittance table; "A Scalable and Production Ready Sky and Atmosphere
-// Rendering Technique", EGSR 2020, section 5.5.
+// 64 directions, uniform over the sphere, 20 steps each, evaluated at 0.3 of a step, sunlight from
+// a bilinear lookup of a 256x64 transmittance table; "A Scalable and Production Ready Sky and
+// Atmosphere Rendering Technique", EGSR 2020, section 5.5.
 #pragma once
 
 #include "bakers/atmosphere/medium.h"

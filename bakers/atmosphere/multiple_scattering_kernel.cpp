@@ -15,13 +15,12 @@ namespace skybake {
 namespace HWY_NAMESPACE {
 
 // Reads the channels of a TransmittanceField's row at a column in [0, columns - 1].
-HWY_INLINE void read_row(const double* row, int stride, Lanes column, int channels,
-                         Lanes* value) {
+HWY_INLINE void read_row(const double* row, int stride, Lanes column, int channels, Lanes* value) {
     const Lanes shifted = (column - Lanes(0.5)) + Lanes(kRoundToInteger);
     const Lanes t = column - (shifted - Lanes(kRoundToInteger));
     const hn::RebindToSigned<Lanes::Tag> integers;
-    const auto index = hn::Sub(hn::BitCast(integers, shifted.v),
-                               hn::BitCast(integers, Lanes(kRoundToInteger).v));
+    const auto index =
+        hn::Sub(hn::BitCast(integers, shifted.v), hn::BitCast(integers, Lanes(kRoundToInteger).v));
     for (int c = 0; c < channels; ++c) {
         const double* channel = row + c * stride;
         const Lanes left(hn::GatherIndex(Lanes::Tag(), channel, index));
@@ -76,15 +75,8 @@ HWY_INLINE LitPoint lit_point(const TransmittanceField& field, double altitude_k
     const double r = shell.ground_radius_km + altitude_km;
     const double farthest = rho + horizon_distance_km(shell, shell.thickness_km);
     const double last_column = field.columns() - 1.0;
-    return {r,
-            -rho,
-            gain * (2 * r + gain),
-            gain,
-            last_column / (farthest - gain),
-            false,
-            row,
-            field.row_stride(),
-            last_column};
+    return {r,     -rho, gain * (2 * r + gain), gain,       last_column / (farthest - gain),
+            false, row,  field.row_stride(),    last_column};
 }
 
 // Adds weight * sunlight to `sum` for a sun at r mu_s = s.
@@ -93,16 +85,15 @@ HWY_INLINE void add_sunlight(const LitPoint& point, Real s, Real weight, int cha
     const Real d = square_root(s * s + Real(point.q)) - s;
     const Real column = (d - Real(point.nearest_top_km)) * Real(point.columns_per_km);
     // Rounding alone leaves the row at its ends.
-    const Real inside =
-        minimum(maximum(column, Real(0.0)), Real(point.last_column));
+    const Real inside = minimum(maximum(column, Real(0.0)), Real(point.last_column));
     Real value[kMaxChannels];
     read_row(point.row, point.row_stride, inside, channels, value);
     if (point.horizontal_ground) weight = weight * maximum(s, Real(0.0)) * Real(1.0 / point.r_km);
     for (int c = 0; c < channels; ++c) sum[c] = sum[c] + weight * value[c];
 }
 
-// The mean over azimuths of the sunlight at a point where r mu_s = a + b cos(azimuth) and the sun is up
-// for all of them.
+// The mean over azimuths of the sunlight at a point where r mu_s = a + b cos(azimuth) and the sun
+// is up for all of them.
 template <class Real>
 HWY_INLINE void mean_over_circle(const LitPoint& point, int azimuths, Real a, Real b, int channels,
                                  Real* mean) {
@@ -162,7 +153,8 @@ struct Suns {
     int padded;
 };
 
-// Adds to sum[c * padded + i], for each sun, weight[c] times the mean sunlight at a point of the ray.
+// Adds to sum[c * padded + i], for each sun, weight[c] times the mean sunlight at a point of the
+// ray.
 template <class Real>
 HWY_INLINE void add_point(const LitPoint& point, int azimuths, double along_km, double across_km,
                           const Spectrum& weight, int channels, const Suns& suns, double* sum) {
@@ -196,7 +188,7 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
     }
     std::vector<double> sum(static_cast<std::size_t>(channels * suns.padded));
     std::vector<double> row(static_cast<std::size_t>(sunlight.field().row_size()));
-        LitPoint ground = lit_point(sunlight.field(), 0, sunlight.row(0));
+    LitPoint ground = lit_point(sunlight.field(), 0, sunlight.row(0));
     ground.dark_below_km = 0;
     ground.horizontal_ground = true;
 
@@ -220,9 +212,9 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
             } else if (k > 0) {
                 combine_row<Real>(sunlight.field(), node.altitude_km, row.data());
             }
-            add_point<Real>(lit_point(sunlight.field(), node.altitude_km, values),
-                                   ray.azimuths[k], r + node.distance_km * ray.mu,
-                                   node.distance_km * sine, weight, channels, suns, sum.data());
+            add_point<Real>(lit_point(sunlight.field(), node.altitude_km, values), ray.azimuths[k],
+                            r + node.distance_km * ray.mu, node.distance_km * sine, weight,
+                            channels, suns, sum.data());
         }
         if (!ray.hits_ground) continue;
         Spectrum weight{};
@@ -230,16 +222,17 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
             weight[c] = ray.weight * ray.end_transmittance[c] * medium.ground_albedo[c] / kPi;
         }
         add_point<Real>(ground, ray.ground_azimuths, r + ray.length_km * ray.mu,
-                               ray.length_km * sine, weight, channels, suns, sum.data());
+                        ray.length_km * sine, weight, channels, suns, sum.data());
     }
     for (int c = 0; c < channels; ++c) {
         const double escape = quadrature.escape[static_cast<std::size_t>(c)];
-        for (int i = 0; i < count; ++i) psi[c * count + i] = sum[static_cast<std::size_t>(c * suns.padded + i)] / escape;
+        for (int i = 0; i < count; ++i)
+            psi[c * count + i] = sum[static_cast<std::size_t>(c * suns.padded + i)] / escape;
     }
 }
 
-void IntegrateRow(const Medium& medium, const Sunlight& sunlight,
-                  const RowQuadrature& row, const double* sun_cos_zenith, int count, double* psi) {
+void IntegrateRow(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
+                  const double* sun_cos_zenith, int count, double* psi) {
     integrate<Lanes>(medium, sunlight, row, sun_cos_zenith, count, psi);
 }
 
@@ -268,14 +261,13 @@ Sunlight::Sunlight(const Medium& medium, const std::vector<double>& altitudes_km
 
 HWY_EXPORT(IntegrateRow);
 
-void integrate_row(const Medium& medium, const Sunlight& sunlight,
-                   const RowQuadrature& row, const double* sun_cos_zenith, int count, double* psi) {
+void integrate_row(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
+                   const double* sun_cos_zenith, int count, double* psi) {
     HWY_DYNAMIC_DISPATCH(IntegrateRow)(medium, sunlight, row, sun_cos_zenith, count, psi);
 }
 
-void integrate_row_scalar(const Medium& medium, const Sunlight& sunlight,
-                          const RowQuadrature& row, const double* sun_cos_zenith, int count,
-                          double* psi) {
+void integrate_row_scalar(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
+                          const double* sun_cos_zenith, int count, double* psi) {
     HWY_NAMESPACE::integrate<double>(medium, sunlight, row, sun_cos_zenith, count, psi);
 }
 

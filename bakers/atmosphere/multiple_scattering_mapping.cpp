@@ -12,10 +12,9 @@ double sun_cos_zenith_at(MultipleScatteringMapping mapping, double x) {
 }
 
 double sun_coordinate(MultipleScatteringMapping mapping, double sun_cos_zenith) {
-    const double centred =
-        mapping == MultipleScatteringMapping::twilight
-            ? std::copysign(std::sqrt(std::fabs(sun_cos_zenith)), sun_cos_zenith)
-            : sun_cos_zenith;
+    const double centred = mapping == MultipleScatteringMapping::twilight
+                               ? std::copysign(std::sqrt(std::fabs(sun_cos_zenith)), sun_cos_zenith)
+                               : sun_cos_zenith;
     return 0.5 + 0.5 * centred;
 }
 

@@ -39,9 +39,9 @@ struct ZenithPart {
     int nodes;
 };
 
-// Below the horizon, the limb (between the horizon and the horizontal) and above. Seen from higher up
-// the limb is wider and brighter and the sky above it darker. The shares are those that gave Earth's
-// table the least error for its cost among the ones tried (tests/benchmarks/README.md).
+// Below the horizon, the limb (between the horizon and the horizontal) and above. Seen from higher
+// up the limb is wider and brighter and the sky above it darker. The shares are those that gave
+// Earth's table the least error for its cost among the ones tried (tests/benchmarks/README.md).
 std::vector<ZenithPart> zenith_parts(double horizon, double height, const QuadratureLevel& level) {
     const auto share = [&](double part) {
         return std::max(2, static_cast<int>(std::lround(part * level.zenith_nodes)));
@@ -56,8 +56,9 @@ std::vector<ZenithPart> zenith_parts(double horizon, double height, const Quadra
 
 const std::vector<QuadratureLevel>& quadrature_levels() {
     static const std::vector<QuadratureLevel> levels = {
-        {4, 5e-1, 1e-1},  {5, 2e-1, 4e-2},  {6, 1e-1, 2e-2},  {8, 3e-2, 5e-3},  {10, 1e-2, 1e-3},
-        {14, 3e-3, 3e-4}, {20, 1e-3, 1e-4}, {28, 3e-4, 3e-5}, {40, 1e-4, 1e-5},
+        {4, 5e-1, 1e-1},  {5, 3e-1, 1e-1},  {6, 4e-1, 1e-1},  {6, 1e-1, 2e-2},
+        {8, 3e-2, 5e-3},  {9, 2e-2, 2e-3},  {10, 1e-2, 1e-3}, {14, 3e-3, 3e-4},
+        {20, 1e-3, 1e-4}, {28, 3e-4, 3e-5}, {40, 1e-4, 1e-5},
     };
     return levels;
 }
@@ -92,9 +93,9 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
             const double x = rule.nodes[i];
             const double mu = part.from + range * x * x;
             const double weight = rule.weights[i] * x * std::fabs(range);
-            directions.push_back({mu, weight,
-                                  trace_view_ray(medium, altitudes_km, altitude_km, r * mu,
-                                                   part.below_horizon)});
+            directions.push_back(
+                {mu, weight,
+                 trace_view_ray(medium, altitudes_km, altitude_km, r * mu, part.below_horizon)});
             for (const RayCell& cell : directions.back().ray.cells) {
                 for (std::size_t c = 0; c < whole.size(); ++c) {
                     whole[c] += weight * (cell.near_weight[c] + cell.far_weight[c]);

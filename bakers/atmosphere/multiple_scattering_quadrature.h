@@ -9,7 +9,7 @@ namespace skybake {
 
 // How finely to integrate. Levels are ordered by cost.
 struct QuadratureLevel {
-    int zenith_nodes = 0;         // Gauss-Legendre nodes above the horizon, and as many below
+    int zenith_nodes = 0;          // Gauss-Legendre nodes above the horizon, and as many below
     double ray_tolerance = 0;      // see refine_view_ray
     double azimuth_tolerance = 0;  // error left by the azimuths, as a share of the row's scattering
 };
@@ -17,7 +17,8 @@ struct QuadratureLevel {
 // The levels a bake may choose from.
 const std::vector<QuadratureLevel>& quadrature_levels();
 
-// Sunlight lookups that a texel takes at this level, for the cost model: a fixed figure for Earth's air.
+// Sunlight lookups that a texel takes at this level, for the cost model: a fixed figure for Earth's
+// air.
 double lookups_per_texel(const QuadratureLevel& level);
 
 // A direction from the row's altitude.

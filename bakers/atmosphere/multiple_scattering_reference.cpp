@@ -72,8 +72,8 @@ class Point {
         };
         Spectrum sum{};
         for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-            const Spectrum part = adaptive_integral<Spectrum>(
-                integrand, breaks[i], breaks[i + 1], relative_, 1e-16, 12);
+            const Spectrum part = adaptive_integral<Spectrum>(integrand, breaks[i], breaks[i + 1],
+                                                              relative_, 1e-16, 12);
             for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part[c];
         }
         return sum;
@@ -105,7 +105,8 @@ class Point {
                 const Spectrum transmittance = end_transmittance(mu, below);
                 const double cosine = s / shell_.ground_radius_km;
                 for (std::size_t c = 0; c < sum.size(); ++c) {
-                    sum[c] += transmittance[c] * medium_.ground_albedo[c] / kPi * cosine * sunlight[c];
+                    sum[c] +=
+                        transmittance[c] * medium_.ground_albedo[c] / kPi * cosine * sunlight[c];
                 }
             }
         }
@@ -182,12 +183,13 @@ MultipleScatteringTerms reference_multiple_scattering(const Medium& medium, doub
     const Point point(medium, altitude_km, sun_cos_zenith, relative);
     MultipleScatteringTerms terms;
     terms.scattered = point.mean_over_zenith([&](double mu, bool below) {
-        return point.along_ray(mu, below, {}, [&](double, double h) { return point.scattering(h); });
+        return point.along_ray(mu, below, {},
+                               [&](double, double h) { return point.scattering(h); });
     });
     terms.escape = point.mean_over_zenith([&](double mu, bool below) {
         Spectrum sum = point.end_transmittance(mu, below);
-        const Spectrum absorbed = point.along_ray(
-            mu, below, {}, [&](double, double h) { return point.absorption(h); });
+        const Spectrum absorbed =
+            point.along_ray(mu, below, {}, [&](double, double h) { return point.absorption(h); });
         for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += absorbed[c];
         return sum;
     });

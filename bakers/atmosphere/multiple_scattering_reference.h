@@ -1,5 +1,5 @@
-// Hillaire's multiple scattering by nested adaptive quadrature of the definition: for tests, seconds a
-// point. It shares with the kernel the medium and the geometry of rays.
+// Hillaire's multiple scattering by nested adaptive quadrature of the definition: for tests,
+// seconds a point. It shares with the kernel the medium and the geometry of rays.
 #pragma once
 
 #include "bakers/atmosphere/medium.h"

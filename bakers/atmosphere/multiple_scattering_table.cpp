@@ -1,8 +1,8 @@
 #include "bakers/atmosphere/multiple_scattering_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -23,15 +23,15 @@ using config::MultipleScatteringMethod;
 
 namespace {
 
-// What the reference integrates with: other nodes than any level of the baker, finer than those that it
-// comes to choose.
+// What the reference integrates with: other nodes than any level of the baker, finer than those
+// that it comes to choose.
 constexpr QuadratureLevel kReferenceLevel = {36, 1e-4, 2e-5};
-constexpr TransmittanceField::Size kReferenceField = {512, 256};
+constexpr TransmittanceField::Size kReferenceField = {1024, 256};
 
-// Sunlight for the baker's levels: from the sixth on the finer table is what limits them.
+// Sunlight for the baker's levels: the last two are limited by it in dense air.
 constexpr TransmittanceField::Size kField = {256, 128};
-constexpr TransmittanceField::Size kFineField = {384, 192};
-constexpr int kFirstFineLevel = 6;
+constexpr TransmittanceField::Size kFineField = {768, 256};
+constexpr int kFirstFineLevel = 9;
 
 // Values below this share of the channel's maximum are compared with it and not with themselves.
 constexpr double kErrorFloor = 1e-3;
@@ -133,7 +133,8 @@ TableModel multiple_scattering_model(const Medium& medium, const MultipleScatter
         };
     }
     model.reference = [mapping, thickness_km,
-                       reference = std::make_shared<LazyIntegrator>(medium, kReferenceField, threads)](
+                       reference =
+                           std::make_shared<LazyIntegrator>(medium, kReferenceField, threads)](
                           double y, const std::vector<double>& x, double* values) {
         reference->get().row(kReferenceLevel, y * thickness_km, suns_at(mapping, x), values);
     };
@@ -143,15 +144,15 @@ TableModel multiple_scattering_model(const Medium& medium, const MultipleScatter
 
 config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
                                                      const MultipleScatteringBake& bake,
-                                                     const BakeOptions& options,
-                                                     BakedTable table) {
+                                                     const BakeOptions& options, BakedTable table) {
     const double thickness_km = medium.thickness_km;
     const MultipleScatteringMapping mapping = bake.mapping;
     const bool twilight = mapping == MultipleScatteringMapping::twilight;
     const bool as_in_paper = bake.method == MultipleScatteringMethod::as_in_paper;
     table.kind = "multiple_scattering";
     table.content =
-        "Psi (1/sr): radiance of light scattered twice or more, per unit of solar irradiance and of "
+        "Psi (1/sr): radiance of light scattered twice or more, per unit of solar irradiance and "
+        "of "
         "scattering coefficient; multiply by sigma_s alone";
     table.mapping = twilight ? "twilight" : "hillaire";
     table.axes[0] = {"sun_cos_zenith",
@@ -162,7 +163,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =
-        "the same integral with 36 zenith nodes a part and 512 columns of sunlight";
+        "the same integral with 36 zenith nodes a part and 1024 columns of sunlight";
     table.certificate.scale = "relative to max(reference, 1e-3 of the channel's largest)";
     table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
 

@@ -4,17 +4,17 @@
 //
 // Notation (Bruneton & Neyret 2008, section 2): r distance from the planet's centre, s = r mu the
 // signed distance from the ray's point nearest to the centre (mu the cosine of the zenith angle),
-// p^2 = r^2 - s^2, dr / ds = s / r. Every ray is one or two *climbs*: paths along which r grows, from
-// a lower end (r, s >= 0) through a gain of altitude c.
+// p^2 = r^2 - s^2, dr / ds = s / r. Every ray is one or two *climbs*: paths along which r grows,
+// from a lower end (r, s >= 0) through a gain of altitude c.
 //
 // With z = s + r = z_a (1 + e), where z_a belongs to the lower end and y = r_a - s_a = p^2 / z_a:
 //
 //   ds = r dz / z = 1/2 (z_a + y / (1 + e)^2) de
 //   r - r_a = 1/2 e (2 s_a + z_a e) / (1 + e)
 //
-// Both are rational in e, hold for vertical rays (p = 0) and for horizontal ones (s_a = 0) alike, and
-// lose no digits however thin the layer and however large the planet: r - r_a is never a difference
-// of radii. The only singularity, e = -1, is far from e >= 0.
+// Both are rational in e, hold for vertical rays (p = 0) and for horizontal ones (s_a = 0) alike,
+// and lose no digits however thin the layer and however large the planet: r - r_a is never a
+// difference of radii. The only singularity, e = -1, is far from e >= 0.
 //
 // Real is double or Lanes: one formula, the same bits.
 #if defined(SKYBAKE_BAKERS_ATMOSPHERE_OPTICAL_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -103,7 +103,8 @@ HWY_INLINE Real sinh_minus_argument(Real w) {
 //   f1 = integral of (cosh - 1) cosh = (S C - d) / 2,   f2 = (C^2 + S^2) / 2,   f3 = (S C + d) / 2,
 //   S = sinh theta, C = cosh theta - 1, d = sinh theta - theta,
 //
-// which is 1/2 [s r + p^2 arsinh(s / p)] - r_a s without its cancellation. Relative error below 1e-14.
+// which is 1/2 [s r + p^2 arsinh(s / p)] - r_a s without its cancellation. Relative error below
+// 1e-14.
 template <class Real>
 HWY_INLINE Real linear_piece_column(const ClimbStart<Real>& start, Real gain_km,
                                     const LinearPiece& piece) {
@@ -124,15 +125,14 @@ HWY_INLINE Real linear_piece_column(const ClimbStart<Real>& start, Real gain_km,
     const Real big_c = big_s * w;
     const Real d = sinh_minus_argument(w);
     const Real product = big_s * big_c;
-    const Real climbed = Real(0.5) * (r * r * (product - d) +
-                                      r * s * (big_c * big_c + big_s * big_s) +
-                                      s * s * (product + d));
+    const Real climbed =
+        Real(0.5) *
+        (r * r * (product - d) + r * s * (big_c * big_c + big_s * big_s) + s * s * (product + d));
     // From the end where the density is smaller, so that no term is negative.
     const Real rising = Real(piece.density_at_bottom) +
                         slope * maximum(start.altitude_km - Real(piece.bottom_km), zero);
-    const Real falling =
-        Real(piece.density_at_top) +
-        slope * maximum(Real(piece.top_km) - (start.altitude_km + gain_km), zero);
+    const Real falling = Real(piece.density_at_top) +
+                         slope * maximum(Real(piece.top_km) - (start.altitude_km + gain_km), zero);
     return piece.density_per_km > 0 ? rising * x + slope * climbed
                                     : falling * x + slope * (c * x - climbed);
 }

@@ -15,15 +15,13 @@ Spectrum reference_optical_depth_along(const Medium& medium, double altitude_km,
     const auto extinction = [&](double x) {
         return extinction_at(medium, altitude_along_km(shell, altitude_km, s_km, x));
     };
-    // Adaptive rules see nothing of a layer that all their nodes miss: begin with intervals of a few
-    // scale heights.
-    const std::vector<RayBreak> breaks =
-        ray_breaks(shell, altitude_km, s_km, distance_km,
-                           break_altitudes_km(medium, {2, 6, 14, 30}));
+    // Adaptive rules see nothing of a layer that all their nodes miss: begin with intervals of a
+    // few scale heights.
+    const std::vector<RayBreak> breaks = ray_breaks(shell, altitude_km, s_km, distance_km,
+                                                    break_altitudes_km(medium, {2, 6, 14, 30}));
     Spectrum sum{};
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-        const Spectrum part =
-            adaptive_integral<Spectrum>(
+        const Spectrum part = adaptive_integral<Spectrum>(
             extinction, breaks[i].distance_km, breaks[i + 1].distance_km, relative, 1e-300);
         for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part[c];
     }

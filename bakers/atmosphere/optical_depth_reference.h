@@ -6,8 +6,8 @@
 
 namespace skybake {
 
-// Along a ray from an altitude with s = r mu to the top; the ray must not hit the ground. The intervals
-// are halved until two rules agree within `relative`.
+// Along a ray from an altitude with s = r mu to the top; the ray must not hit the ground. The
+// intervals are halved until two rules agree within `relative`.
 Spectrum reference_optical_depth_to_top(const Medium& medium, double altitude_km, double s_km,
                                         double relative = 1e-12);
 

@@ -1,9 +1,9 @@
-// Straight rays in a spherical shell, in forms that hold at the ground, at the top, at the horizon and
-// for any size of planet.
+// Straight rays in a spherical shell, in forms that hold at the ground, at the top, at the horizon
+// and for any size of planet.
 //
-// A ray starts at an altitude h (r = R + h) and is told by s = r mu, mu the cosine of its zenith angle:
-// after a distance x it is at s + x. Altitudes come from r' - r = q / (r' + r), q = x (x + 2 s), never
-// from a difference of radii.
+// A ray starts at an altitude h (r = R + h) and is told by s = r mu, mu the cosine of its zenith
+// angle: after a distance x it is at s + x. Altitudes come from r' - r = q / (r' + r), q = x (x + 2
+// s), never from a difference of radii.
 #pragma once
 
 #include <algorithm>

@@ -46,9 +46,8 @@ std::vector<RayBreak> ray_breaks(const Shell& shell, double altitude_km, double 
     }
     if (s_km < 0) add(-s_km, -1);
     breaks.push_back({length_km, -1});
-    std::sort(breaks.begin(), breaks.end(), [](const RayBreak& a, const RayBreak& b) {
-        return a.distance_km < b.distance_km;
-    });
+    std::sort(breaks.begin(), breaks.end(),
+              [](const RayBreak& a, const RayBreak& b) { return a.distance_km < b.distance_km; });
     const auto same = [](const RayBreak& a, const RayBreak& b) {
         return a.distance_km == b.distance_km;
     };

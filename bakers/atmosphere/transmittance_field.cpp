@@ -13,8 +13,8 @@ namespace skybake {
 
 namespace {
 
-// A cubic between two nodes is monotone while its slopes have the sign of the difference and at most
-// three times its size (Fritsch & Carlson 1980).
+// A cubic between two nodes is monotone while its slopes have the sign of the difference and at
+// most three times its size (Fritsch & Carlson 1980).
 double within_three_times(double slope, double difference) {
     if (slope * difference <= 0) return 0;
     return std::fabs(slope) > 3 * std::fabs(difference) ? 3 * difference : slope;
@@ -81,8 +81,8 @@ TransmittanceField::TransmittanceField(const Medium& medium, Size size, int thre
 }
 
 TransmittanceField::Row TransmittanceField::row_at(double altitude_km) const {
-    const double x_r = horizon_distance_km(shell_, altitude_km) /
-                       horizon_distance_km(shell_, shell_.thickness_km);
+    const double x_r =
+        horizon_distance_km(shell_, altitude_km) / horizon_distance_km(shell_, shell_.thickness_km);
     const double position = x_r * (size_.rows - 1);
     const int y = std::min(static_cast<int>(position), size_.rows - 2);
     const double t = position - y;

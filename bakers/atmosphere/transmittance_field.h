@@ -9,8 +9,8 @@
 namespace skybake {
 
 // A table in Bruneton's coordinates (transmittance_mapping.h), in double. Along x_r it is read by
-// monotone cubics (Fritsch & Carlson 1980), which never leave the range of their neighbours, a whole
-// row at a time; along x_mu the reader interpolates linearly.
+// monotone cubics (Fritsch & Carlson 1980), which never leave the range of their neighbours, a
+// whole row at a time; along x_mu the reader interpolates linearly.
 class TransmittanceField {
   public:
     struct Size {
@@ -21,7 +21,8 @@ class TransmittanceField {
     explicit TransmittanceField(const Medium& medium, Size size, int threads);
 
     // The row at an altitude is a combination of four stored ones of row_size() numbers:
-    //   row[i] = weights[0] values[i] + weights[1] values[i + n] + weights[2] slopes[i] + weights[3] slopes[i + n],
+    //   row[i] = weights[0] values[i] + weights[1] values[i + n] + weights[2] slopes[i] +
+    //   weights[3] slopes[i + n],
     // n = row_size(). Channel c at x_mu = i / (columns() - 1) is row[c * row_stride() + i].
     struct Row {
         const double* values;
@@ -34,7 +35,8 @@ class TransmittanceField {
     int channels() const { return channels_; }
 
     int columns() const { return size_.columns; }
-    // A channel's row has a copy of its last column for lookups at x_mu = 1, and room for whole vectors.
+    // A channel's row has a copy of its last column for lookups at x_mu = 1, and room for whole
+    // vectors.
     int row_stride() const { return size_.columns + 8; }
     int row_size() const { return channels_ * row_stride(); }
 

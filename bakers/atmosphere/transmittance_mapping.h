@@ -10,7 +10,8 @@
 //
 //   bruneton  x = 0 and 1 fall on the centres of the first and last texel: u = 1/2N + x (1 - 1/N)
 //   ue        x = 0 and 1 fall on the edges of the texture: u = x, the convention of the sample in
-//             "A Scalable and Production Ready Sky and Atmosphere Rendering Technique" (Hillaire 2020)
+//             "A Scalable and Production Ready Sky and Atmosphere Rendering Technique" (Hillaire
+//             2020)
 #pragma once
 
 #include "bakers/atmosphere/ray.h"

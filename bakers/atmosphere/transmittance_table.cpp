@@ -81,17 +81,19 @@ config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const Trans
     const Shell shell = shell_of(medium);
     const bool ue = bake.mapping == TransmittanceMapping::ue;
     table.kind = "transmittance";
-    table.content = bake.content == TransmittanceContent::optical_depth
-                        ? "optical depth from a point to the top of the atmosphere (dimensionless); "
-                          "transmittance is exp(-x)"
-                        : "transmittance from a point to the top of the atmosphere (dimensionless)";
+    table.content =
+        bake.content == TransmittanceContent::optical_depth
+            ? "optical depth from a point to the top of the atmosphere (dimensionless); "
+              "transmittance is exp(-x)"
+            : "transmittance from a point to the top of the atmosphere (dimensionless)";
     table.mapping = ue ? "ue" : "bruneton";
     const std::string convention =
         ue ? "end points on texture edges" : "end points on texel centres";
-    table.axes[0] = {"distance_to_top_km",
-                     "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(R_top^2 - r^2 (1 - mu^2)) - r mu, "
-                     "d_min = R_top - r, d_max = rho + H; x_mu = 0 straight up, 1 the horizon",
-                     convention, 0, 1};
+    table.axes[0] = {
+        "distance_to_top_km",
+        "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(R_top^2 - r^2 (1 - mu^2)) - r mu, "
+        "d_min = R_top - r, d_max = rho + H; x_mu = 0 straight up, 1 the horizon",
+        convention, 0, 1};
     table.axes[1] = {"altitude_km",
                      "x_r = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2); "
                      "x_r = 0 the ground, 1 the top",

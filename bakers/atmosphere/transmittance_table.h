@@ -12,12 +12,12 @@
 
 namespace skybake {
 
-// The table as a function: transmittance, or optical depth, of the ray at (x_mu, x_r). The reference
-// is optical_depth_reference.h. `medium` must outlive the model.
+// The table as a function: transmittance, or optical depth, of the ray at (x_mu, x_r). The
+// reference is optical_depth_reference.h. `medium` must outlive the model.
 TableModel transmittance_model(const Medium& medium, const config::TransmittanceBake& bake);
 
-// Transmittance from a point to the top of the atmosphere, transmittance_mapping.h. `table` brings name,
-// parameters and channel names.
+// Transmittance from a point to the top of the atmosphere, transmittance_mapping.h. `table` brings
+// name, parameters and channel names.
 config::Outcome<BakedTable> bake_transmittance(const Medium& medium,
                                                const config::TransmittanceBake& bake,
                                                const BakeOptions& options, BakedTable table);

@@ -22,7 +22,8 @@ constexpr std::array<std::array<double, kGauss>, kGauss> kUpTo = {{
     {5.0 / 36 + kRoot15 / 30, 2.0 / 9 + kRoot15 / 15, 5.0 / 36},
 }};
 
-// However little light it scatters, no cell of a ray that is refined spans more than this variation.
+// However little light it scatters, no cell of a ray that is refined spans more than this
+// variation.
 constexpr double kLargestVariation = 2.5;
 constexpr int kMostPasses = 24;
 // Three Gauss nodes integrate e^-x over this much within 1e-4.
@@ -79,7 +80,8 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
                 transmittance[(i * kGauss + j) * channels + c] = -depth;
             }
             cell.optical_depth[c] = mean * width;
-            if (before[c] < kLastLight) cell.opacity = std::max(cell.opacity, cell.optical_depth[c]);
+            if (before[c] < kLastLight)
+                cell.opacity = std::max(cell.opacity, cell.optical_depth[c]);
             before[c] += cell.optical_depth[c];
             if (mean > 0) spread = std::max(spread, (high - low) / mean);
             empty = empty && mean == 0;
@@ -148,9 +150,8 @@ ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_al
     ray.length_km = hits_ground ? distance_to_ground_km(shell, altitude_km, s_km)
                                 : distance_to_top_km(shell, altitude_km, s_km);
     if (!(ray.length_km > 0)) return ray;
-    ray.cells =
-        integrate_cells(medium, ray,
-                        ray_breaks(shell, altitude_km, s_km, ray.length_km, break_altitudes_km));
+    ray.cells = integrate_cells(
+        medium, ray, ray_breaks(shell, altitude_km, s_km, ray.length_km, break_altitudes_km));
     halve_cells(medium, ray, [](const RayCell& cell) { return cell.opacity > kLargestOpacity; });
     return ray;
 }

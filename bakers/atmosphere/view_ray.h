@@ -13,8 +13,8 @@ namespace skybake {
 struct RayCell {
     RayBreak from;
     RayBreak to;
-    double opacity = 0;      // the largest optical depth of a channel that still brings light
-    double variation = 0;    // of extinction, transmittance and direction of the vertical over it
+    double opacity = 0;    // the largest optical depth of a channel that still brings light
+    double variation = 0;  // of extinction, transmittance and direction of the vertical over it
     Spectrum optical_depth{};
     Spectrum near_weight{};  // integral of sigma_s T times the hat function of the cell's begin
     Spectrum far_weight{};   // the same of its end
@@ -27,11 +27,11 @@ struct ViewRay {
     double s_km = 0;
     bool hits_ground = false;
     double length_km = 0;
-    std::vector<RayCell> cells;    // one after the other; none if the ray has no length
+    std::vector<RayCell> cells;  // one after the other; none if the ray has no length
 };
 
-// Cut where the ray crosses the break altitudes and at its lowest point, and further until no cell that
-// light still reaches is opaque, so that its three nodes see what it scatters.
+// Cut where the ray crosses the break altitudes and at its lowest point, and further until no cell
+// that light still reaches is opaque, so that its three nodes see what it scatters.
 ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
                        double altitude_km, double s_km, bool hits_ground);
 

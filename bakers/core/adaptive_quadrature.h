@@ -1,5 +1,5 @@
-// Adaptive Gauss-Kronrod quadrature: slow, and right wherever its caller splits at the kinks. What the
-// fast kernels are measured against.
+// Adaptive Gauss-Kronrod quadrature: slow, and right wherever its caller splits at the kinks. What
+// the fast kernels are measured against.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace skybake {
 
-// The integral of a vector-valued function from a to b. Intervals are halved until Kronrod's 15 points
-// and Gauss' 7 agree within `relative` of the interval's own integral of |f| plus `absolute`, or
-// `depth` halvings have been made. T is std::array<double, N>; f(x) returns T.
+// The integral of a vector-valued function from a to b. Intervals are halved until Kronrod's 15
+// points and Gauss' 7 agree within `relative` of the interval's own integral of |f| plus
+// `absolute`, or `depth` halvings have been made. T is std::array<double, N>; f(x) returns T.
 template <class T, class Function>
 T adaptive_integral(const Function& f, double a, double b, double relative, double absolute,
                     int depth = 30) {

@@ -27,14 +27,16 @@ struct ErrorFigures {
 
 // The error that a table has, measured. All figures are pure functions of the parameters.
 struct Certificate {
-    ErrorFigures texel;   // stored texels against the reference at their centres
-    ErrorFigures lookup;  // bilinear lookups of the stored texels against the reference, between texels
+    ErrorFigures texel;  // stored texels against the reference at their centres
+    ErrorFigures
+        lookup;  // bilinear lookups of the stored texels against the reference, between texels
     int texel_points = 0;
     int lookup_points = 0;
     std::string reference;  // what they were measured against
     std::string scale;      // what an error of 1 means
-    std::string worst;      // where the largest lookup error was: "altitude_km 0.02, sun_cos_zenith -0.01"
-    std::string advice;     // what would help, or empty
+    std::string
+        worst;  // where the largest lookup error was: "altitude_km 0.02, sun_cos_zenith -0.01"
+    std::string advice;  // what would help, or empty
 };
 
 // A place and the value that a correct lookup of the stored file returns there.
@@ -42,12 +44,13 @@ struct Probe {
     std::vector<std::pair<std::string, double>> at;  // {"altitude_km", 0.5}, {"cos_zenith", -0.01}
     std::array<double, 2> uv{};                      // texture coordinates of that place
     std::vector<double> value;                       // one per channel: bilinear lookup in double
-    std::vector<double> tolerance;                   // one per channel: room for filtering in 1/256 texel
+    std::vector<double> tolerance;  // one per channel: room for filtering in 1/256 texel
 };
 
 struct RangeCounts {
-    long below_normal = 0;  // texels, not 0 in double, that the pixel type stores as a denormal or 0
-    long above_range = 0;   // texels that the pixel type cannot hold
+    long below_normal =
+        0;                 // texels, not 0 in double, that the pixel type stores as a denormal or 0
+    long above_range = 0;  // texels that the pixel type cannot hold
 };
 
 struct BakedTable {

@@ -31,8 +31,7 @@ ReferencePoints reference_points(const TableModel& model, PointCounts counts,
 
 // Texel centres: those that the same set falls into, or all where the table has no more than that.
 ReferencePoints reference_texels(const TableModel& model, std::array<int, 2> size,
-                                 PointCounts counts,
-                                 const BakeOptions& options);
+                                 PointCounts counts, const BakeOptions& options);
 
 struct MeasuredErrors {
     ErrorFigures figures;

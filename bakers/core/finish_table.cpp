@@ -22,6 +22,11 @@ Diagnostic failure(std::string code, std::string message, std::string label = {}
     return {config::Severity::error, std::move(code), std::move(message), {}, std::move(label)};
 }
 
+// After an interruption tiles were skipped: what they should have made is not to be looked at.
+bool cancelled(const BakeOptions& options) {
+    return options.progress != nullptr && options.progress->cancelled();
+}
+
 PointCounts points_of(const AccuracyRequest& request, Certification certification) {
     return certification == Certification::full ? request.full : request.quick;
 }
@@ -68,9 +73,9 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const BakedT
                            fmt::format("`{}`: the value at {} is not finite", table.name, place));
         }
         if (!(value >= model.lowest && value <= model.highest)) {
-            return failure("E0405", fmt::format("`{}`: the value at {} is {:.6g}, outside [{:g}, {:g}]",
-                                                table.name, place, value, model.lowest,
-                                                model.highest));
+            return failure("E0405",
+                           fmt::format("`{}`: the value at {} is {:.6g}, outside [{:g}, {:g}]",
+                                       table.name, place, value, model.lowest, model.highest));
         }
         return failure("E0402",
                        fmt::format("`{}`: {} of {} values are beyond what {} holds; the first, "
@@ -93,10 +98,9 @@ std::vector<Probe> make_probes(const TableModel& model, const BakedTable& table,
         {0.4613, 0.297}, {0.6173, 0.711}, {0.873, 0.5491}, {0.127, 0.867}, {0.968, 0.871}};
     std::vector<Probe> probes;
     for (const auto& [x, y] : kPlaces) {
-        Probe probe =
-            make_probe(table.image, texture_coordinate(model.convention, x, table.image.width),
-                       texture_coordinate(model.convention, y, table.image.height),
-                       table.pixel_type);
+        Probe probe = make_probe(
+            table.image, texture_coordinate(model.convention, x, table.image.width),
+            texture_coordinate(model.convention, y, table.image.height), table.pixel_type);
         probe.at = place_of(x, y);
         probes.push_back(std::move(probe));
     }
@@ -123,6 +127,7 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
 
     std::optional<ReferencePoints> points;
     if (certify || request.max_error) points = reference_points(model, counts, options);
+    if (cancelled(options)) return outcome;
     std::array<int, 2> size = request.size;
     int level = 0;
     std::optional<ReferencePoints> texels;
@@ -144,23 +149,26 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
     if (certify || (!request.max_error && request.max_texel_error)) {
         texels = reference_texels(model, size, counts, options);
     }
+    if (cancelled(options)) return outcome;
     if (!request.max_error) {
         const LevelChoice choice = choose_level(model, request, *texels, options);
         if (!choice.level) {
-            outcome.diagnostics.push_back(
-                failure("E0404", fmt::format("`{}`: max_texel_error {:.3g} is not reached; the "
-                                             "finest quadrature leaves {:.3g}",
-                                             table.name, *request.max_texel_error,
-                                             choice.best_error)));
+            outcome.diagnostics.push_back(failure(
+                "E0404", fmt::format("`{}`: max_texel_error {:.3g} is not reached; the "
+                                     "finest quadrature leaves {:.3g}",
+                                     table.name, *request.max_texel_error, choice.best_error)));
             return outcome;
         }
         level = *choice.level;
     }
 
+    if (cancelled(options)) return outcome;
     const auto start = std::chrono::steady_clock::now();
     const Image2<double> values = bake_texels(model, level, size, options);
-    table.bake_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    table.bake_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     table.image = store_texels(values, table.pixel_type, table.range);
+    if (cancelled(options)) return outcome;
     if (const auto problem = check_range(values, table, place_of, model)) {
         outcome.diagnostics.push_back(*problem);
         return outcome;
@@ -175,8 +183,8 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         outcome.diagnostics.push_back(std::move(warning));
     }
     if (model.cost_per_texel.size() > 1) {
-        table.details.emplace_back("quadrature_level", fmt::format("{} of {}", level + 1,
-                                                                   model.cost_per_texel.size()));
+        table.details.emplace_back("quadrature_level",
+                                   fmt::format("{} of {}", level + 1, model.cost_per_texel.size()));
     }
     table.certified = certify;
     if (certify) {

@@ -26,10 +26,11 @@ struct AccuracyRequest {
 using Place = std::vector<std::pair<std::string, double>>;
 std::string place_text(const Place& place);
 
-// Chooses size and level, bakes, rounds, measures and probes. `table` comes with its texts filled in;
-// `place_of` tells the physical place of coordinates (x, y).
-// E0401 a texel is not finite, E0402 beyond the pixel type, E0403 max_error cannot be held, E0404
-// max_texel_error neither; W0201 texels below the pixel type's normal range.
+// Chooses size and level, bakes, rounds, measures and probes. `table` comes with its texts filled
+// in; `place_of` tells the physical place of coordinates (x, y). After an interruption there is
+// neither a value nor a diagnostic. E0401 a texel is not finite, E0402 beyond the pixel type, E0403
+// max_error cannot be held, E0404 max_texel_error neither; W0201 texels below the pixel type's
+// normal range.
 config::Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest& request,
                                          const BakeOptions& options,
                                          const std::function<Place(double x, double y)>& place_of,

@@ -11,8 +11,8 @@ struct QuadratureRule {
     std::vector<double> weights;  // positive, their sum is 1
 };
 
-// The rule with `count` >= 1 nodes: exact for polynomials up to degree 2 count - 1. Nodes and weights
-// within 1e-15, the same bits everywhere.
+// The rule with `count` >= 1 nodes: exact for polynomials up to degree 2 count - 1. Nodes and
+// weights within 1e-15, the same bits everywhere.
 QuadratureRule gauss_legendre(int count);
 
 }  // namespace skybake

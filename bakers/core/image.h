@@ -6,8 +6,8 @@
 
 namespace skybake {
 
-// Row-major, channels interleaved. Row 0 is v = 0, column 0 is u = 0; texel (x, y) has its centre at
-// u = (x + 1/2) / width, v = (y + 1/2) / height.
+// Row-major, channels interleaved. Row 0 is v = 0, column 0 is u = 0; texel (x, y) has its centre
+// at u = (x + 1/2) / width, v = (y + 1/2) / height.
 template <class T>
 struct Image2 {
     int width = 0;

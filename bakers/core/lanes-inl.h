@@ -1,7 +1,7 @@
 // A vector of doubles with the operators of a double, for every instruction set that Highway
-// dispatches to, and the same operations on a plain double: a kernel written once as a template over
-// `Real` is its own scalar specification, and equals it bit for bit, since each operation here is
-// one correctly rounded IEEE operation and none of them crosses lanes.
+// dispatches to, and the same operations on a plain double: a kernel written once as a template
+// over `Real` is its own scalar specification, and equals it bit for bit, since each operation here
+// is one correctly rounded IEEE operation and none of them crosses lanes.
 //
 // Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
 #if defined(SKYBAKE_BAKERS_CORE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)

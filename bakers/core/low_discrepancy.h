@@ -11,9 +11,9 @@ struct PointRow {
     std::vector<double> x;
 };
 
-// rows * per_row points, spread evenly in [0, 1)^2 for any first so many rows: the additive recurrence
-// with the plastic number (M. Roberts, "The unreasonable effectiveness of quasirandom sequences",
-// 2018), each coordinate counted on by itself. With one point a row it is his sequence.
+// rows * per_row points, spread evenly in [0, 1)^2 for any first so many rows: the additive
+// recurrence with the plastic number (M. Roberts, "The unreasonable effectiveness of quasirandom
+// sequences", 2018), each coordinate counted on by itself. With one point a row it is his sequence.
 std::vector<PointRow> low_discrepancy_points(int rows, int per_row);
 
 }  // namespace skybake

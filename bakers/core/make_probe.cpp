@@ -16,7 +16,8 @@ Probe make_probe(const Image2<float>& image, double u, double v, config::PixelTy
     probe.value.resize(channels);
     probe.tolerance.assign(channels, 0);
     bilinear(image, u, v, probe.value.data());
-    // Weights that are multiples of 1/256, rounded or truncated, move the lookup by less than a step.
+    // Weights that are multiples of 1/256, rounded or truncated, move the lookup by less than a
+    // step.
     std::vector<double> moved(channels);
     for (const double du : {-1.0 / 256, 0.0, 1.0 / 256}) {
         for (const double dv : {-1.0 / 256, 0.0, 1.0 / 256}) {

@@ -16,9 +16,8 @@ void parallel_for(int count, int threads, const std::function<void(int)>& tile) 
         return;
     }
     oneapi::tbb::task_arena arena(thread_count(threads));
-    arena.execute([&] {
-        oneapi::tbb::parallel_for(0, count, tile, oneapi::tbb::simple_partitioner());
-    });
+    arena.execute(
+        [&] { oneapi::tbb::parallel_for(0, count, tile, oneapi::tbb::simple_partitioner()); });
 }
 
 }  // namespace skybake

@@ -6,8 +6,8 @@
 
 namespace skybake {
 
-// The value as the pixel type stores it, rounded to nearest, half by way of float. Infinity where it
-// overflows.
+// The value as the pixel type stores it, rounded to nearest, half by way of float. Infinity where
+// it overflows.
 float round_to_pixel_type(double value, config::PixelType type);
 
 // The smallest value that the type holds with all its digits.

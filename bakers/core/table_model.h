@@ -20,7 +20,8 @@ struct TableModel {
     // Quadrature levels, cheapest first, by their cost in evaluations per texel.
     std::vector<double> cost_per_texel;
 
-    // The kernel: values at coordinates (x[i], y), channels interleaved in values[i * channels + c].
+    // The kernel: values at coordinates (x[i], y), channels interleaved in values[i * channels +
+    // c].
     std::function<void(int level, double y, const std::vector<double>& x, double* values)> row;
 
     // The reference, in the same form.
@@ -30,8 +31,8 @@ struct TableModel {
     double lowest = 0;
     double highest = 0;
 
-    // Error of a stored or looked-up value. `scale` is the largest reference value of the channel over
-    // the points measured.
+    // Error of a stored or looked-up value. `scale` is the largest reference value of the channel
+    // over the points measured.
     std::function<double(double value, double reference, double scale)> error;
 };
 
@@ -40,6 +41,7 @@ Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2
                            const BakeOptions& options);
 
 // The same rounded to the pixel type.
-Image2<float> store_texels(const Image2<double>& texels, config::PixelType type, RangeCounts& range);
+Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
+                           RangeCounts& range);
 
 }  // namespace skybake

@@ -4,12 +4,13 @@
 namespace skybake {
 
 enum class TexelConvention {
-    end_points_on_texel_centres,  // x = 0 at the first centre, 1 at the last: u = 1/2N + x (1 - 1/N)
+    end_points_on_texel_centres,  // x = 0 at the first centre, 1 at the last: u = 1/2N + x (1 -
+                                  // 1/N)
     end_points_on_edges,          // u = x
 };
 
-// The coordinate at the centre of texel i of `count`. A single texel whose axis has its end points on
-// texel centres stands for the middle, 1/2.
+// The coordinate at the centre of texel i of `count`. A single texel whose axis has its end points
+// on texel centres stands for the middle, 1/2.
 inline double texel_coordinate(TexelConvention convention, int i, int count) {
     if (convention == TexelConvention::end_points_on_edges) return (i + 0.5) / count;
     return count == 1 ? 0.5 : static_cast<double>(i) / (count - 1);

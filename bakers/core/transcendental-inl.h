@@ -1,6 +1,6 @@
 // exp, log, arc cosine and cosine that give the same bits on every CPU, compiler and vector width:
-// only additions, multiplications, divisions and square roots, each correctly rounded, in one order.
-// The C library's own change with the CPU it finds (FMA or not).
+// only additions, multiplications, divisions and square roots, each correctly rounded, in one
+// order. The C library's own change with the CPU it finds (FMA or not).
 //
 // Real is double or Lanes. The bounds in ulp are measured against 113-bit arithmetic over 10^6
 // arguments (transcendental_test.cpp).
@@ -17,7 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// ln 2 in two parts: the first has 20 trailing zero bits, so that n * kLn2High is exact for |n| < 2^20.
+// ln 2 in two parts: the first has 20 trailing zero bits, so that n * kLn2High is exact for |n| <
+// 2^20.
 constexpr double kLn2High = 0x1.62e42fefa0000p-1;
 constexpr double kLn2Low = 0x1.cf79abc9e3b3ap-40;
 // Adding 1.5 * 2^52 to a number below 2^51 leaves its nearest integer in the low bits of the sum.
@@ -28,8 +29,9 @@ constexpr double kPi = 0x1.921fb54442d18p1;
 // infinity above 709.
 template <class Real>
 HWY_INLINE Real exponential(Real x) {
-    // e^x = 2^n e^r with n = round(x / ln 2), |r| <= ln 2 / 2, and Taylor's series for e^r: the first
-    // term left out is r^14 / 14! < 5e-18. Even and odd powers side by side shorten the chain.
+    // e^x = 2^n e^r with n = round(x / ln 2), |r| <= ln 2 / 2, and Taylor's series for e^r: the
+    // first term left out is r^14 / 14! < 5e-18. Even and odd powers side by side shorten the
+    // chain.
     const Real inside = minimum(maximum(x, Real(-709.0)), Real(710.0));
     const Real shifted = inside * Real(1.4426950408889634074) + Real(kRoundToInteger);
     const Real n = shifted - Real(kRoundToInteger);
@@ -57,14 +59,15 @@ HWY_INLINE Real exponential(Real x) {
 // ln x for normal x > 0, within 1.5 ulp.
 template <class Real>
 HWY_INLINE Real logarithm(Real x) {
-    // x = 2^k m with m in [sqrt(1/2), sqrt 2): ln m = 2 artanh(s), s = (m - 1) / (m + 1), |s| < 0.1716,
-    // by its series; the first term left out is s^23 / 23 < 2e-19.
+    // x = 2^k m with m in [sqrt(1/2), sqrt 2): ln m = 2 artanh(s), s = (m - 1) / (m + 1), |s| <
+    // 0.1716, by its series; the first term left out is s^23 / 23 < 2e-19.
     constexpr std::uint64_t kOne = std::uint64_t{0x3ff0000000000000};
     constexpr std::uint64_t kSqrtHalf = std::uint64_t{0x3fe6a09e667f3bcd};
     const Real biased = add_to_bits(x, kOne - kSqrtHalf);
     const Real m = add_to_bits(and_bits(biased, std::uint64_t{0x000fffffffffffff}), kSqrtHalf);
     // The exponent, an integer in the low bits, becomes a double by the bits of 2^52.
-    const Real exponent = add_to_bits(shift_bits_right<52>(biased), std::uint64_t{0x4330000000000000});
+    const Real exponent =
+        add_to_bits(shift_bits_right<52>(biased), std::uint64_t{0x4330000000000000});
     const Real k = exponent - Real(0x1p52 + 1023.0);
     const Real f = m - Real(1.0);
     const Real s = f / (m + Real(1.0));
@@ -87,8 +90,8 @@ HWY_INLINE Real logarithm(Real x) {
 // arccos x for x in [-1, 1], within 2e-16 absolute.
 template <class Real>
 HWY_INLINE Real arc_cosine(Real x) {
-    // arcsin(t) = t + t z P(z), z = t^2 <= 1/4; beyond 1/2 by arccos(x) = 2 arcsin(sqrt((1 - x) / 2)).
-    // P interpolates at Chebyshev's nodes, within 4e-18 of arcsin(t) / t.
+    // arcsin(t) = t + t z P(z), z = t^2 <= 1/4; beyond 1/2 by arccos(x) = 2 arcsin(sqrt((1 - x) /
+    // 2)). P interpolates at Chebyshev's nodes, within 4e-18 of arcsin(t) / t.
     const Real a = absolute(x);
     const auto outer = a > Real(0.5);
     const Real z = select(outer, (Real(1.0) - a) * Real(0.5), a * a);
@@ -116,8 +119,8 @@ HWY_INLINE Real arc_cosine(Real x) {
 // cos(pi x) for x in [0, 1], within 3e-16 absolute; exactly 0 at 1/2.
 template <class Real>
 HWY_INLINE Real cosine_of_pi(Real x) {
-    // cos(pi x) = sin(pi (1/2 - x)), and sin(pi t) for |t| <= 1/2 by Taylor's series: the first term
-    // left out is (pi/2)^23 / 23! < 2e-18.
+    // cos(pi x) = sin(pi (1/2 - x)), and sin(pi t) for |t| <= 1/2 by Taylor's series: the first
+    // term left out is (pi/2)^23 / 23! < 2e-18.
     const Real t = (Real(0.5) - x) * Real(kPi);
     const Real z = t * t;
     Real p = Real(-1.0 / 51090942171709440000.0);

@@ -33,9 +33,7 @@ double logarithm(double x) { return HWY_NAMESPACE::logarithm(x); }
 double arc_cosine(double x) { return HWY_NAMESPACE::arc_cosine(x); }
 double cosine_of_pi(double x) { return HWY_NAMESPACE::cosine_of_pi(x); }
 
-void exponentials(double* values, int count) {
-    HWY_DYNAMIC_DISPATCH(Exponentials)(values, count);
-}
+void exponentials(double* values, int count) { HWY_DYNAMIC_DISPATCH(Exponentials)(values, count); }
 
 }  // namespace skybake
 #endif  // HWY_ONCE

@@ -4,12 +4,13 @@
 
 namespace skybake {
 
-double exponential(double x);    // e^x
-double logarithm(double x);      // ln x, x > 0 and normal
-double arc_cosine(double x);     // x in [-1, 1]
-double cosine_of_pi(double x);   // cos(pi x), x in [0, 1]
+double exponential(double x);   // e^x
+double logarithm(double x);     // ln x, x > 0 and normal
+double arc_cosine(double x);    // x in [-1, 1]
+double cosine_of_pi(double x);  // cos(pi x), x in [0, 1]
 
-// Replaces each of `count` values by its exponential, vector by vector: the same bits as one by one.
+// Replaces each of `count` values by its exponential, vector by vector: the same bits as one by
+// one.
 void exponentials(double* values, int count);
 
 }  // namespace skybake

@@ -38,18 +38,20 @@ TEST(Medium, ManyAltitudesAtOnceHaveTheSameBits) {
 }
 
 TEST(Medium, LayersWithoutExtinctionCostNothing) {
-    const Medium earth = test::preset_medium("earth", {"atmosphere.layers.ozone.absorption=\"0 /m\"",
-                                                       "atmosphere.layers.mie.enabled=false"});
+    const Medium earth = test::preset_medium(
+        "earth",
+        {"atmosphere.layers.ozone.absorption=\"0 /m\"", "atmosphere.layers.mie.enabled=false"});
     EXPECT_EQ(earth.exponential_layers.size(), 1U);
     EXPECT_TRUE(earth.piecewise_layers.empty());
 }
 
 TEST(Medium, PiecesAreCutAtGroundAndTop) {
     const Medium medium = test::preset_medium(
-        "vacuum", {"atmosphere.layers.a={profile=\"tent\", center_altitude=\"95 km\", half_width=\"20 km\", "
-                   "absorption=\"1e-6 /m\"}",
-                   "atmosphere.layers.b={profile=\"slab\", bottom_altitude=\"200 km\", "
-                   "top_altitude=\"300 km\", absorption=\"1e-6 /m\"}"});
+        "vacuum",
+        {"atmosphere.layers.a={profile=\"tent\", center_altitude=\"95 km\", half_width=\"20 km\", "
+         "absorption=\"1e-6 /m\"}",
+         "atmosphere.layers.b={profile=\"slab\", bottom_altitude=\"200 km\", "
+         "top_altitude=\"300 km\", absorption=\"1e-6 /m\"}"});
     ASSERT_EQ(medium.piecewise_layers.size(), 1U);
     const auto& pieces = medium.piecewise_layers[0].pieces;
     ASSERT_EQ(pieces.size(), 2U);

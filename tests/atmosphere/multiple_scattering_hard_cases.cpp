@@ -1,4 +1,5 @@
-// Where multiple scattering goes wrong, held against identities, limits and nested adaptive quadrature.
+// Where multiple scattering goes wrong, held against identities, limits and nested adaptive
+// quadrature.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ TEST(MultipleScatteringHardCase, Case06DenseAir) {
     const Medium thousand = test::preset_medium(
         "earth", {"atmosphere.layers.rayleigh.scattering=[\"5.802e-3 /m\", \"1.3558e-2 /m\", "
                   "\"3.31e-2 /m\"]"});
-    hold("6 1000x Rayleigh: 1 - f", "adaptive quadrature, relative", worst_escape(thousand, 30), 1e-3);
+    hold("6 1000x Rayleigh: 1 - f", "adaptive quadrature, relative", worst_escape(thousand, 30),
+         1e-3);
     const Row row = integrate(thousand, 30, {1.0, 0.1, -0.5});
     double bad = 0;
     for (const double value : row.psi) bad += std::isfinite(value) && value >= 0 ? 0 : 1;
@@ -65,8 +67,9 @@ TEST(MultipleScatteringHardCase, Case07ConservativeMedium) {
     double scattered_share = 0;
     for (const char* scattering : {"3.31e-7 /m", "3.31e-5 /m", "3.31e-3 /m"}) {
         const Medium medium = test::preset_medium(
-            "earth", {"atmosphere.layers.mie.enabled=false", "atmosphere.layers.ozone.enabled=false",
-                      std::string("atmosphere.layers.rayleigh.scattering=\"") + scattering + "\""});
+            "earth",
+            {"atmosphere.layers.mie.enabled=false", "atmosphere.layers.ozone.enabled=false",
+             std::string("atmosphere.layers.rayleigh.scattering=\"") + scattering + "\""});
         for (const double altitude : {0.0, 8.0, 40.0}) {
             const Row row = integrate(medium, altitude, {1.0});
             double mean_transmittance = 0;
@@ -117,8 +120,8 @@ TEST(MultipleScatteringHardCase, Case11TinyPlanet) {
 
 TEST(MultipleScatteringHardCase, Case12HugePlanetHasNoAzimuth) {
     // Where the ground is flat the sun's cosine is the same all along a ray: one azimuth or eight.
-    const Medium huge = test::preset_medium("earth", {"atmosphere.ground_radius=\"1e6 km\"",
-                                                      "atmosphere.top_radius=\"1000100 km\""});
+    const Medium huge = test::preset_medium(
+        "earth", {"atmosphere.ground_radius=\"1e6 km\"", "atmosphere.top_radius=\"1000100 km\""});
     const Row one = integrate(huge, 1, {0.5}, {20, 1e-3, 1e9});
     const Row eight = integrate(huge, 1, {0.5}, {20, 1e-3, 0});
     double worst = 0;
@@ -129,8 +132,8 @@ TEST(MultipleScatteringHardCase, Case12HugePlanetHasNoAzimuth) {
 }
 
 TEST(MultipleScatteringHardCase, Case13SunBelowTheHorizon) {
-    // From the horizon down to 108 degrees: never a rise. Seen from the ground the last light is gone
-    // when the sun is twice the dip of the shell's top, 10.1 degrees, below the horizon.
+    // From the horizon down to 108 degrees: never a rise. Seen from the ground the last light is
+    // gone when the sun is twice the dip of the shell's top, 10.1 degrees, below the horizon.
     const Medium earth = test::preset_medium("earth");
     std::vector<double> suns;
     for (double zenith = 90; zenith <= 108; zenith += 0.25) {
@@ -196,8 +199,8 @@ TEST(MultipleScatteringHardCase, Case17SizesOneTwoAndOdd) {
 TEST(MultipleScatteringHardCase, Case19GroundBounceOnce) {
     // L_2nd is linear in albedo, and 1 - f does not know it.
     const auto second_order = [](double albedo) {
-        const Medium earth = test::preset_medium(
-            "earth", {"atmosphere.ground_albedo=" + std::to_string(albedo)});
+        const Medium earth =
+            test::preset_medium("earth", {"atmosphere.ground_albedo=" + std::to_string(albedo)});
         const Row row = integrate(earth, 1, {0.6});
         Spectrum value{};
         for (std::size_t c = 0; c < 3; ++c) value[c] = row.psi[c] * row.quadrature.escape[c];

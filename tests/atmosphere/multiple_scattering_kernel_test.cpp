@@ -28,7 +28,8 @@ Spectrum psi_at(const Medium& medium, double altitude_km, double sun_cos_zenith,
 // Golden values of an independent program: Mie absorption 4.40e-6 /m, albedo 0.3.
 TEST(MultipleScatteringKernel, ReproducesTheGoldenValues) {
     const Medium medium = test::preset_medium(
-        "earth", {"atmosphere.layers.mie.absorption=\"4.40e-6 /m\"", "atmosphere.ground_albedo=0.3"});
+        "earth",
+        {"atmosphere.layers.mie.absorption=\"4.40e-6 /m\"", "atmosphere.ground_albedo=0.3"});
     RowQuadrature row;
     const Spectrum psi = psi_at(medium, 0, 1, {40, 1e-4, 1e-5}, &row);
     const double expected[] = {0.05488525182, 0.05984517780, 0.06956475093};
@@ -67,8 +68,8 @@ TEST(MultipleScatteringKernel, AgreesWithTheAdaptiveReference) {
     }
 }
 
-// Monte Carlo truth of the isotropic closure's own quantity, one bounce: P1_iso is the mean radiance of
-// light scattered once, all isotropic, which is L_2nd; set H0 has albedo 0.
+// Monte Carlo truth of the isotropic closure's own quantity, one bounce: P1_iso is the mean
+// radiance of light scattered once, all isotropic, which is L_2nd; set H0 has albedo 0.
 TEST(MultipleScatteringKernel, SecondOrderAgreesWithPathTracing) {
     const Medium medium = test::preset_medium("earth", {"atmosphere.ground_albedo=0"});
     std::ifstream file(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv");
@@ -128,8 +129,8 @@ TEST(MultipleScatteringKernel, LevelsConverge) {
         make_row_quadrature(earth, altitudes, 12, quadrature_levels().back());
     integrate_row(earth, sunlight, fine, suns.data(), 32, finest.data());
     double last = INFINITY;
-    for (const QuadratureLevel& level : {quadrature_levels()[1], quadrature_levels()[4],
-                                         quadrature_levels()[7]}) {
+    for (const QuadratureLevel& level :
+         {quadrature_levels()[2], quadrature_levels()[5], quadrature_levels()[8]}) {
         std::vector<double> psi(96);
         integrate_row(earth, sunlight, make_row_quadrature(earth, altitudes, 12, level),
                       suns.data(), 32, psi.data());

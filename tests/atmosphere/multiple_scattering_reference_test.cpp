@@ -1,4 +1,5 @@
-// The fast quadrature against nested adaptive quadrature of the definition: minutes, so labelled slow.
+// The fast quadrature against nested adaptive quadrature of the definition: minutes, so labelled
+// slow.
 #include "bakers/atmosphere/multiple_scattering_reference.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +19,7 @@ void expect_agreement(const Medium& medium, double altitude_km, double sun_cos_z
         reference_multiple_scattering(medium, altitude_km, sun_cos_zenith, 1e-4);
     const std::vector<double> altitudes = quadrature_altitudes_km(medium);
     const Sunlight sunlight(medium, altitudes, {768, 128}, 1);
-    const RowQuadrature row =
-        make_row_quadrature(medium, altitudes, altitude_km, {40, 1e-4, 1e-5});
+    const RowQuadrature row = make_row_quadrature(medium, altitudes, altitude_km, {40, 1e-4, 1e-5});
     Spectrum psi{};
     integrate_row(medium, sunlight, row, &sun_cos_zenith, 1, psi.data());
     for (std::size_t c = 0; c < static_cast<std::size_t>(medium.channels); ++c) {

@@ -11,8 +11,8 @@
 namespace skybake {
 namespace {
 
-config::Outcome<BakedTable> try_bake(const std::string& section, const std::string& preset = "earth",
-                                     int threads = 2) {
+config::Outcome<BakedTable> try_bake(const std::string& section,
+                                     const std::string& preset = "earth", int threads = 2) {
     const config::Recipe recipe =
         test::recipe_of("preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" + section);
     return bake_table(recipe, recipe.parameters.bakes.at(0),
@@ -85,7 +85,8 @@ TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
         [bake.multiple_scattering]
         size = [16, 16]
     )");
-    const auto outcome = bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+    const auto outcome =
+        bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     ASSERT_TRUE(outcome.value);
     EXPECT_EQ(outcome.value->channel_names, std::vector<std::string>{"Y"});
     EXPECT_EQ(outcome.value->image.channels, 1);

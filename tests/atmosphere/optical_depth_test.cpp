@@ -35,8 +35,8 @@ std::vector<Ray> table_rays(const Medium& medium, int step) {
     return rays;
 }
 
-// The bar: 1e-6 tau + 1e-12 at every texel of all presets. Held four hundred million times closer at
-// a sample, in 113-bit arithmetic.
+// The bar: 1e-6 tau + 1e-12 at every texel of all presets. Held four hundred million times closer
+// at a sample, in 113-bit arithmetic.
 TEST(OpticalDepth, AgreesWithTheRefereeOnAllPresets) {
     for (const std::string& preset : test::preset_list()) {
         const Medium medium = test::preset_medium(preset);
@@ -112,10 +112,9 @@ TEST(OpticalDepth, ZenithOfEarth) {
     const Spectrum tau = optical_depth_to_top(earth, 0, 6360);
     const double rayleigh = -8 * std::expm1(-100 / 8.0);
     const double mie = -1.2 * std::expm1(-100 / 1.2);
-    const double expected[] = {
-        5.802e-3 * rayleigh + 4.44e-3 * mie + 6.5e-4 * 15,
-        1.3558e-2 * rayleigh + 4.44e-3 * mie + 1.881e-3 * 15,
-        3.31e-2 * rayleigh + 4.44e-3 * mie + 8.5e-5 * 15};
+    const double expected[] = {5.802e-3 * rayleigh + 4.44e-3 * mie + 6.5e-4 * 15,
+                               1.3558e-2 * rayleigh + 4.44e-3 * mie + 1.881e-3 * 15,
+                               3.31e-2 * rayleigh + 4.44e-3 * mie + 8.5e-5 * 15};
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(tau[c], expected[c], 1e-14);
 }
 

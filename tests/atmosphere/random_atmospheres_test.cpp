@@ -19,7 +19,9 @@ double uniform(double from, double to) {
     return from + (to - from) * *rc::gen::inRange(0, 1 << 30) / static_cast<double>(1 << 30);
 }
 
-double log_uniform(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
+double log_uniform(double from, double to) {
+    return std::exp(uniform(std::log(from), std::log(to)));
+}
 
 // A coefficient over 12 decades, or none at all.
 double coefficient() { return *rc::gen::inRange(0, 6) == 0 ? 0 : log_uniform(1e-9, 1e3); }
@@ -165,8 +167,8 @@ TEST(RandomAtmospheres, MultipleScatteringIsFiniteAndPositiveAndOfBoundedCost) {
         const Medium medium = random_medium();
         const std::vector<double> altitudes = quadrature_altitudes_km(medium);
         const Sunlight sunlight(medium, altitudes, {64, 32}, 1);
-        const RowQuadrature row = make_row_quadrature(
-            medium, altitudes, uniform(0, 1) * medium.thickness_km, level);
+        const RowQuadrature row =
+            make_row_quadrature(medium, altitudes, uniform(0, 1) * medium.thickness_km, level);
         RC_ASSERT(lookups(medium, row) <= 20 * earths);
         const double suns[] = {1.0, uniform(-1, 1), 0.0, -1.0};
         double psi[12];
@@ -176,7 +178,8 @@ TEST(RandomAtmospheres, MultipleScatteringIsFiniteAndPositiveAndOfBoundedCost) {
             if (row.escape[i / 4] < 1e-290) continue;
             RC_ASSERT(std::isfinite(psi[i]) && psi[i] >= 0);
         }
-        for (std::size_t c = 0; c < 3; ++c) RC_ASSERT(row.escape[c] >= 0 && row.escape[c] < 1 + 1e-2);
+        for (std::size_t c = 0; c < 3; ++c)
+            RC_ASSERT(row.escape[c] >= 0 && row.escape[c] < 1 + 1e-2);
     }));
 }
 

@@ -1,5 +1,5 @@
-// The cases in which atmospheric integrals go wrong, each held against something that cannot: 113-bit
-// arithmetic from the definition, a closed form, or an identity.
+// The cases in which atmospheric integrals go wrong, each held against something that cannot:
+// 113-bit arithmetic from the definition, a closed form, or an identity.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,7 +99,8 @@ TEST(TransmittanceHardCase, Case03CancellationAtPlanetRadius) {
                 for (const double x : {1e-7, 1e-3, 1.0, 50.0}) {
                     const double s = (ground + h) * mu;
                     const Quad r = Quad(ground) + h;
-                    const Quad exact = sqrt(r * r + Quad(x) * (Quad(x) + 2 * Quad(s))) - Quad(ground);
+                    const Quad exact =
+                        sqrt(r * r + Quad(x) * (Quad(x) + 2 * Quad(s))) - Quad(ground);
                     const double altitude = altitude_along_km(shell, h, s, x);
                     // Of the altitude or, going down, of the drop.
                     const double scale = std::max(h, std::fabs(static_cast<double>(exact)));
@@ -114,7 +115,8 @@ TEST(TransmittanceHardCase, Case03CancellationAtPlanetRadius) {
     for (const double h : {1e-6, 1e-3, 1.0}) {
         depth = std::max(depth, worst_over_rays(with_exponential(1e6, 100, 8), h));
     }
-    hold("3 optical depth at R = 1e6 km, h from 1 mm", "113-bit quadrature, relative", depth, 1e-11);
+    hold("3 optical depth at R = 1e6 km, h from 1 mm", "113-bit quadrature, relative", depth,
+         1e-11);
 }
 
 TEST(TransmittanceHardCase, Case04HorizonZenithAndTop) {
@@ -125,7 +127,8 @@ TEST(TransmittanceHardCase, Case04HorizonZenithAndTop) {
     for (const double h : {0.5, 10.0, 99.0}) {
         const Spectrum above = optical_depth_to_top(earth, h, 1e-9);
         const Spectrum below = optical_depth_to_top(earth, h, -1e-9);
-        for (std::size_t c = 0; c < 3; ++c) seam = std::max(seam, std::fabs(above[c] / below[c] - 1));
+        for (std::size_t c = 0; c < 3; ++c)
+            seam = std::max(seam, std::fabs(above[c] / below[c] - 1));
     }
     hold("4 continuity at mu = +-0", "its own limit, relative", seam, 1e-10);
     // Every texel of the last column and of the top row, odd and even sizes.
@@ -143,8 +146,8 @@ TEST(TransmittanceHardCase, Case04HorizonZenithAndTop) {
             }
         }
     }
-    hold("4 every edge of the table, sizes 1 to 65", "finite and not negative (count)", out_of_range,
-         0);
+    hold("4 every edge of the table, sizes 1 to 65", "finite and not negative (count)",
+         out_of_range, 0);
     const Spectrum top = optical_depth_to_top(earth, 100, 6460);
     hold("4 r at the top, straight up", "exactly 0", top[0] + top[1] + top[2], 0);
 }
@@ -156,10 +159,11 @@ TEST(TransmittanceHardCase, Case05SegmentsInDenseAir) {
     for (const double mu : {1.0, 0.1, 0.0, -0.01}) {
         for (const double length : {1e-6, 1e-3, 1.0, 30.0}) {
             const double altitude = 1.5;
-            worst = std::max(worst, test::relative_difference(
-                                        optical_depth_along(dense, altitude, mu, length),
-                                        test::referee_optical_depth(
-                                            dense, altitude, Quad((6360 + altitude)) * Quad(mu), length)));
+            worst = std::max(worst,
+                             test::relative_difference(
+                                 optical_depth_along(dense, altitude, mu, length),
+                                 test::referee_optical_depth(
+                                     dense, altitude, Quad((6360 + altitude)) * Quad(mu), length)));
         }
     }
     hold("5 segments of 1 mm to 30 km in 50x air", "113-bit quadrature, relative", worst, 1e-9);
@@ -228,8 +232,8 @@ TEST(TransmittanceHardCase, Case12HugePlanetIsPlaneParallel) {
 }
 
 TEST(TransmittanceHardCase, Case16HalfRange) {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = \"dense_earth\"\n[bake.transmittance]\npixel_type = \"half\"\n");
+    const config::Recipe recipe =
+        test::recipe_of("preset = \"dense_earth\"\n[bake.transmittance]\npixel_type = \"half\"\n");
     const auto outcome =
         bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     ASSERT_TRUE(outcome.value);
@@ -237,8 +241,8 @@ TEST(TransmittanceHardCase, Case16HalfRange) {
     // Transmittances that a double holds and a half does not, by their optical depths.
     const config::Recipe depths = test::recipe_of(
         "preset = \"dense_earth\"\n[bake.transmittance]\ncontent = \"optical_depth\"\n");
-    const auto depth = bake_table(depths, depths.parameters.bakes.at(0),
-                                  {1, Certification::off, nullptr});
+    const auto depth =
+        bake_table(depths, depths.parameters.bakes.at(0), {1, Certification::off, nullptr});
     long below = 0;
     for (const float tau : depth.value->image.texels) {
         if (tau > 14 * std::log(2.0) && tau < 708) ++below;
@@ -253,8 +257,8 @@ TEST(TransmittanceHardCase, Case16HalfRange) {
 TEST(TransmittanceHardCase, Case17SizesOneTwoAndOdd) {
     double worst = 0;
     for (const std::string size : {"[1, 1]", "[2, 2]", "[1, 7]", "[33, 1]", "[255, 63]"}) {
-        const config::Recipe recipe = test::recipe_of(
-            "preset = \"earth\"\n[bake.transmittance]\nsize = " + size + "\n");
+        const config::Recipe recipe =
+            test::recipe_of("preset = \"earth\"\n[bake.transmittance]\nsize = " + size + "\n");
         const auto outcome =
             bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;
@@ -276,7 +280,8 @@ TEST(TransmittanceHardCase, Case21ThreadsAndOrder) {
     const auto one = bake(1);
     double different = 0;
     for (const int threads : {2, 7}) different += bake(threads) != one ? 1 : 0;
-    hold("21 transmittance on 1, 2 and 7 threads", "same bits (count of differences)", different, 0);
+    hold("21 transmittance on 1, 2 and 7 threads", "same bits (count of differences)", different,
+         0);
 }
 
 }  // namespace

@@ -16,9 +16,8 @@ namespace {
 
 BakedTable bake(const std::string& section, const std::string& preset = "earth",
                 BakeOptions options = {1, Certification::quick, nullptr}) {
-    const config::Recipe recipe = test::recipe_of("preset = \"" + preset +
-                                                  "\"\n[bake.table]\nasset = \"transmittance\"\n" +
-                                                  section);
+    const config::Recipe recipe = test::recipe_of(
+        "preset = \"" + preset + "\"\n[bake.table]\nasset = \"transmittance\"\n" + section);
     const auto outcome = bake_table(recipe, recipe.parameters.bakes.at(0), options);
     for (const auto& diagnostic : outcome.diagnostics) {
         if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;

@@ -1,5 +1,5 @@
-// Speed against the project's own baselines, "as in the paper": each pair interleaved, thread CPU time,
-// quoted as a ratio in one run. tests/benchmarks/README.md keeps the figures reached.
+// Speed against the project's own baselines, "as in the paper": each pair interleaved, thread CPU
+// time, quoted as a ratio in one run. tests/benchmarks/README.md keeps the figures reached.
 //
 // Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
 // --benchmark_report_aggregates_only=true.
@@ -25,8 +25,8 @@ namespace {
 
 const config::Recipe& earth_recipe() {
     static const config::Recipe recipe =
-        *config::parse_recipe("preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n",
-                              "benchmark")
+        *config::parse_recipe(
+             "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n", "benchmark")
              .value;
     return recipe;
 }
@@ -72,8 +72,8 @@ void multiple_scattering_by_paper(benchmark::State& state) {
     for (auto _ : state) {
         for (int y = 0; y < 32; ++y) {
             for (const double sun : suns()) {
-                benchmark::DoNotOptimize(multiple_scattering_as_in_paper(
-                    earth(), transmittance, 100 * y / 31.0, sun));
+                benchmark::DoNotOptimize(
+                    multiple_scattering_as_in_paper(earth(), transmittance, 100 * y / 31.0, sun));
             }
         }
     }
@@ -89,8 +89,7 @@ std::vector<double> multiple_scattering_table(const QuadratureLevel& level) {
     const std::vector<double> sun = suns();
     std::vector<double> psi(32 * 32 * 3);
     for (int y = 0; y < 32; ++y) {
-        const RowQuadrature row =
-            make_row_quadrature(earth(), altitudes, 100 * y / 31.0, level);
+        const RowQuadrature row = make_row_quadrature(earth(), altitudes, 100 * y / 31.0, level);
         integrate_row(earth(), ready_sunlight(), row, sun.data(), 32, psi.data() + y * 96);
     }
     return psi;
@@ -126,8 +125,7 @@ void table_on_threads(benchmark::State& state, std::size_t section, int threads)
         asset->max_texel_error = 0.05;
     }
     for (auto _ : state) {
-        const auto baked =
-            bake_table(earth_recipe(), bake, {threads, Certification::off, nullptr});
+        const auto baked = bake_table(earth_recipe(), bake, {threads, Certification::off, nullptr});
         state.SetIterationTime(baked.value->bake_seconds);
     }
 }
@@ -152,9 +150,10 @@ int main(int argc, char** argv) {
             [level](benchmark::State& s) { multiple_scattering_converged(s, level); });
     }
     for (const int threads : {1, 2}) {
-        add("transmittance 512x512, threads " + std::to_string(threads),
-            [threads](benchmark::State& s) { table_on_threads(s, 0, threads); })
-            ->UseManualTime();
+        add("transmittance 512x512, threads " + std::to_string(threads), [threads](
+                                                                             benchmark::State& s) {
+            table_on_threads(s, 0, threads);
+        })->UseManualTime();
         add("multiple scattering 512x512, threads " + std::to_string(threads),
             [threads](benchmark::State& s) { table_on_threads(s, 1, threads); })
             ->UseManualTime();

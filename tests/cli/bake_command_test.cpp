@@ -1,4 +1,5 @@
-// The bake as a build engineer meets it: files, exit codes, and what is left behind when things fail.
+// The bake as a build engineer meets it: files, exit codes, and what is left behind when things
+// fail.
 #include <signal.h>
 #include <sys/resource.h>
 
@@ -17,8 +18,9 @@ namespace fs = std::filesystem;
 class Bake : public ::testing::Test {
   protected:
     Bake() {
-        write("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
-              "[bake.multiple_scattering]\nsize = [8, 8]\nmax_texel_error = \"20 %\"\n");
+        write(
+            "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+            "[bake.multiple_scattering]\nsize = [8, 8]\nmax_texel_error = \"20 %\"\n");
     }
     void write(const std::string& text) { write_bytes(recipe_, text); }
     std::vector<std::string> words(std::vector<std::string> more = {}) const {
@@ -26,7 +28,9 @@ class Bake : public ::testing::Test {
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
-    Result bake(std::vector<std::string> more = {}) const { return run_program(words(std::move(more))); }
+    Result bake(std::vector<std::string> more = {}) const {
+        return run_program(words(std::move(more)));
+    }
     std::vector<std::string> files() const {
         std::vector<std::string> names;
         if (!fs::exists(out_)) return names;
@@ -47,8 +51,8 @@ class Bake : public ::testing::Test {
 TEST_F(Bake, PrintsPathsOnStdoutAndTheTableOnStderr) {
     const Result result = bake();
     EXPECT_EQ(result.code, 0) << result.error;
-    EXPECT_EQ(result.out, out_ + "/transmittance.exr\n" + out_ + "/multiple_scattering.exr\n" + out_ +
-                              "/manifest.json\n");
+    EXPECT_EQ(result.out, out_ + "/transmittance.exr\n" + out_ + "/multiple_scattering.exr\n" +
+                              out_ + "/manifest.json\n");
     EXPECT_TRUE(contains(result.error, "lookup error max / rms"));
     EXPECT_EQ(files(), all_);
     EXPECT_EQ(bake({"-q"}).error, "");
@@ -102,8 +106,9 @@ TEST_F(Bake, RefusesToOverwriteWhatItDidNotWrite) {
 }
 
 TEST_F(Bake, OneFailureWritesNothing) {
-    write("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
-          "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
+    write(
+        "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+        "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
     const Result result = bake();
     EXPECT_EQ(result.code, 4);
     EXPECT_TRUE(contains(result.error, "E0403"));
@@ -142,14 +147,15 @@ TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
 }
 
 // Starts a long bake, sends it a signal after `delay_ms`, and returns its status.
-int bake_and_signal(const std::string& recipe, const std::string& out, int signal, int delay_ms) {
+int bake_and_signal(const std::string& recipe, const std::string& out, int signal, int delay_ms,
+                    const char* certify = "quick") {
     const pid_t child = ::fork();
     if (child == 0) {
         const int null = ::open("/dev/null", O_WRONLY);
         ::dup2(null, STDOUT_FILENO);
         ::dup2(null, STDERR_FILENO);
         ::execl(SKYBAKE_PROGRAM, SKYBAKE_PROGRAM, "bake", recipe.c_str(), "-o", out.c_str(),
-                static_cast<char*>(nullptr));
+                "--certify", certify, static_cast<char*>(nullptr));
         ::_exit(126);
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
@@ -160,12 +166,17 @@ int bake_and_signal(const std::string& recipe, const std::string& out, int signa
 }
 
 TEST_F(Bake, AnInterruptLeavesNoPartialFile) {
-    write("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
-          "[bake.multiple_scattering]\nsize = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
-    const int status = bake_and_signal(recipe_, out_, SIGINT, 300);
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_EQ(files(), std::vector<std::string>{});
+    write(
+        "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+        "[bake.multiple_scattering]\nsize = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
+    for (const char* certify : {"quick", "full", "off"}) {
+        for (const int delay_ms : {60, 150, 400}) {
+            const int status = bake_and_signal(recipe_, out_, SIGINT, delay_ms, certify);
+            ASSERT_TRUE(WIFEXITED(status)) << certify << ' ' << delay_ms;
+            EXPECT_EQ(WEXITSTATUS(status), 130) << certify << ' ' << delay_ms;
+            EXPECT_EQ(files(), std::vector<std::string>{});
+        }
+    }
 }
 
 TEST_F(Bake, AKilledBakeIsMadeGoodByTheNext) {

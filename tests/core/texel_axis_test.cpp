@@ -8,10 +8,10 @@ namespace skybake {
 namespace {
 
 TEST(TexelAxis, CentresMapToThemselves) {
-    for (const auto convention : {TexelConvention::end_points_on_texel_centres,
-                                  TexelConvention::end_points_on_edges}) {
+    for (const auto convention :
+         {TexelConvention::end_points_on_texel_centres, TexelConvention::end_points_on_edges}) {
         for (const int count : {1, 2, 3, 33, 256, 16384}) {
-            for (int i = 0; i < count; i += count > 300 ? 97 : 1) {
+            for (int i = 0; i<count; i += count> 300 ? 97 : 1) {
                 const double x = texel_coordinate(convention, i, count);
                 EXPECT_NEAR(texture_coordinate(convention, x, count), (i + 0.5) / count, 1e-15);
             }

@@ -51,7 +51,8 @@ TEST(Transcendental, ExponentialAtItsEnds) {
 }
 
 TEST(Transcendental, LogarithmIsWithinOneAndAHalfUlp) {
-    for (const auto& [from, to] : {std::pair{0.5, 2.0}, {0.999, 1.001}, {1e-300, 1e-290}, {1.0, 1e300}}) {
+    for (const auto& [from, to] :
+         {std::pair{0.5, 2.0}, {0.999, 1.001}, {1e-300, 1e-290}, {1.0, 1e300}}) {
         double worst = 0;
         for (const double x : samples(from, to, 20000)) {
             worst = std::max(worst, ulps(logarithm(x), log(Quad(x))));

@@ -11,7 +11,8 @@
 
 namespace skybake::test {
 
-inline config::Recipe recipe_of(const std::string& text, const std::vector<std::string>& settings = {}) {
+inline config::Recipe recipe_of(const std::string& text,
+                                const std::vector<std::string>& settings = {}) {
     const auto outcome = config::parse_recipe(text, "test.toml", {}, settings);
     for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
         if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
@@ -19,9 +20,9 @@ inline config::Recipe recipe_of(const std::string& text, const std::vector<std::
     return outcome.value.value_or(config::Recipe{});
 }
 
-inline Medium preset_medium(const std::string& name, const std::vector<std::string>& settings = {}) {
-    return make_medium(
-        recipe_of("preset = \"" + name + "\"\n", settings).parameters.atmosphere);
+inline Medium preset_medium(const std::string& name,
+                            const std::vector<std::string>& settings = {}) {
+    return make_medium(recipe_of("preset = \"" + name + "\"\n", settings).parameters.atmosphere);
 }
 
 inline const std::vector<std::string>& preset_list() {

@@ -9,8 +9,8 @@
 
 namespace skybake::test {
 
-// Holds `error` to `bound` and adds a row to the table: the case's number and name in physics terms,
-// what it was held against, the error reached.
+// Holds `error` to `bound` and adds a row to the table: the case's number and name in physics
+// terms, what it was held against, the error reached.
 inline void hold(const std::string& name, const std::string& against, double error, double bound) {
     char row[512];
     std::snprintf(row, sizeof row, "%-46s %-52s %9.2g  (bound %.0e)", name.c_str(), against.c_str(),

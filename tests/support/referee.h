@@ -83,7 +83,8 @@ inline std::array<Quad, kMaxChannels> referee_optical_depth(const Medium& medium
         for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += column * layer.extinction_per_km[c];
     };
     for (const ExponentialLayer& layer : medium.exponential_layers) {
-        integrate(layer, [&](const Quad& h) -> Quad { return exp(-h / Quad(layer.scale_height_km)); });
+        integrate(layer,
+                  [&](const Quad& h) -> Quad { return exp(-h / Quad(layer.scale_height_km)); });
     }
     for (const PiecewiseLayer& layer : medium.piecewise_layers) {
         integrate(layer, [&](const Quad& h) { return density(layer, h); });
@@ -93,7 +94,8 @@ inline std::array<Quad, kMaxChannels> referee_optical_depth(const Medium& medium
 
 // To the top of the shell.
 inline std::array<Quad, kMaxChannels> referee_optical_depth_to_top(const Medium& medium,
-                                                                   double altitude_km, double s_km) {
+                                                                   double altitude_km,
+                                                                   double s_km) {
     const Quad r = Quad(medium.ground_radius_km) + altitude_km;
     const Quad top = Quad(medium.ground_radius_km) + medium.thickness_km;
     const Quad length = sqrt(Quad(s_km) * s_km + (top - r) * (top + r)) - s_km;
