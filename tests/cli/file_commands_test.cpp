@@ -119,10 +119,16 @@ TEST(DiffCommand, RefusesWhatCannotBeCompared) {
 }
 
 TEST(VerifyCommand, CountsWhatPassed) {
+    using skybake::testing::write_bytes;
     const TemporaryFolder folder;
-    write_sample_bake(folder.path(), {"transmittance", "second"});
-    const Result result = run_words({"verify", folder.path().string()});
-    EXPECT_EQ(result.code, 0);
+    const std::string recipe = (folder / "recipe.toml").string();
+    const std::string out = (folder / "out").string();
+    write_bytes(recipe,
+                "preset = \"earth\"\n[bake.transmittance]\nsize = [16, 8]\n"
+                "[bake.second]\nasset = \"transmittance\"\nmapping = \"ue\"\nsize = [16, 8]\n");
+    ASSERT_EQ(run_words({"bake", recipe, "-o", out}).code, 0);
+    const Result result = run_words({"verify", out});
+    EXPECT_EQ(result.code, 0) << result.out;
     EXPECT_TRUE(contains(result.out, "2 files, ")) << result.out;
     EXPECT_TRUE(contains(result.out, " checks, all passed\n"));
 }
