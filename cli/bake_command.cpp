@@ -1,6 +1,7 @@
 // skybake bake: makes what the recipe asks for.
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/parse_arguments.h"
 
 namespace skybake::cli {
 namespace {
@@ -187,6 +189,9 @@ ExitCode run(const Invocation& invocation, Console& console) {
     BakeJob job;
     job.selection = std::move(*selection.value);
     job.folder = invocation.value("output");
+    if (job.folder.empty()) {
+        return console.report(std::array{usage_error("-o: the folder's name is empty")});
+    }
     job.options.threads = job.selection.threads;
     job.options.certification = certification_option(invocation);
     job.json = invocation.has("json");

@@ -12,7 +12,9 @@ namespace skybake::cli {
 namespace {
 
 std::string time_text(double seconds) {
-    return seconds < 1 ? fmt::format("{:.2g} ms", seconds * 1e3) : fmt::format("{:.3g} s", seconds);
+    if (seconds >= 1) return fmt::format("{:.3g} s", seconds);
+    const double ms = seconds * 1e3;
+    return ms < 9.95 ? fmt::format("{:.2g} ms", ms) : fmt::format("{:.0f} ms", ms);
 }
 
 std::string size_text(double bytes) {

@@ -251,7 +251,7 @@ HWY_EXPORT(CombineRow);
 
 Sunlight::Sunlight(const Medium& medium, const std::vector<double>& altitudes_km,
                    TransmittanceField::Size size, int threads)
-    : field_(medium, size, threads),
+    : field_(medium, altitudes_km, size, threads),
       row_size_(static_cast<std::size_t>(field_.row_size())),
       rows_(row_size_ * altitudes_km.size()) {
     for (std::size_t i = 0; i < altitudes_km.size(); ++i) {

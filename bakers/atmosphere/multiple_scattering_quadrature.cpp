@@ -56,8 +56,8 @@ std::vector<ZenithPart> zenith_parts(double horizon, double height, const Quadra
 
 const std::vector<QuadratureLevel>& quadrature_levels() {
     static const std::vector<QuadratureLevel> levels = {
-        {4, 5e-1, 1e-1},  {5, 3e-1, 1e-1},  {6, 3.5e-1, 1e-1},  {6, 1e-1, 2e-2},
-        {8, 3e-2, 5e-3},  {9, 2e-2, 2e-3},  {10, 1e-2, 1e-3}, {14, 3e-3, 3e-4},
+        {4, 5e-1, 1e-1},  {5, 3e-1, 1e-1},  {6, 3.5e-1, 1e-1}, {6, 1e-1, 2e-2},
+        {8, 3e-2, 5e-3},  {9, 2e-2, 2e-3},  {10, 1e-2, 1e-3},  {14, 3e-3, 3e-4},
         {20, 1e-3, 1e-4}, {28, 3e-4, 3e-5}, {40, 1e-4, 1e-5},
     };
     return levels;

@@ -23,14 +23,13 @@ using config::MultipleScatteringMethod;
 
 namespace {
 
-// What the reference integrates with: other nodes than any level of the baker, finer than those
-// that it comes to choose.
-constexpr QuadratureLevel kReferenceLevel = {36, 1e-4, 2e-5};
-constexpr TransmittanceField::Size kReferenceField = {1024, 256};
+// What the reference integrates with: more and other nodes than any level of the baker.
+constexpr QuadratureLevel kReferenceLevel = {44, 1e-4, 5e-6};
+constexpr TransmittanceField::Size kReferenceField = {512, 192};
 
 // Sunlight for the baker's levels: the last two are limited by it in dense air.
 constexpr TransmittanceField::Size kField = {256, 128};
-constexpr TransmittanceField::Size kFineField = {768, 256};
+constexpr TransmittanceField::Size kFineField = {384, 128};
 constexpr int kFirstFineLevel = 9;
 
 // Values below this share of the channel's maximum are compared with it and not with themselves.
@@ -163,7 +162,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =
-        "the same integral with 36 zenith nodes a part and 1024 columns of sunlight";
+        "the same integral with 44 zenith nodes a part and 512 columns of sunlight";
     table.certificate.scale = "relative to max(reference, 1e-3 of the channel's largest)";
     table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
 
@@ -171,6 +170,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     request.size = bake.size;
     request.max_error = bake.max_error;
     if (!as_in_paper) request.max_texel_error = bake.max_texel_error;
+    request.choice = {32, 16};
     request.quick = {8, 8};
     request.full = {1024, 16};
     const auto place_of = [mapping, thickness_km](double x, double y) {
@@ -184,7 +184,8 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     config::Outcome<BakedTable> outcome =
         finish_table(model, request, options, place_of, std::move(table));
     // Where the terminator falls between texels no count of nodes helps, another mapping does.
-    if (outcome.value && !twilight && outcome.value->certificate.lookup.max > 0.1) {
+    if (outcome.value && !twilight && outcome.value->image.width >= 8 &&
+        outcome.value->certificate.lookup.max > 0.1) {
         outcome.value->certificate.advice =
             "mapping = \"twilight\" spends its texels about the terminator";
     }

@@ -9,6 +9,13 @@
 
 namespace skybake {
 
+namespace {
+
+// An optical depth that no transmittance in double can show.
+constexpr double kNegligibleDepth = 1e-17;
+
+}  // namespace
+
 Spectrum reference_optical_depth_along(const Medium& medium, double altitude_km, double s_km,
                                        double distance_km, double relative) {
     const Shell shell = shell_of(medium);
@@ -21,8 +28,9 @@ Spectrum reference_optical_depth_along(const Medium& medium, double altitude_km,
                                                     break_altitudes_km(medium, {2, 6, 14, 30}));
     Spectrum sum{};
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-        const Spectrum part = adaptive_integral<Spectrum>(
-            extinction, breaks[i].distance_km, breaks[i + 1].distance_km, relative, 1e-300);
+        const Spectrum part =
+            adaptive_integral<Spectrum>(extinction, breaks[i].distance_km,
+                                        breaks[i + 1].distance_km, relative, kNegligibleDepth);
         for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part[c];
     }
     return sum;

@@ -23,7 +23,7 @@ inline Shell shell_of(const Medium& medium) {
     return {medium.ground_radius_km, medium.thickness_km};
 }
 
-// Distance along the horizontal from a point at altitude h down to the ground's tangent point:
+// Distance from a point at altitude h to the horizon:
 // rho = sqrt(r^2 - R^2). The horizon is at s = -rho.
 inline double horizon_distance_km(const Shell& shell, double altitude_km) {
     return std::sqrt(altitude_km * (2 * shell.ground_radius_km + altitude_km));

@@ -107,6 +107,7 @@ config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const Trans
     AccuracyRequest request;
     request.size = bake.size;
     request.max_error = bake.max_error;
+    request.choice = {4096, 1};
     request.quick = {1024, 1};
     request.full = {16384, 1};
     const auto place_of = [shell](double x, double y) {

@@ -40,10 +40,6 @@ struct LevelChoice {
 LevelChoice choose_level(const TableModel& model, const AccuracyRequest& request,
                          const ReferencePoints& texels, const BakeOptions& options) {
     LevelChoice choice;
-    if (!request.max_texel_error) {
-        choice.level = 0;
-        return choice;
-    }
     for (std::size_t level = 0; level < model.cost_per_texel.size(); ++level) {
         choice.best_error =
             measure_kernel(model, static_cast<int>(level), texels, options).figures.max;
@@ -125,15 +121,15 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
     const bool certify = options.certification != Certification::off;
     Outcome<BakedTable> outcome;
 
-    std::optional<ReferencePoints> points;
-    if (certify || request.max_error) points = reference_points(model, counts, options);
-    if (cancelled(options)) return outcome;
+    // The choice is made by points of its own: how a table is certified must not change its texels.
     std::array<int, 2> size = request.size;
     int level = 0;
-    std::optional<ReferencePoints> texels;
     if (request.max_error) {
+        const ReferencePoints points = reference_points(model, request.choice, options);
+        if (cancelled(options)) return outcome;
         const TableSearch search =
-            smallest_table(model, *request.max_error, table.pixel_type, *points, options);
+            smallest_table(model, *request.max_error, table.pixel_type, points, options);
+        if (cancelled(options)) return outcome;
         if (!search.found) {
             outcome.diagnostics.push_back(failure(
                 "E0403",
@@ -146,17 +142,19 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         size = search.found->size;
         level = search.found->level;
     }
-    if (certify || (!request.max_error && request.max_texel_error)) {
-        texels = reference_texels(model, size, counts, options);
-    }
-    if (cancelled(options)) return outcome;
-    if (!request.max_error) {
+    std::optional<ReferencePoints> texels;
+    if (!request.max_error && request.max_texel_error) {
+        texels = reference_texels(model, size, request.quick, options);
+        if (cancelled(options)) return outcome;
         const LevelChoice choice = choose_level(model, request, *texels, options);
+        if (cancelled(options)) return outcome;
         if (!choice.level) {
-            outcome.diagnostics.push_back(failure(
-                "E0404", fmt::format("`{}`: max_texel_error {:.3g} is not reached; the "
-                                     "finest quadrature leaves {:.3g}",
-                                     table.name, *request.max_texel_error, choice.best_error)));
+            outcome.diagnostics.push_back(
+                failure("E0404",
+                        fmt::format("`{}`: max_texel_error {:.3g} is not reached; the "
+                                    "finest quadrature leaves {:.3g}",
+                                    table.name, *request.max_texel_error, choice.best_error),
+                        "ask for a larger max_texel_error"));
             return outcome;
         }
         level = *choice.level;
@@ -188,11 +186,17 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
     }
     table.certified = certify;
     if (certify) {
-        const MeasuredErrors lookup = measure_lookups(model, table.image, *points);
+        const ReferencePoints points = reference_points(model, counts, options);
+        // Choosing the level has measured the quick certificate's texels already.
+        if (!texels || options.certification == Certification::full) {
+            texels = reference_texels(model, size, counts, options);
+        }
+        if (cancelled(options)) return outcome;
+        const MeasuredErrors lookup = measure_lookups(model, table.image, points);
         table.certificate.texel = measure_lookups(model, table.image, *texels).figures;
         table.certificate.texel_points = texels->count();
         table.certificate.lookup = lookup.figures;
-        table.certificate.lookup_points = points->count();
+        table.certificate.lookup_points = points.count();
         table.certificate.worst = place_text(place_of(lookup.worst[0], lookup.worst[1]));
     }
     table.probes = make_probes(model, table, place_of);

@@ -18,7 +18,8 @@ struct AccuracyRequest {
     std::array<int, 2> size{};
     std::optional<double> max_error;        // in place of size
     std::optional<double> max_texel_error;  // picks the quadrature level where size is given
-    PointCounts quick;                      // how many points --certify=quick means
+    PointCounts choice;  // points that size and level are chosen by, whatever is certified
+    PointCounts quick;   // how many points --certify=quick means
     PointCounts full;
 };
 

@@ -19,7 +19,7 @@ struct TableSearch {
 };
 
 // Tries tables of the sizes {4, 6, 8, 12, 16, ... 2048} on each axis and all levels in the order of
-// their cost, texels * cost_per_texel (then fewer texels, then narrower), and takes the first whose
+// their cost, texels * cost_per_texel (then narrower), and takes the first whose
 // stored lookups are within `max_error` at every point. The cost is fixed, so the choice is a pure
 // function of the parameters.
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,

@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// ln 2 in two parts: the first has 20 trailing zero bits, so that n * kLn2High is exact for |n| <
-// 2^20.
+// ln 2 in two parts: the first has 17 trailing zero bits, so that n * kLn2High is exact for |n| <
+// 2^17.
 constexpr double kLn2High = 0x1.62e42fefa0000p-1;
 constexpr double kLn2Low = 0x1.cf79abc9e3b3ap-40;
 // Adding 1.5 * 2^52 to a number below 2^51 leaves its nearest integer in the low bits of the sum.
@@ -26,7 +26,7 @@ constexpr double kRoundToInteger = 0x1.8p52;
 constexpr double kPi = 0x1.921fb54442d18p1;
 
 // e^x for any x that is not NaN, within 1.5 ulp; 0 below -708, where e^x leaves the normal doubles,
-// infinity above 709.
+// infinity where it overflows.
 template <class Real>
 HWY_INLINE Real exponential(Real x) {
     // e^x = 2^n e^r with n = round(x / ln 2), |r| <= ln 2 / 2, and Taylor's series for e^r: the

@@ -44,6 +44,14 @@ TEST(MultipleScatteringReference, DenseEarth) {
     for (const double sun : {0.7, 0.02}) expect_agreement(dense, 8, sun, 1e-3);
 }
 
+TEST(MultipleScatteringReference, ThinSlab) {
+    // A hundred metres of air a hundred times as dense as the ground's, inside and below.
+    const Medium slab = test::preset_medium(
+        "vacuum", {"atmosphere.layers.veil={profile=\"slab\", bottom_altitude=\"10 km\", "
+                   "top_altitude=\"10.1 km\", scattering=\"1e-2 /m\"}"});
+    for (const double altitude : {10.05, 9.0}) expect_agreement(slab, altitude, 0.7, 2e-3);
+}
+
 TEST(MultipleScatteringReference, TinyPlanet) {
     const Medium tiny = test::preset_medium("tiny_planet");
     for (const double sun : {0.7, 0.0, -0.3}) expect_agreement(tiny, 3, sun, 1e-3);

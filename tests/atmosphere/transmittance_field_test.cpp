@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bakers/atmosphere/optical_depth.h"
+#include "bakers/atmosphere/ray_breaks.h"
 #include "bakers/atmosphere/transmittance_mapping.h"
 #include "bakers/core/low_discrepancy.h"
 #include "bakers/core/transcendental.h"
@@ -26,7 +27,7 @@ double interpolated(const TransmittanceField& field, int channel, double altitud
 }
 
 double rms_error(const Medium& medium, TransmittanceField::Size size) {
-    const TransmittanceField field(medium, size, 1);
+    const TransmittanceField field(medium, break_altitudes_km(medium, {1, 4, 12}), size, 1);
     const Shell shell = shell_of(medium);
     double worst = 0;
     double sum = 0;
@@ -58,7 +59,7 @@ TEST(TransmittanceField, StaysInRangeWhereALayerIsSharp) {
     const Medium fog = test::preset_medium(
         "vacuum", {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "
                    "top_altitude=\"1 m\", scattering=\"0.5 /m\"}"});
-    const TransmittanceField field(fog, {256, 128}, 1);
+    const TransmittanceField field(fog, break_altitudes_km(fog, {}), {256, 128}, 1);
     for (double altitude = 0; altitude <= fog.thickness_km; altitude += 0.0137) {
         for (double x = 0; x <= 1; x += 0.043) {
             const double value = interpolated(field, 0, altitude, x);

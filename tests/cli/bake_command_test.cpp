@@ -141,6 +141,7 @@ TEST_F(Bake, AFolderThatCannotBeMadeIsSaid) {
 TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
     EXPECT_EQ(bake({"-j", "0"}).code, 2);
     EXPECT_EQ(bake({"-j", "two"}).code, 2);
+    EXPECT_EQ(run_program({"bake", recipe_, "-o", ""}).code, 2);
     EXPECT_EQ(bake({"--certify", "maybe"}).code, 2);
     EXPECT_EQ(bake({"--set", "atmosphere.top_radius=1 km"}).code, 2);
     EXPECT_FALSE(fs::exists(out_));
