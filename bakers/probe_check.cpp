@@ -20,7 +20,7 @@ namespace {
 using Coordinates = std::array<double, 2>;
 
 Coordinates texture_coordinates(const config::TransmittanceBake& bake, const Shell& shell,
-                                const std::array<int, 2>& size, const Probe& probe) {
+                                const std::vector<int>& size, const Probe& probe) {
     const auto convention = bake.mapping == config::TransmittanceMapping::ue
                                 ? TexelConvention::end_points_on_edges
                                 : TexelConvention::end_points_on_texel_centres;
@@ -31,11 +31,17 @@ Coordinates texture_coordinates(const config::TransmittanceBake& bake, const She
 }
 
 Coordinates texture_coordinates(const config::MultipleScatteringBake& bake, const Shell& shell,
-                                const std::array<int, 2>& size, const Probe& probe) {
+                                const std::vector<int>& size, const Probe& probe) {
     constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
     return {
         texture_coordinate(kConvention, sun_coordinate(bake.mapping, probe.at[1].second), size[0]),
         texture_coordinate(kConvention, probe.at[0].second / shell.thickness_km, size[1])};
+}
+
+// Volumes have probes of another kind, which are texture coordinates themselves.
+Coordinates texture_coordinates(const config::NoiseVolumeBake&, const Shell&,
+                                const std::vector<int>&, const Probe& probe) {
+    return probe.uv;
 }
 
 std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int& checks) {

@@ -4,10 +4,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "bakers/core/bake_options.h"
 #include "bakers/core/baked_table.h"
+#include "bakers/core/volume.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 
@@ -15,20 +18,32 @@ namespace skybake {
 
 // What a bake will take, before it is made. Rough: for people and for limits, not for results.
 struct Estimate {
-    std::array<int, 2> size{};  // 0 x 0 where max_error will choose it
-    double seconds = 0;         // on one thread of a machine of 2022
+    std::vector<int> size;  // 0 x 0 where max_error will choose it
+    double seconds = 0;     // on one thread of a machine of 2022
     double memory_mib = 0;
     double disk_mib = 0;
 };
 
+// A table holds its texels, a volume can make its voxels.
+using BakedAsset = std::variant<BakedTable, BakedVolume>;
+
+// What files say of an asset whatever it is.
+struct AssetLabel {
+    std::string name;
+    std::string parameters;  // TOML
+    std::vector<std::pair<std::string, std::string>> details;
+};
+
 struct Baker {
-    std::string_view asset;                    // "transmittance"
-    int version = 0;                           // raised when its bytes change for equal parameters
-    std::vector<std::string_view> parameters;  // patterns of the parameters that it depends on
-    Estimate (*estimate)(const config::Bake& bake);
-    config::Outcome<BakedTable> (*bake)(const config::Parameters& parameters,
+    std::string_view asset;  // "transmittance"
+    int version = 0;         // raised when its bytes change for equal parameters
+    // Patterns of the parameters that an asset depends on, besides those of its own section.
+    std::vector<std::string> (*parameters)(const config::Bake& bake);
+    Estimate (*estimate)(const config::Parameters& parameters, const config::Bake& bake);
+    // `label` has what all assets say of themselves: name, parameters, details.
+    config::Outcome<BakedAsset> (*bake)(const config::Parameters& parameters,
                                         const config::Bake& bake, const BakeOptions& options,
-                                        BakedTable table);
+                                        AssetLabel label);
 };
 
 std::span<const Baker> bakers();
@@ -37,6 +52,10 @@ std::span<const Baker> bakers();
 const Baker& baker_of(const config::Bake& bake);
 
 // Bakes one section of a recipe.
+config::Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const config::Bake& bake,
+                                       const BakeOptions& options);
+
+// The same of a section that asks for a table, and only of such a one.
 config::Outcome<BakedTable> bake_table(const config::Recipe& recipe, const config::Bake& bake,
                                        const BakeOptions& options);
 

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/parallel.h"
 #include "bakers/io/atomic_file.h"
+#include "bakers/io/file_names.h"
 #include "bakers/io/manifest.h"
 #include "bakers/io/output_folder.h"
-#include "bakers/io/write_table.h"
 #include "bakers/registry.h"
+#include "cli/bake_output.h"
 #include "cli/bake_progress.h"
 #include "cli/bake_selection.h"
 #include "cli/bake_summary.h"
@@ -43,11 +43,23 @@ Certification certification_option(const Invocation& invocation) {
     return text == "full" ? Certification::full : Certification::quick;
 }
 
-std::vector<std::string> file_names(const BakeJob& job) {
+std::vector<std::string> output_files(const BakeJob& job) {
     std::vector<std::string> names;
-    for (const Bake& bake : job.selection.bakes) names.push_back(table_file_name(bake.name));
+    for (const Bake& bake : job.selection.bakes) {
+        for (std::string& name : skybake::file_names(bake)) names.push_back(std::move(name));
+    }
     names.emplace_back(manifest_name);
     return names;
+}
+
+void append(std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
+    for (Diagnostic& diagnostic : from) to.push_back(std::move(diagnostic));
+}
+
+std::vector<ManifestAsset> entries_of(const std::vector<PreparedAsset>& assets) {
+    std::vector<ManifestAsset> entries;
+    for (const PreparedAsset& asset : assets) entries.push_back(entry_of(asset));
+    return entries;
 }
 
 void print_event(Console& console, const Json& event) {
@@ -56,12 +68,12 @@ void print_event(Console& console, const Json& event) {
 
 void print_plan(const BakeJob& job, Console& console) {
     if (!job.json) {
-        console.result(plan_text(job.selection.bakes));
+        console.result(plan_text(job.selection.recipe.parameters, job.selection.bakes));
         return;
     }
     Json assets = Json::array();
     for (const Bake& bake : job.selection.bakes) {
-        const Estimate estimate = baker_of(bake).estimate(bake);
+        const Estimate estimate = baker_of(bake).estimate(job.selection.recipe.parameters, bake);
         assets.push_back({{"name", bake.name},
                           {"kind", baker_of(bake).asset},
                           {"size", estimate.size},
@@ -72,51 +84,42 @@ void print_plan(const BakeJob& job, Console& console) {
     print_event(console, {{"event", "plan"}, {"assets", std::move(assets)}});
 }
 
-// Bakes and encodes everything before a byte is written: one failure leaves the folder as it was.
-Outcome<std::vector<EncodedTable>> bake_all(const BakeJob& job, Console& console) {
-    Outcome<std::vector<EncodedTable>> outcome;
-    std::vector<EncodedTable> tables;
-    bool failed = false;
+// Bakes everything before a byte is written: one failure leaves the folder as it was.
+Outcome<std::vector<PreparedAsset>> bake_all(const BakeJob& job, Console& console) {
+    Outcome<std::vector<PreparedAsset>> outcome;
+    std::vector<PreparedAsset> assets;
     for (const Bake& bake : job.selection.bakes) {
         BakeProgress progress(bake.name, console);
         BakeOptions options = job.options;
         options.progress = &progress;
-        Outcome<BakedTable> baked = bake_table(job.selection.recipe, bake, options);
+        Outcome<BakedAsset> baked = bake_asset(job.selection.recipe, bake, options);
         progress.finish();
         if (interrupted()) return outcome;
-        for (Diagnostic& diagnostic : baked.diagnostics) {
-            outcome.diagnostics.push_back(std::move(diagnostic));
-        }
-        if (!baked.value) {
-            failed = true;
-            continue;
-        }
-        Outcome<EncodedTable> encoded = encode_table(*baked.value);
-        for (Diagnostic& diagnostic : encoded.diagnostics) {
-            outcome.diagnostics.push_back(std::move(diagnostic));
-        }
-        if (!encoded.value) {
-            failed = true;
-            continue;
-        }
-        encoded.value->asset.timing.bake_s = baked.value->bake_seconds;
-        encoded.value->asset.timing.threads = thread_count(options.threads);
-        tables.push_back(std::move(*encoded.value));
+        append(baked.diagnostics, outcome.diagnostics);
+        if (!baked.value) continue;
+        Outcome<PreparedAsset> prepared = prepare(std::move(*baked.value), options.threads);
+        append(prepared.diagnostics, outcome.diagnostics);
+        if (prepared.value) assets.push_back(std::move(*prepared.value));
     }
-    if (!failed) outcome.value = std::move(tables);
+    if (assets.size() == job.selection.bakes.size()) outcome.value = std::move(assets);
     return outcome;
 }
 
-Json asset_event(const ManifestAsset& asset, const std::filesystem::path& path,
-                 WriteResult result) {
+Json file_event(const ManifestAsset& asset, const ManifestFile& file, const std::string& path,
+                WriteResult result) {
     Json event = {{"event", "asset"},
                   {"name", asset.name},
                   {"kind", asset.kind},
-                  {"path", path.string()},
+                  {"path", path},
                   {"changed", result == WriteResult::written},
                   {"size", asset.size},
                   {"bake_s", asset.timing.bake_s},
                   {"write_s", asset.timing.write_s}};
+    if (asset.is_volume()) {
+        event["size"] = asset.levels[static_cast<std::size_t>(file.level)].size;
+        event["format"] = file.format;
+        event["level"] = file.level;
+    }
     if (asset.error) {
         event["lookup_error"] = {{"max", asset.error->lookup.max},
                                  {"rms", asset.error->lookup.rms}};
@@ -125,51 +128,65 @@ Json asset_event(const ManifestAsset& asset, const std::filesystem::path& path,
     return event;
 }
 
-// Brings all files to the disk, then renames them: an error leaves every old file in place.
-ExitCode write_all(const BakeJob& job, const OutputFolder& folder,
-                   std::vector<EncodedTable>& tables, Console& console) {
-    Manifest manifest = new_manifest(job.selection.recipe);
-    const BakeProgress progress("write", console);
-    AtomicFiles files;
+// What stdout gets once all files have their names.
+struct Announcement {
     std::vector<Json> events;
     std::string paths;
-    for (EncodedTable& table : tables) {
-        const auto staged = stage_table(table, job.folder, files, &progress);
+
+    void add(const BakeJob& job, const ManifestAsset& asset,
+             const std::vector<WriteResult>& results) {
+        for (std::size_t i = 0; i < asset.files.size(); ++i) {
+            const std::string path = (job.folder / asset.files[i].path).string();
+            events.push_back(file_event(asset, asset.files[i], path, results[i]));
+            paths += path + "\n";
+        }
+    }
+};
+
+// Brings all files to the disk, then renames them: an error leaves every old file in place.
+ExitCode write_all(const BakeJob& job, const OutputFolder& folder,
+                   std::vector<PreparedAsset>& assets, Console& console) {
+    Manifest manifest = new_manifest(job.selection.recipe);
+    AtomicFiles files;
+    Announcement announcement;
+    for (PreparedAsset& asset : assets) {
+        BakeProgress progress(entry_of(asset).name, console);
+        const auto staged = stage(asset, job.folder, files, job.options.threads, progress);
+        progress.finish();
         if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
-        if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
-        const std::filesystem::path path = job.folder / table_file_name(table.asset.name);
-        events.push_back(asset_event(table.asset, path, *staged.value));
-        paths += path.string() + "\n";
-        manifest.assets.push_back(table.asset);
+        if (staged.value->back() == WriteResult::interrupted) return ExitCode::interrupted;
+        announcement.add(job, entry_of(asset), *staged.value);
+        manifest.assets.push_back(entry_of(asset));
     }
     const bool partial = job.selection.bakes.size() < job.selection.recipe.parameters.bakes.size();
     if (partial && folder.previous)
         manifest = merge_manifests(*folder.previous, std::move(manifest));
     const std::filesystem::path path = job.folder / manifest_name;
-    paths += path.string() + "\n";
-    const auto staged = files.stage(path, manifest_json(manifest), &progress);
+    announcement.paths += path.string() + "\n";
+    const BakeProgress progress("manifest", console);
+    const auto staged = files.stage(path, std::string_view(manifest_json(manifest)), &progress);
     if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
     if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
     const auto failures = files.commit();
     if (!failures.empty()) return console.report(failures);
     if (job.json) {
-        for (const Json& event : events) print_event(console, event);
+        for (const Json& event : announcement.events) print_event(console, event);
     } else {
-        console.result(paths);
+        console.result(announcement.paths);
     }
     return ExitCode::done;
 }
 
 ExitCode bake(const BakeJob& job, bool force, Console& console) {
     const auto start = std::chrono::steady_clock::now();
-    const auto folder = inspect_output_folder(job.folder, file_names(job), force);
+    const auto folder = inspect_output_folder(job.folder, output_files(job), force);
     if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
-    auto tables = bake_all(job, console);
+    auto assets = bake_all(job, console);
     if (interrupted()) return ExitCode::interrupted;
-    if (const ExitCode code = console.report(tables.diagnostics); !tables.value) return code;
+    if (const ExitCode code = console.report(assets.diagnostics); !assets.value) return code;
     const auto made = create_output_folder(job.folder);
     if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
-    if (const ExitCode code = write_all(job, *folder.value, *tables.value, console);
+    if (const ExitCode code = write_all(job, *folder.value, *assets.value, console);
         code != ExitCode::done) {
         return code;
     }
@@ -177,9 +194,9 @@ ExitCode bake(const BakeJob& job, bool force, Console& console) {
     if (job.json) {
         print_event(
             console,
-            {{"event", "done"}, {"assets", tables.value->size()}, {"seconds", elapsed.count()}});
+            {{"event", "done"}, {"assets", assets.value->size()}, {"seconds", elapsed.count()}});
     }
-    console.note(summary_text(*tables.value, elapsed.count()));
+    console.note(summary_text(entries_of(*assets.value), elapsed.count()));
     return ExitCode::done;
 }
 
@@ -204,7 +221,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command bake_command() {
     return {.name = "bake",
-            .summary = "make what a recipe asks for: EXR files and manifest.json",
+            .summary = "make what a recipe asks for: tables, volumes and manifest.json",
             .arguments = {{.name = "recipe.toml", .help = "the recipe"}},
             .options = {{.name = "output",
                          .short_name = 'o',

@@ -5,15 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/write_table.h"
+#include "bakers/io/manifest.h"
 #include "config/parameters.h"
 
 namespace skybake::cli {
 
-// One row an asset: size, estimated time, memory and disk.
-std::string plan_text(std::span<const config::Bake> bakes);
+// One row an asset: size, files, estimated time and disk.
+std::string plan_text(const config::Parameters& parameters, std::span<const config::Bake> bakes);
 
-// One row an asset: size, file, times, errors; then totals.
-std::string summary_text(const std::vector<EncodedTable>& tables, double seconds);
+// One row a file, the first of an asset with its size, times and errors; then totals.
+std::string summary_text(const std::vector<ManifestAsset>& assets, double seconds);
+
+// "256x64", "128x128x128".
+std::string extent_text(std::span<const int> size);
 
 }  // namespace skybake::cli

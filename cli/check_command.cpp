@@ -16,15 +16,21 @@ std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
+// "3 layers, 1 noise, 2 assets to bake": layers and noises where the recipe is about them.
+std::string contents(const config::Parameters& parameters) {
+    std::string text;
+    const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;
+    if (has_atmosphere) text += count(parameters.atmosphere.layers.size(), "layer") + ", ";
+    if (!parameters.noises.empty()) text += count(parameters.noises.size(), "noise") + ", ";
+    return text + count(parameters.bakes.size(), "asset") + " to bake";
+}
+
 ExitCode run(const Invocation& invocation, Console& console) {
     const std::string& file = invocation.arguments()[0];
     const auto outcome = config::load_recipe(file, invocation.values("set"));
     const ExitCode code = console.report_results(outcome.diagnostics);
     if (!outcome.value) return code;
-    const config::Parameters& parameters = outcome.value->parameters;
-    console.note(fmt::format("{}: no errors; {}, {} to bake\n", file,
-                             count(parameters.atmosphere.layers.size(), "layer"),
-                             count(parameters.bakes.size(), "asset")));
+    console.note(fmt::format("{}: no errors; {}\n", file, contents(outcome.value->parameters)));
     return code;
 }
 

@@ -10,6 +10,7 @@
 
 #include "bakers/io/compare.h"
 #include "bakers/io/file_diagnostic.h"
+#include "bakers/io/file_input.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/parse_arguments.h"
@@ -50,38 +51,75 @@ struct Judgement {
 
 // --- Comparing ----------------------------------------------------------------------------------
 
-void compare_files(const fs::path& first, const fs::path& second, Comparison& comparison) {
-    const auto a = read_exr(first);
-    const auto b = read_exr(second);
-    for (const auto* outcome : {&a, &b}) {
-        comparison.diagnostics.insert(comparison.diagnostics.end(), outcome->diagnostics.begin(),
-                                      outcome->diagnostics.end());
-    }
-    if (!a.value || !b.value) return;
-    comparison.files.push_back(
-        {second.filename().string(), "", compare_images(*a.value, *b.value)});
+void append(const std::vector<config::Diagnostic>& from, std::vector<config::Diagnostic>& to) {
+    to.insert(to.end(), from.begin(), from.end());
 }
 
-std::set<std::string> images_in(const fs::path& folder,
-                                std::vector<config::Diagnostic>& diagnostics) {
+void compare_images(const fs::path& first, const fs::path& second, Comparison& comparison) {
+    auto a = ExrRows::open(first);
+    auto b = ExrRows::open(second);
+    append(a.diagnostics, comparison.diagnostics);
+    append(b.diagnostics, comparison.diagnostics);
+    if (!a.value || !b.value) return;
+    auto difference = skybake::compare_images(rows_of(*a.value), rows_of(*b.value));
+    append(difference.diagnostics, comparison.diagnostics);
+    if (!difference.value) return;
+    comparison.files.push_back({second.filename().string(), "", std::move(*difference.value)});
+}
+
+// Files whose values are not looked into: equal is what has the same bytes.
+void compare_bytes(const fs::path& first, const fs::path& second, Comparison& comparison) {
+    const auto a = fingerprint(first);
+    const auto b = fingerprint(second);
+    append(a.diagnostics, comparison.diagnostics);
+    append(b.diagnostics, comparison.diagnostics);
+    if (!a.value || !b.value) return;
+    FileDifference file{second.filename().string(), "", {}};
+    if (a.value->bytes != b.value->bytes) {
+        file.image.layout = fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes);
+    } else if (a.value->xxh3 != b.value->xxh3) {
+        file.image.layout = "the bytes differ; only values of .exr files are compared";
+    }
+    comparison.files.push_back(std::move(file));
+}
+
+bool is_image(const fs::path& path) { return path.extension() == ".exr"; }
+
+// A volume in another format than EXR.
+bool is_other_volume(const fs::path& path) {
+    return path.extension() == ".vdb" || path.extension() == ".bin";
+}
+
+void compare_files(const fs::path& first, const fs::path& second, Comparison& comparison) {
+    if (is_other_volume(first) && is_other_volume(second)) {
+        compare_bytes(first, second, comparison);
+    } else {
+        compare_images(first, second, comparison);
+    }
+}
+
+std::set<std::string> files_in(const fs::path& folder,
+                               std::vector<config::Diagnostic>& diagnostics) {
     std::set<std::string> names;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
-        if (entry->path().extension() == ".exr") names.insert(entry->path().filename().string());
+        if (is_image(entry->path()) || is_other_volume(entry->path())) {
+            names.insert(entry->path().filename().string());
+        }
     }
     if (error || names.empty()) {
-        diagnostics.push_back(
-            file_error("E0300", folder.string(),
-                       fmt::format("cannot compare `{}`: {}", folder.string(),
-                                   error ? error.message() : "there is no .exr file in it")));
+        diagnostics.push_back(file_error(
+            "E0300", folder.string(),
+            fmt::format("cannot compare `{}`: {}", folder.string(),
+                        error ? error.message() : "there is no .exr, .vdb or .bin file in it")));
     }
     return names;
 }
 
 void compare_folders(const fs::path& first, const fs::path& second, Comparison& comparison) {
-    const auto in_first = images_in(first, comparison.diagnostics);
-    const auto in_second = images_in(second, comparison.diagnostics);
+    const auto in_first = files_in(first, comparison.diagnostics);
+    const auto in_second = files_in(second, comparison.diagnostics);
     if (!comparison.diagnostics.empty()) return;
     std::set<std::string> names = in_first;
     names.insert(in_second.begin(), in_second.end());
@@ -247,7 +285,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command diff_command() {
     return {.name = "diff",
             .summary = "compare two baked files or folders",
-            .arguments = {{.name = "first", .help = "an EXR file or a folder of them"},
+            .arguments = {{.name = "first", .help = "an EXR, VDB or raw file, or a folder of them"},
                           {.name = "second", .help = "the same to compare with"}},
             .options = {{.name = "tolerance",
                          .value = "NUMBER",

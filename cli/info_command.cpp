@@ -3,14 +3,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/exr.h"
+#include "bakers/io/exr_rows.h"
+#include "bakers/io/file_diagnostic.h"
 #include "bakers/io/manifest.h"
 #include "bakers/io/spelling.h"
+#include "bakers/io/vdb_volume.h"
+#include "cli/bake_summary.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/table_printer.h"
@@ -30,37 +34,54 @@ struct ValueRange {
     long not_finite = 0;
 };
 
-ValueRange range_of(const Image2<float>& pixels, std::size_t channel) {
-    ValueRange range;
-    const auto step = static_cast<std::size_t>(pixels.channels);
-    for (std::size_t i = channel; i < pixels.texels.size(); i += step) {
-        const double value = pixels.texels[i];
-        if (!std::isfinite(value)) {
-            ++range.not_finite;
-            continue;
+// One range per channel; reads the file row by row.
+config::Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
+    const std::size_t channels = image.channel_names().size();
+    std::vector<ValueRange> ranges(channels);
+    std::vector<float> texels;
+    int step = image.rows_per_piece();
+    for (int y = 0; y < image.height(); y += step) {
+        step = std::min(step, image.height() - y);
+        texels.resize(static_cast<std::size_t>(step) * static_cast<std::size_t>(image.width()) *
+                      channels);
+        if (auto problem = image.read(y, step, texels.data())) return {{}, {*problem}};
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            ValueRange& range = ranges[i % channels];
+            const double value = texels[i];
+            if (!std::isfinite(value)) {
+                ++range.not_finite;
+                continue;
+            }
+            range.smallest = std::min(range.smallest, value);
+            range.largest = std::max(range.largest, value);
         }
-        range.smallest = std::min(range.smallest, value);
-        range.largest = std::max(range.largest, value);
     }
-    return range;
+    return {std::move(ranges), {}};
 }
 
-std::string image_json(const ExrImage& image) {
-    Json ranges = Json::object();
-    for (std::size_t i = 0; i < image.channel_names.size(); ++i) {
-        const ValueRange range = range_of(image.pixels, i);
-        ranges[image.channel_names[i]] = {
-            {"min", range.smallest}, {"max", range.largest}, {"not_finite", range.not_finite}};
-    }
-    Json attributes = Json::object();
-    for (const auto& [name, text] : image.attributes) attributes[name] = text;
-    const Json json = {{"size", {image.pixels.width, image.pixels.height}},
-                       {"channels", image.channel_names},
-                       {"pixel_type", spell(image.pixel_type)},
-                       {"compression", spell(image.compression)},
-                       {"values", std::move(ranges)},
-                       {"attributes", std::move(attributes)}};
+Json attributes_json(const Attributes& attributes) {
+    Json json = Json::object();
+    for (const auto& [name, text] : attributes) json[name] = text;
+    return json;
+}
+
+std::string text_of(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string image_json(const ExrRows& image, const std::vector<ValueRange>& ranges) {
+    Json values = Json::object();
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        values[image.channel_names()[i]] = {{"min", ranges[i].smallest},
+                                            {"max", ranges[i].largest},
+                                            {"not_finite", ranges[i].not_finite}};
+    }
+    return text_of({{"size", {image.width(), image.height()}},
+                    {"channels", image.channel_names()},
+                    {"pixel_type", spell(image.pixel_type())},
+                    {"compression", spell(image.compression())},
+                    {"values", std::move(values)},
+                    {"attributes", attributes_json(image.attributes())}});
 }
 
 // Texts of several lines stand below their name, the others beside it.
@@ -82,27 +103,89 @@ std::string attribute_text(const Attributes& attributes) {
     return short_ones.text() + long_ones;
 }
 
-std::string image_text(const std::string& name, const ExrImage& image) {
+std::string image_text(const std::string& name, const ExrRows& image,
+                       const std::vector<ValueRange>& ranges) {
     TextTable facts;
-    facts.add_row({"size", fmt::format("{} x {}", image.pixels.width, image.pixels.height)});
-    facts.add_row({"channels", fmt::format("{}, {}", fmt::join(image.channel_names, " "),
-                                           spell(image.pixel_type))});
-    facts.add_row({"compression", std::string(spell(image.compression))});
-    for (std::size_t i = 0; i < image.channel_names.size(); ++i) {
-        const ValueRange range = range_of(image.pixels, i);
-        std::string text = fmt::format("{:.6g} to {:.6g}", range.smallest, range.largest);
-        if (range.not_finite > 0) text += fmt::format(", {} not finite", range.not_finite);
-        facts.add_row({fmt::format("values {}", image.channel_names[i]), std::move(text)});
+    facts.add_row({"size", fmt::format("{} x {}", image.width(), image.height())});
+    facts.add_row({"channels", fmt::format("{}, {}", fmt::join(image.channel_names(), " "),
+                                           spell(image.pixel_type()))});
+    facts.add_row({"compression", std::string(spell(image.compression()))});
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        std::string text = fmt::format("{:.6g} to {:.6g}", ranges[i].smallest, ranges[i].largest);
+        if (ranges[i].not_finite > 0) text += fmt::format(", {} not finite", ranges[i].not_finite);
+        facts.add_row({fmt::format("values {}", image.channel_names()[i]), std::move(text)});
     }
-    return fmt::format("{}\n", name) + facts.text() + attribute_text(image.attributes);
+    return fmt::format("{}\n", name) + facts.text() + attribute_text(image.attributes());
 }
 
 ExitCode show_image(const fs::path& path, bool json, Console& console) {
-    const auto image = read_exr(path);
-    const ExitCode code = console.report(image.diagnostics);
-    if (!image.value) return code;
-    console.result(json ? image_json(*image.value) : image_text(path.string(), *image.value));
+    auto image = ExrRows::open(path);
+    if (!image.value) return console.report(image.diagnostics);
+    const auto ranges = value_ranges(*image.value);
+    if (!ranges.value) return console.report(ranges.diagnostics);
+    console.result(json ? image_json(*image.value, *ranges.value)
+                        : image_text(path.string(), *image.value, *ranges.value));
     return ExitCode::done;
+}
+
+// --- One OpenVDB file ---------------------------------------------------------------------------
+
+// "512 x 512 x 64" of the active voxels.
+std::string active_extent(const VdbGrid& grid) {
+    std::array<std::int64_t, 3> size{};
+    for (std::size_t i = 0; i < 3; ++i) size[i] = grid.last_active[i] - grid.first_active[i] + 1;
+    return fmt::format("{}", fmt::join(size, " x "));
+}
+
+std::string vdb_json(const VdbFile& file) {
+    Json grids = Json::array();
+    for (const VdbGrid& grid : file.grids) {
+        grids.push_back({{"name", grid.name},
+                         {"type", grid.type},
+                         {"class", grid.grid_class},
+                         {"compression", grid.compression},
+                         {"half", grid.half},
+                         {"voxel_size", grid.voxel_size},
+                         {"first_centre", grid.first_centre},
+                         {"first_active", grid.first_active},
+                         {"last_active", grid.last_active},
+                         {"active_voxels", grid.active_voxels},
+                         {"metadata", attributes_json(grid.metadata)}});
+    }
+    return text_of({{"uuid", file.uuid},
+                    {"library", file.library},
+                    {"grids", std::move(grids)},
+                    {"attributes", attributes_json(file.attributes)}});
+}
+
+std::string vdb_text(const std::string& name, const VdbFile& file) {
+    TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left});
+    table.add_row({"grid", "active", "", "class", "compression", "voxel size"});
+    for (const VdbGrid& grid : file.grids) {
+        table.add_row({grid.name, active_extent(grid), grid.half ? "half" : "float",
+                       grid.grid_class, grid.compression,
+                       fmt::format("{}", fmt::join(grid.voxel_size, ", "))});
+    }
+    return fmt::format("{}\n", name) + table.text() + attribute_text(file.attributes);
+}
+
+ExitCode show_vdb(const fs::path& path, bool json, Console& console) {
+    const auto file = read_vdb(path);
+    const ExitCode code = console.report(file.diagnostics);
+    if (!file.value) return code;
+    console.result(json ? vdb_json(*file.value) : vdb_text(path.string(), *file.value));
+    return ExitCode::done;
+}
+
+// --- Bare voxels --------------------------------------------------------------------------------
+
+ExitCode refuse_bare_voxels(const fs::path& path, Console& console) {
+    config::Diagnostic diagnostic =
+        file_error("E0304", path.string(),
+                   fmt::format("`{}` holds voxels and nothing else: it says nothing of itself",
+                               path.string()));
+    diagnostic.label = "its manifest.json says what it holds: look into that, or verify it";
+    return console.report({&diagnostic, 1});
 }
 
 // --- One folder ---------------------------------------------------------------------------------
@@ -112,6 +195,19 @@ std::string error_text(const std::optional<Certificate>& error) {
     return fmt::format("{:.1e} / {:.1e}", error->lookup.max, error->lookup.rms);
 }
 
+// Of the level that the file holds.
+std::vector<int> file_size(const ManifestAsset& asset, const ManifestFile& file) {
+    if (!asset.is_volume()) return asset.size;
+    const auto& size = asset.levels[static_cast<std::size_t>(file.level)].size;
+    return {size.begin(), size.end()};
+}
+
+// "680, 550, 440 nm", or nothing where the recipe has only noises.
+std::string wavelengths_text(const std::vector<double>& wavelengths) {
+    if (wavelengths.empty()) return "";
+    return fmt::format(", wavelengths {} nm", fmt::join(wavelengths, ", "));
+}
+
 std::string manifest_text(const Manifest& manifest) {
     TextTable table({Align::left, Align::left, Align::right, Align::left, Align::left, Align::left,
                      Align::left, Align::right});
@@ -119,15 +215,14 @@ std::string manifest_text(const Manifest& manifest) {
         {"asset", "kind", "size", "", "mapping", "file", "", "bytes", "lookup error max / rms"});
     for (const ManifestAsset& asset : manifest.assets) {
         for (const ManifestFile& file : asset.files) {
-            table.add_row({asset.name, asset.kind,
-                           fmt::format("{}x{}", asset.size[0], asset.size[1]),
+            table.add_row({asset.name, asset.kind, extent_text(file_size(asset, file)),
                            fmt::format("{}", fmt::join(asset.channels, "")), asset.mapping,
                            file.path, std::string(spell(file.pixel_type)),
                            fmt::format("{}", file.bytes), error_text(asset.error)});
         }
     }
-    return fmt::format("{} {}, wavelengths {} nm\n", manifest.tool_name, manifest.tool_version,
-                       fmt::join(manifest.wavelengths_nm, ", ")) +
+    return fmt::format("{} {}{}\n", manifest.tool_name, manifest.tool_version,
+                       wavelengths_text(manifest.wavelengths_nm)) +
            table.text();
 }
 
@@ -147,6 +242,10 @@ ExitCode run(const Invocation& invocation, Console& console) {
         const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
         return show_manifest(read_manifest(folder), json, console);
     }
+    if (path.extension() == ".vdb") return show_vdb(path, json, console);
+    if (path.extension() == ".bin" && fs::is_regular_file(path, error)) {
+        return refuse_bare_voxels(path, console);
+    }
     return show_image(path, json, console);
 }
 
@@ -156,7 +255,7 @@ Command info_command() {
     return {.name = "info",
             .summary = "look into a baked file or folder",
             .arguments = {{.name = "path",
-                           .help = "an EXR file, a folder of a bake, or its manifest.json"}},
+                           .help = "an EXR or VDB file, a folder of a bake, or its manifest.json"}},
             .options = {{.name = "json", .help = "the same as JSON"}},
             .examples = {{"skybake info out", "the assets of a bake and their errors"},
                          {"skybake info out/transmittance.exr",

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "bakers/io/atomic_file.h"
@@ -24,16 +26,31 @@ namespace fs = std::filesystem;
 constexpr std::string_view default_file = "skybake.toml";
 constexpr std::string_view standard_output = "-";
 
-std::string preset_list() {
-    TextTable table({}, 0);
-    for (const config::Preset& preset : config::presets()) {
+std::string titles(std::span<const config::Preset> presets) {
+    TextTable table({}, 2);
+    for (const config::Preset& preset : presets) {
         table.add_row({std::string(preset.name), config::preset_title(preset)});
     }
     return table.text();
 }
 
+std::string preset_list() {
+    return "atmospheres: preset = \"NAME\" at the top of a recipe\n" + titles(config::presets()) +
+           "\nnoises: preset = \"NAME\" below [noise.ANY_NAME]\n" + titles(config::noise_presets());
+}
+
+// The recipe of a preset of either kind; none if there is none of that name.
+std::optional<std::string> recipe_text(const std::string& name) {
+    if (const config::Preset* preset = config::find_preset(name)) return config::init_text(*preset);
+    const config::Preset* noise = config::find_noise_preset(name);
+    if (!noise) return std::nullopt;
+    return config::noise_init_text(*noise);
+}
+
 config::Diagnostic unknown_preset(const std::string& name) {
-    const auto names = config::preset_names();
+    auto names = config::preset_names();
+    const auto noises = config::noise_preset_names();
+    names.insert(names.end(), noises.begin(), noises.end());
     std::string label = config::did_you_mean(name, names);
     if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
     config::Diagnostic diagnostic = usage_error(fmt::format("unknown preset `{}`", name), label);
@@ -67,21 +84,20 @@ ExitCode run(const Invocation& invocation, Console& console) {
         return ExitCode::done;
     }
     const std::string name = invocation.value("preset");
-    const config::Preset* preset = config::find_preset(name);
-    if (!preset) return console.report(std::array{unknown_preset(name)});
+    const std::optional<std::string> text = recipe_text(name);
+    if (!text) return console.report(std::array{unknown_preset(name)});
     const auto& arguments = invocation.arguments();
     const std::string file = arguments.empty() ? std::string(default_file) : arguments[0];
-    if (config::find_preset(file)) {
+    if (recipe_text(file)) {
         return console.report(
             std::array{usage_error(fmt::format("`{}` is the name of a preset, not of a file", file),
                                    fmt::format("skybake init {}.toml --preset {}", file, file))});
     }
-    const std::string text = config::init_text(*preset);
     if (file == standard_output) {
-        console.result(text);
+        console.result(*text);
         return ExitCode::done;
     }
-    return write_recipe(file, text, invocation.has("force"), console);
+    return write_recipe(file, *text, invocation.has("force"), console);
 }
 
 }  // namespace
@@ -100,6 +116,7 @@ Command init_command() {
                         {.name = "force", .help = "overwrite an existing file"}},
             .examples = {{"skybake init earth.toml", "the Earth, every value with its meaning"},
                          {"skybake init mars.toml --preset mars", "another planet"},
+                         {"skybake init clouds.toml --preset nubis_shape", "a cloud noise"},
                          {"skybake init --list", "the presets, a line each"}},
             .exit_codes = {ExitCode::io},
             .run = run};

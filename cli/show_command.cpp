@@ -123,6 +123,11 @@ std::string depths_text(const config::Parameters& parameters) {
     return table.text();
 }
 
+// A recipe of noises alone has none, and no ground.
+bool has_atmosphere(const config::Parameters& parameters) {
+    return parameters.atmosphere.ground_radius.meters > 0;
+}
+
 bool shows_layers(const std::vector<Line>& lines) {
     return std::any_of(lines.begin(), lines.end(), [](const Line& line) {
         return line.table.starts_with("atmosphere.layers.");
@@ -155,7 +160,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
     std::string text = values_text(lines, asked);
     // Whoever asks for one layer, or one key of all, has not asked for the sums.
     const bool all_layers = names.size() <= 2 && shows_layers(lines);
-    if (whole || all_layers) {
+    if ((whole && has_atmosphere(outcome.value->parameters)) || all_layers) {
         text += '\n' + depths_text(outcome.value->parameters);
     }
     console.result(text);
@@ -175,6 +180,7 @@ Command show_command() {
         .options = {set_option()},
         .examples = {{"skybake show earth.toml", "all values and the zenith optical depths"},
                      {"skybake show earth.toml atmosphere.layers.mie", "those of one layer"},
+                     {"skybake show clouds.toml noise.shape", "a noise with its preset's values"},
                      {"skybake show earth.toml --set preset=mars", "what another preset would do"}},
         .exit_codes = {ExitCode::io},
         .run = run};

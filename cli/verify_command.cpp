@@ -40,7 +40,7 @@ std::string as_text(const VerifyReport& report) {
 
 ExitCode run(const Invocation& invocation, Console& console) {
     const std::array checks = {probe_check()};
-    const auto outcome = verify_folder(invocation.arguments()[0], checks);
+    const auto outcome = verify_bake(invocation.arguments()[0], checks);
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
     console.result(invocation.has("json") ? as_json(*outcome.value) : as_text(*outcome.value));
@@ -53,7 +53,8 @@ Command verify_command() {
     return {
         .name = "verify",
         .summary = "prove that baked files are what their manifest says",
-        .arguments = {{.name = "folder", .help = "the output folder of a bake"}},
+        .arguments = {{.name = "path",
+                       .help = "the output folder of a bake, or its manifest.json"}},
         .options = {{.name = "json", .help = "the report as JSON"}},
         .examples = {{"skybake verify out", "every failure of hash, metadata, values and probes"},
                      {"skybake verify out --json", "the same for a program"}},

@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "config/key_path.h"
+#include "config/noise_volume_decoder.h"
 #include "config/suggest.h"
 
 namespace skybake::config {
@@ -19,6 +20,8 @@ Bake bind_as(const std::string& name, const DecodedSection& section) {
     return {name, asset};
 }
 
+constexpr std::string_view noise_volume = "noise_volume";
+
 // Which struct each bake section of the field tables fills.
 struct Binder {
     std::string_view asset;
@@ -28,6 +31,7 @@ struct Binder {
 constexpr std::array binders = {
     Binder{"transmittance", bind_as<TransmittanceBake, transmittance_fields>},
     Binder{"multiple_scattering", bind_as<MultipleScatteringBake, multiple_scattering_fields>},
+    Binder{noise_volume, bind_as<NoiseVolumeBake, noise_volume_fields>},
 };
 
 Bake bind_bake(const std::string& name, std::string_view asset, const DecodedSection& section) {
@@ -65,7 +69,7 @@ void report_unknown_asset(const AssetName& asset, const std::string& path, Decod
 }  // namespace
 
 std::optional<Bake> decode_bake(const std::string& name, const Place& place, const Table& table,
-                                Decoder& decoder) {
+                                std::span<const Noise> noises, Decoder& decoder) {
     const std::string path = join_path("bake", name);
     if (!is_bare_key(name)) {
         decoder.diagnostics.error("E0117", place,
@@ -89,6 +93,7 @@ std::optional<Bake> decode_bake(const std::string& name, const Place& place, con
     // The default of `asset` is the section's name, which the field table cannot know.
     DecodedField& asset_field = decoded.at("asset");
     if (!asset_field.source) asset_field.value = asset->name;
+    if (asset->name == noise_volume) resolve_noise_volume(decoded, noises, decoder);
     append_values(decoded, decoder);
     return bind_bake(name, asset->name, decoded);
 }

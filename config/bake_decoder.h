@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "config/parameters.h"
@@ -9,8 +10,8 @@
 
 namespace skybake::config {
 
-// None if the asset is unknown, which is reported.
+// None if the asset is unknown, which is reported. `noises` are those of the recipe.
 std::optional<Bake> decode_bake(const std::string& name, const Place& place, const Table& table,
-                                Decoder& decoder);
+                                std::span<const Noise> noises, Decoder& decoder);
 
 }  // namespace skybake::config

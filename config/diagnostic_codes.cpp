@@ -73,12 +73,14 @@ constexpr std::array codes = {
     DiagnosticCode{"E0110", "out of range",
                    "The value lies outside what the key can mean. It is not clamped.", "g = 1.2",
                    "g = 0.8", usage},
-    DiagnosticCode{"E0111", "key of another profile or phase",
-                   "The key belongs to another profile or phase function than the layer has, so it "
-                   "would have no effect. A later source that names another profile drops the keys "
-                   "of the earlier one by itself.",
-                   "profile = \"exponential\"\nscale_height = \"8 km\"\nhalf_width = \"15 km\"",
-                   "profile = \"exponential\"\nscale_height = \"8 km\"", usage},
+    DiagnosticCode{
+        "E0111", "key of another profile, phase or type",
+        "The key belongs to another profile or phase function than the layer has, to "
+        "another type of noise than the channel's, or to another layout, so it would "
+        "have no effect. A later source that names another profile drops the keys of the "
+        "earlier one by itself.",
+        "profile = \"exponential\"\nscale_height = \"8 km\"\nhalf_width = \"15 km\"",
+        "profile = \"exponential\"\nscale_height = \"8 km\"", usage},
     DiagnosticCode{
         "E0112", "extinction below scattering",
         "Extinction is scattering plus absorption, so it cannot be the smaller one in any "
@@ -99,16 +101,19 @@ constexpr std::array codes = {
                    "table = [[\"0 km\", 1.0], [\"0 km\", 0.5]]",
                    "table = [[\"0 km\", 1.0], [\"10 km\", 0.5]]", usage},
     DiagnosticCode{"E0115", "unknown preset",
-                   "No preset has that name. `skybake init --list` names them all.",
+                   "No preset has that name. `skybake init --list` names them all. Presets of "
+                   "atmospheres stand at the top level, those of noises below [noise.NAME].",
                    "preset = \"eart\"", "preset = \"earth\"", usage},
     DiagnosticCode{
         "E0116", "cyclic include",
         "A file includes itself, directly or through others. The message names the chain.",
         "# a.toml\ninclude = [\"a.toml\"]", "# a.toml\ninclude = [\"base.toml\"]", usage},
-    DiagnosticCode{"E0117", "bad name",
-                   "The name of a [bake.NAME] section becomes the name of a file, so it is made of "
-                   "letters, digits, `_` and `-`.",
-                   "[bake.\"sky/blue\"]", "[bake.sky_blue]", usage},
+    DiagnosticCode{
+        "E0117", "bad name",
+        "The name of a [bake.NAME] section becomes the name of a file, and that of a "
+        "[noise.NAME] is what bakes and files call it, so it is made of letters, digits, "
+        "`_` and `-`.",
+        "[bake.\"sky/blue\"]", "[bake.sky_blue]", usage},
     DiagnosticCode{"E0118", "unknown asset",
                    "The section asks for an asset that skybake cannot bake. `asset` says what to "
                    "bake; left out, the section's own name is taken for it.",
@@ -138,6 +143,61 @@ constexpr std::array codes = {
                    "The recipe reads more files than any sensible one does; it probably includes "
                    "files that include each other many times over.",
                    "", "", usage},
+    DiagnosticCode{"E0126", "volume too large",
+                   "The volume has more than 2^36 voxels. The message says how many bytes it would "
+                   "need. Noises tile: a smaller volume, repeated, is most often what is wanted.",
+                   "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
+                   "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [10000, 10000, 10000]",
+                   "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
+                   "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [1024, 1024, 1024]",
+                   usage},
+    DiagnosticCode{"E0127", "octave of nothing",
+                   "At this size every voxel lies on a lattice point of the octave, and gradient "
+                   "noise is 0 there. The octave would take its share of the weight and give "
+                   "nothing. Make the volume larger, or the frequency lower.",
+                   "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 64\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
+                   "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 8\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
+                   usage},
+    DiagnosticCode{
+        "E0128", "octave of too high a frequency",
+        "Each octave has `lacunarity` times the frequency of the one before. The message "
+        "names the octave that has more than 1048576 lattice cells a tile, which no "
+        "volume can show.",
+        "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 16\n"
+        "lacunarity = 3",
+        "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 5\n"
+        "lacunarity = 3",
+        usage},
+    DiagnosticCode{
+        "E0129", "channels that make no picture",
+        "A noise has one channel, Y or R; or R, G, B; or R, G, B, A. Where one is missing, "
+        "a channel of type = \"constant\" makes it up. `pack` takes the channels that its "
+        "formula names: shape R, G, B, A, and detail R, G, B.",
+        "[noise.n.channels.R]\ntype = \"perlin\"\n"
+        "[noise.n.channels.G]\ntype = \"worley\"",
+        "[noise.n.channels.R]\ntype = \"perlin\"\n"
+        "[noise.n.channels.G]\ntype = \"worley\"\n"
+        "[noise.n.channels.B]\ntype = \"constant\"\nvalue = 0",
+        usage},
+    DiagnosticCode{"E0130", "unknown noise",
+                   "`noise` names the [noise.NAME] to bake, and the recipe has none of that name.",
+                   "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
+                   "asset = \"noise_volume\"\nnoise = \"shap\"",
+                   "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
+                   "asset = \"noise_volume\"\nnoise = \"shape\"",
+                   usage},
+    DiagnosticCode{"E0131", "pixel type that a format has not",
+                   "EXR and VDB files have float and half; unorm8 and unorm16 exist only in bin "
+                   "files. A section writes all its formats with one pixel type: bake the noise in "
+                   "two sections to have both.",
+                   "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
+                   "asset = \"noise_volume\"\nnoise = \"shape\"\npixel_type = \"unorm8\"",
+                   "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
+                   "asset = \"noise_volume\"\nnoise = \"shape\"\npixel_type = \"unorm8\"\n"
+                   "formats = [\"bin\"]",
+                   usage},
 
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",
@@ -197,6 +257,16 @@ constexpr std::array codes = {
                    "the light pass. That is rarely meant; most often a coefficient per kilometre "
                    "was given as one per metre.",
                    "scattering = \"0.0331 /m\"", "scattering = \"0.0331 /km\"", 0},
+    DiagnosticCode{"W0203", "fewer than four voxels a cell",
+                   "An octave has so many lattice cells that the volume cannot show them: it "
+                   "aliases, and a lookup between voxels has little to do with the noise. Each "
+                   "channel is named once, with its first such octave. Presets that copy a source "
+                   "which aliases (thesis, takram_shape, takram_detail) earn this too.",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 16\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 8\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
+                   0},
 };
 
 }  // namespace

@@ -51,10 +51,17 @@ bool tail_fits(const Names& asked, const Names& pattern, const Section& section)
     return true;
 }
 
+// A table of named tables, "noise" or "atmosphere.layers", stands for those that are in it.
+bool holds_section(Names asked, const Names& pattern, const Section& section) {
+    asked.emplace_back("*");
+    return !pattern.empty() && is_free(pattern.back()) && tail_fits(asked, pattern, section);
+}
+
 // A single name that is free in the pattern would fit anything; it fits an asset of that name only.
 bool section_fits(const Names& asked, const Section& section) {
-    if (asked.size() == 1 && !section.asset.empty()) return asked[0] == section.asset;
     const Names pattern = names_of(section.path);
+    if (holds_section(asked, pattern, section)) return true;
+    if (asked.size() == 1 && !section.asset.empty()) return asked[0] == section.asset;
     if (asked.size() == 1 && !pattern.empty() && is_free(pattern.back())) return false;
     return tail_fits(asked, pattern, section);
 }
@@ -75,9 +82,7 @@ std::string describe_default(const Field& field) {
 std::string others_of_group(const Section& section, const Field& field) {
     std::vector<std::string_view> keys;
     for (const Field& other : section.fields) {
-        if (other.exclusive_group == field.exclusive_group && other.key != field.key) {
-            keys.push_back(other.key);
-        }
+        if (exclude_each_other(field, other)) keys.push_back(other.key);
     }
     return fmt::format("not together with {}", fmt::join(keys, ", "));
 }

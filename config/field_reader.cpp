@@ -2,204 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "config/key_path.h"
+#include "config/noise_value_reader.h"
+#include "config/number_reader.h"
 #include "config/suggest.h"
 #include "config/toml_source.h"
 #include "config/units.h"
 
 namespace skybake::config {
 namespace {
-
-// One field's value while it is read: what every helper below needs for its messages.
-struct Reader {
-    const Field& field;
-    std::string_view path;
-    DiagnosticList& diagnostics;
-
-    void error(std::string code, const Value& value, std::string message, std::string label) const {
-        diagnostics.error(std::move(code), value.place, std::move(message), std::move(label));
-    }
-};
-
-std::string written(const Value& value) { return shorten(spell_value(value)); }
-
-std::string_view describe_value(const Value& value) {
-    constexpr std::array<std::string_view, 7> names = {
-        "a date or time", "true or false", "a number", "a number", "text", "a list", "a table"};
-    return names[value.data.index()];
-}
-
-void report_type(const Reader& reader, const Value& value, std::string_view wanted) {
-    reader.error("E0103", value,
-                 fmt::format("`{}` is {}: {}", reader.path, describe_value(value), written(value)),
-                 fmt::format("wanted: {}", wanted));
-}
-
-std::string with_hint(const std::string& text, const Field& field) {
-    return field.hint.empty() ? text : text + "; " + std::string(field.hint);
-}
-
-// NaN fails every comparison, so it is never within.
-bool within(const Range& range, double value) {
-    const bool above = range.open_minimum ? value > range.minimum : value >= range.minimum;
-    const bool below = range.open_maximum ? value < range.maximum : value <= range.maximum;
-    return above && below;
-}
-
-std::optional<double> check_range(const Reader& reader, const Value& value, double number) {
-    if (within(reader.field.range, number)) return number;
-    const bool ordinary = reader.field.range_code == "E0110";
-    std::string what = std::isfinite(number) ? "out of range" : "not a finite number";
-    if (!ordinary) what = "not one that this release reads";
-    reader.error(std::string(reader.field.range_code), value,
-                 fmt::format("`{}` is {}: {}", reader.path, what, written(value)),
-                 with_hint("must be " + describe_range(reader.field), reader.field));
-    return std::nullopt;
-}
-
-Dimension wanted_dimension(Kind kind) {
-    switch (kind) {
-        case Kind::fraction:
-        case Kind::fractions:
-            return Dimension::fraction;
-        case Kind::length:
-        case Kind::wavelengths:
-            return Dimension::length;
-        case Kind::coefficients:
-            return Dimension::inverse_length;
-        default:
-            return Dimension::number;
-    }
-}
-
-std::string list_units(Dimension dimension) {
-    std::string text;
-    for (const std::string_view name : unit_names(dimension)) {
-        if (!text.empty()) text += ", ";
-        text += name;
-    }
-    return text;
-}
-
-void report_quantity(const Reader& reader, const Value& value, const QuantityError& error,
-                     Dimension wanted) {
-    using ErrorKind = QuantityError::Kind;
-    const std::string part = shorten(error.part);
-    std::string message;
-    std::string label = fmt::format("wanted: {}", describe_kind(reader.field.kind));
-    switch (error.kind) {
-        case ErrorKind::not_a_number:
-            message =
-                fmt::format("`{}` does not start with a number: {}", reader.path, written(value));
-            break;
-        case ErrorKind::unknown_unit: {
-            message = fmt::format("`{}` has an unknown unit: `{}`", reader.path, part);
-            const std::vector<std::string_view> names = unit_names(wanted);
-            label = did_you_mean(error.part, names);
-            if (label.empty() && !names.empty()) label = "units here: " + list_units(wanted);
-            if (label.empty()) label = "wanted: a number without a unit";
-            break;
-        }
-        case ErrorKind::too_large:
-            message = fmt::format("`{}` is too large for a number: {}", reader.path, part);
-            break;
-        case ErrorKind::too_small:
-            message =
-                fmt::format("`{}` is too small for a number, but not 0: {}", reader.path, part);
-            break;
-    }
-    reader.error("E0106", value, std::move(message), std::move(label));
-}
-
-void report_dimension(const Reader& reader, const Value& value, Dimension wanted, Dimension found) {
-    const bool unit_missing = found == Dimension::number;
-    const std::string what = unit_missing ? "a bare number" : std::string(dimension_name(found));
-    const std::string label = unit_missing && wanted != Dimension::fraction
-                                  ? fmt::format("give it with its unit: {}", list_units(wanted))
-                                  : fmt::format("wanted: {}", describe_kind(reader.field.kind));
-    reader.error(
-        "E0107", value,
-        fmt::format("`{}`: {} is wanted here, not {}", reader.path, dimension_name(wanted), what),
-        label);
-}
-
-std::optional<double> read_quantity_text(const Reader& reader, const Value& value,
-                                         const std::string& text, Dimension wanted) {
-    const auto parsed = parse_quantity(text);
-    if (const auto* error = std::get_if<QuantityError>(&parsed)) {
-        report_quantity(reader, value, *error, wanted);
-        return std::nullopt;
-    }
-    const Quantity quantity = std::get<Quantity>(parsed);
-    const bool bare = quantity.dimension == Dimension::number;
-    if (bare && (wanted == Dimension::number || wanted == Dimension::fraction)) {
-        reader.error("E0103", value, fmt::format("`{}` is text: {}", reader.path, written(value)),
-                     "a number without a unit stands without quotes");
-        return std::nullopt;
-    }
-    if (quantity.dimension != wanted) {
-        report_dimension(reader, value, wanted, quantity.dimension);
-        return std::nullopt;
-    }
-    return check_range(reader, value, quantity.value);
-}
-
-std::optional<double> read_number(const Reader& reader, const Value& value) {
-    const Dimension wanted = wanted_dimension(reader.field.kind);
-    if (const auto* text = std::get_if<std::string>(&value.data)) {
-        return read_quantity_text(reader, value, *text, wanted);
-    }
-    const auto* integer = std::get_if<std::int64_t>(&value.data);
-    const auto* floating = std::get_if<double>(&value.data);
-    if (!integer && !floating) {
-        report_type(reader, value, describe_kind(reader.field.kind));
-        return std::nullopt;
-    }
-    const double number = integer ? static_cast<double>(*integer) : *floating;
-    if (std::isfinite(number) && wanted != Dimension::number && wanted != Dimension::fraction) {
-        report_dimension(reader, value, wanted, Dimension::number);
-        return std::nullopt;
-    }
-    const std::optional<double> checked = check_range(reader, value, number);
-    if (!checked) return std::nullopt;
-    return *checked + 0.0;  // -0 becomes 0
-}
-
-std::optional<double> read_integer(const Reader& reader, const Value& value) {
-    const auto* integer = std::get_if<std::int64_t>(&value.data);
-    if (!integer) {
-        report_type(reader, value, "a whole number");
-        return std::nullopt;
-    }
-    return check_range(reader, value, static_cast<double>(*integer));
-}
-
-// Each of a list's values, or the one value; none if one of them is at fault.
-std::optional<std::vector<double>> read_numbers(const Reader& reader, const Value& value) {
-    const auto* array = std::get_if<Array>(&value.data);
-    std::vector<double> numbers;
-    bool valid = true;
-    const auto read_one = [&](const Value& item) {
-        const std::optional<double> number = read_number(reader, item);
-        valid = valid && number;
-        if (number) numbers.push_back(*number);
-    };
-    if (array) {
-        for (const Value& item : *array) read_one(item);
-    } else {
-        read_one(value);
-    }
-    if (!valid) return std::nullopt;
-    return numbers;
-}
-
-void report_count(const Reader& reader, const Value& value, std::size_t count, std::string label) {
-    reader.error("E0108", value,
-                 fmt::format("`{}` has {} value{}", reader.path, count, count == 1 ? "" : "s"),
-                 std::move(label));
-}
 
 std::optional<FieldValue> read_wavelengths(const Reader& reader, const Value& value) {
     std::optional<std::vector<double>> numbers = read_numbers(reader, value);
@@ -227,23 +37,30 @@ std::optional<FieldValue> read_channels(const Reader& reader, const Value& value
     return std::move(*numbers);
 }
 
-std::optional<FieldValue> read_size(const Reader& reader, const Value& value) {
+// As many whole numbers as `Count` says; `label` names them.
+template <std::size_t Count>
+std::optional<FieldValue> read_size(const Reader& reader, const Value& value, std::string label) {
     const auto* array = std::get_if<Array>(&value.data);
     if (!array) {
-        report_type(reader, value, describe_kind(Kind::size));
+        report_type(reader, value, describe_kind(reader.field.kind));
         return std::nullopt;
     }
-    if (array->size() != 2) {
-        report_count(reader, value, array->size(), "two whole numbers: width and height");
+    if (array->size() != Count) {
+        report_count(reader, value, array->size(), std::move(label));
         return std::nullopt;
     }
-    const std::optional<double> width = read_integer(reader, (*array)[0]);
-    const std::optional<double> height = read_integer(reader, (*array)[1]);
-    if (!width || !height) return std::nullopt;
-    return std::array<int, 2>{static_cast<int>(*width), static_cast<int>(*height)};
+    std::array<int, Count> size{};
+    bool valid = true;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const std::optional<double> number = read_integer(reader, (*array)[i]);
+        valid = valid && number;
+        if (number) size[i] = static_cast<int>(*number);
+    }
+    if (!valid) return std::nullopt;
+    return size;
 }
 
-std::optional<FieldValue> read_choice(const Reader& reader, const Value& value) {
+std::optional<ChoiceIndex> read_choice(const Reader& reader, const Value& value) {
     const auto* text = std::get_if<std::string>(&value.data);
     if (!text) {
         report_type(reader, value, describe_choices(reader.field));
@@ -258,6 +75,37 @@ std::optional<FieldValue> read_choice(const Reader& reader, const Value& value) 
     reader.error("E0104", value, fmt::format("`{}` cannot be {}", reader.path, written(value)),
                  std::move(label));
     return std::nullopt;
+}
+
+// The choice of `item` joins those of the list, unless it is there already.
+bool add_choice(const Reader& reader, const Value& item, std::vector<ChoiceIndex>& choices) {
+    const std::optional<ChoiceIndex> choice = read_choice(reader, item);
+    if (!choice) return false;
+    for (const ChoiceIndex earlier : choices) {
+        if (earlier.index != choice->index) continue;
+        reader.error("E0108", item, fmt::format("`{}` names {} twice", reader.path, written(item)),
+                     "once is enough");
+        return false;
+    }
+    choices.push_back(*choice);
+    return true;
+}
+
+std::optional<FieldValue> read_choice_list(const Reader& reader, const Value& value) {
+    std::vector<ChoiceIndex> choices;
+    bool valid = true;
+    if (const auto* array = std::get_if<Array>(&value.data)) {
+        for (const Value& item : *array) valid = add_choice(reader, item, choices) && valid;
+        if (array->empty()) {
+            report_count(reader, value, 0,
+                         fmt::format("at least {}", describe_choices(reader.field)));
+            valid = false;
+        }
+    } else {
+        valid = add_choice(reader, value, choices);
+    }
+    if (!valid) return std::nullopt;
+    return choices;
 }
 
 std::optional<FieldValue> read_text(const Reader& reader, const Value& value) {
@@ -361,16 +209,32 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
         case Kind::text_list:
             return read_text_list(reader, value);
         case Kind::choice:
-            return read_choice(reader, value);
+            return as_field_value(read_choice(reader, value));
+        case Kind::choice_list:
+            return read_choice_list(reader, value);
         case Kind::wavelengths:
             return read_wavelengths(reader, value);
         case Kind::coefficients:
         case Kind::fractions:
             return read_channels(reader, value, channels);
         case Kind::size:
-            return read_size(reader, value);
+            return read_size<2>(reader, value, "two whole numbers: width and height");
+        case Kind::voxels:
+            return read_size<3>(reader, value, "three whole numbers: along x, y and z");
         case Kind::density_table:
             return read_density_table(reader, value);
+        case Kind::seed:
+            return as_field_value(read_seed(reader, value));
+        case Kind::frequency:
+            return as_field_value(read_frequency(reader, value));
+        case Kind::frequencies:
+            return as_field_value(read_frequencies(reader, value));
+        case Kind::gains:
+            return as_field_value(read_gains(reader, value));
+        case Kind::remap:
+            return as_field_value(read_remap(reader, value));
+        case Kind::levels:
+            return as_field_value(read_levels(reader, value));
     }
     return std::nullopt;
 }

@@ -1,6 +1,7 @@
-// The tables themselves. Whoever adds a key adds it here, and a member of the same name in
-// parameters.h; everything else follows.
+// The tables themselves, but for those of noises (noise_field_tables.cpp). Whoever adds a key adds
+// it here, and a member of the same name in parameters.h; everything else follows.
 #include "config/fields.h"
+#include "config/shared_fields.h"
 
 namespace skybake::config {
 namespace {
@@ -44,12 +45,6 @@ constexpr std::array phase_choices = {
 constexpr std::array pixel_type_choices = {
     Choice{"float", "32 bits a channel"},
     Choice{"half", "16 bits a channel: 3 digits, 6e-8 to 65504"},
-};
-constexpr std::array compression_choices = {
-    Choice{"none", "no compression"},
-    Choice{"zip", "deflate, 16 lines at a time"},
-    Choice{"zips", "deflate, line by line"},
-    Choice{"piz", "wavelet, lossless; best for noise"},
 };
 constexpr std::array content_choices = {
     Choice{"transmittance", "the share of light that passes, in [0, 1]"},
@@ -246,11 +241,7 @@ const std::array layer_table = {
                &Layer::g},
 };
 
-// Keys that the bake sections share are described once.
-constexpr Field asset_field{
-    .key = "asset",
-    .kind = Kind::text,
-    .documentation = "what to bake; left out: what the section's name says"};
+// Keys that both tables of the sky share are described once.
 constexpr Field max_error_field{
     .key = "max_error",
     .kind = Kind::fraction,
@@ -263,11 +254,6 @@ constexpr Field pixel_type_field{.key = "pixel_type",
                                  .choices = pixel_type_choices,
                                  .fallback = R"("float")",
                                  .documentation = "numbers in the file"};
-constexpr Field compression_field{.key = "compression",
-                                  .kind = Kind::choice,
-                                  .choices = compression_choices,
-                                  .fallback = R"("zip")",
-                                  .documentation = "of the EXR file, always lossless"};
 
 const std::array transmittance_table = {
     TransmittanceField{asset_field, {}},

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "config/key_path.h"
 #include "config/units.h"
 
@@ -16,6 +18,19 @@ std::string spell_list(const std::vector<T>& items, Spell spell) {
         text += spell(item);
     }
     return text + "]";
+}
+
+// The same on all axes, or one per axis.
+std::string spell_frequency(const std::array<int, 3>& frequency) {
+    const bool isotropic = frequency[0] == frequency[1] && frequency[1] == frequency[2];
+    return isotropic ? fmt::format("{}", frequency[0])
+                     : fmt::format("[{}, {}, {}]", frequency[0], frequency[1], frequency[2]);
+}
+
+// TOML's integers end at 2^63 - 1; what lies above is text.
+std::string spell_seed(std::uint64_t seed) {
+    const bool is_toml_integer = seed <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+    return is_toml_integer ? fmt::format("{}", seed) : fmt::format("\"{}\"", seed);
 }
 
 std::string quoted_length(double meters) { return toml_string(spell_length(meters)); }
@@ -49,8 +64,22 @@ struct Speller {
     std::string operator()(const std::array<int, 2>& size) const {
         return fmt::format("[{}, {}]", size[0], size[1]);
     }
+    std::string operator()(const std::array<int, 3>& numbers) const {
+        if (field.kind == Kind::frequency) return spell_frequency(numbers);
+        return fmt::format("[{}, {}, {}]", numbers[0], numbers[1], numbers[2]);
+    }
+    std::string operator()(const std::vector<std::array<int, 3>>& frequencies) const {
+        return spell_list(frequencies, spell_frequency);
+    }
+    std::string operator()(const std::array<double, 4>& remap) const {
+        return spell_list(std::vector<double>(remap.begin(), remap.end()), spell_number);
+    }
+    std::string operator()(std::uint64_t seed) const { return spell_seed(seed); }
     std::string operator()(const ChoiceIndex& choice) const {
         return toml_string(field.choices[choice.index].name);
+    }
+    std::string operator()(const std::vector<ChoiceIndex>& choices) const {
+        return spell_list(choices, *this);
     }
     std::string operator()(const std::vector<DensityPoint>& table) const {
         return spell_list(table, [](const DensityPoint& point) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -19,7 +20,9 @@ struct ChoiceIndex {
 // In base units. Kinds with one value per channel hold one per channel here.
 using FieldValue =
     std::variant<bool, double, std::vector<double>, std::string, std::vector<std::string>,
-                 std::array<int, 2>, ChoiceIndex, std::vector<DensityPoint>>;
+                 std::array<int, 2>, ChoiceIndex, std::vector<DensityPoint>, std::array<int, 3>,
+                 std::vector<std::array<int, 3>>, std::array<double, 4>, std::uint64_t,
+                 std::vector<ChoiceIndex>>;
 
 // TOML text in base units, equal for equal values.
 std::string canonical_text(const Field& field, const FieldValue& value);

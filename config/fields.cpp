@@ -19,12 +19,16 @@ std::vector<Section> make_sections() {
         make_section("atmosphere", "", "the planet and its air", atmosphere_fields()),
         make_section("atmosphere.layers.*", "", "one kind of gas or particle, under any name",
                      layer_fields()),
+        make_section("noise.*", "", "a tileable noise, under any name", noise_fields()),
+        make_section("noise.*.channels.*", "", "one channel of a noise: R, G, B, A, or Y alone",
+                     noise_channel_fields()),
         make_section("bake.*", "transmittance",
                      "the light that comes through from the top of the atmosphere",
                      transmittance_fields()),
         make_section("bake.*", "multiple_scattering",
                      "the light scattered twice and more, per unit of scattering",
                      multiple_scattering_fields()),
+        make_section("bake.*", "noise_volume", "the voxels of a noise", noise_volume_fields()),
     };
 }
 
@@ -47,6 +51,8 @@ bool has_range(Kind kind) {
         case Kind::text:
         case Kind::text_list:
         case Kind::choice:
+        case Kind::choice_list:
+        case Kind::seed:
             return false;
         default:
             return true;
@@ -116,6 +122,14 @@ bool applies(const Field& field, std::string_view selector_value) {
     return false;
 }
 
+bool exclude_each_other(const Field& field, const Field& other) {
+    const bool same_group =
+        !field.exclusive_group.empty() && field.exclusive_group == other.exclusive_group;
+    const bool same_side =
+        !field.exclusive_side.empty() && field.exclusive_side == other.exclusive_side;
+    return same_group && !same_side && field.key != other.key;
+}
+
 std::string describe_range(const Field& field) {
     if (!has_range(field.kind)) return "";
     const Range& range = field.range;
@@ -169,6 +183,22 @@ std::string_view describe_kind(Kind kind) {
             return "two whole numbers, such as [256, 64]";
         case Kind::density_table:
             return "a list of pairs, such as [[\"0 km\", 1.0], [\"10 km\", 0.5]]";
+        case Kind::choice_list:
+            return "a name in quotes, or a list of them";
+        case Kind::voxels:
+            return "three whole numbers, such as [128, 128, 128]";
+        case Kind::seed:
+            return "a whole number from 0 up, above 2^63 - 1 in quotes: \"0xffffffffffffffff\"";
+        case Kind::frequency:
+            return "a whole number, such as 4, or one per axis: [4, 4, 8]";
+        case Kind::frequencies:
+            return "a list of one frequency per octave, such as [8, 32, 56]";
+        case Kind::gains:
+            return "a list of one number per octave, such as [0.625, 0.25, 0.125]";
+        case Kind::remap:
+            return "four numbers, [in_low, in_high, out_low, out_high]";
+        case Kind::levels:
+            return "a whole number, or \"all\"";
     }
     return "";
 }

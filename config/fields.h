@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,14 @@ enum class Kind {
     fractions,      // 0.3, or one per channel
     size,           // [256, 64]
     density_table,  // [["0 km", 1.0], ["10 km", 0.5]]
+    choice_list,    // ["exr", "vdb"], or one of the field's choices
+    voxels,         // [128, 128, 128]
+    seed,           // 7, or "0xffffffffffffffff"
+    frequency,      // 4, or [4, 4, 8]
+    frequencies,    // [8, 32, 56], one frequency an octave
+    gains,          // [0.625, 0.25, 0.125], one an octave
+    remap,          // [0.4, 1, 0, 1]
+    levels,         // 4, or "all", which is read as 0
 };
 
 // In base units: metres, 1/m, 1.
@@ -55,7 +64,8 @@ struct Field {
     std::string_view documentation = {};    // one line
     std::string_view hint = {};             // typical values, for ranges' sake
     std::string_view citation = {};         // where default or meaning come from
-    std::string_view exclusive_group = {};  // at most one key of a group may be given
+    std::string_view exclusive_group = {};  // keys of a group exclude each other ...
+    std::string_view exclusive_side = {};   // ... but for those on the same side of it
     std::string_view selector = {};         // the key applies only where this key of the table ...
     std::span<const std::string_view> selected_by = {};  // ... has one of these values
     std::string_view range_code = "E0110";               // the diagnostic for a value out of range
@@ -64,19 +74,21 @@ struct Field {
 
 // A table of a recipe. In the path a `*` stands for a name that the user gives.
 struct Section {
-    std::string_view path;   // "", "atmosphere", "atmosphere.layers.*", "bake.*"
+    std::string_view path;   // "", "atmosphere", "atmosphere.layers.*", "noise.*", "bake.*"
     std::string_view asset;  // bake sections: what they bake; else empty
     std::string_view documentation;
     std::vector<Field> fields;
 };
 
 // The members that a field of a section with struct S can fill; std::monostate: none, the value is
-// used otherwise. Enumerations of S stand in Choices.
+// used otherwise. Enumerations of S, and lists of them, stand in Choices.
 template <class S, class... Choices>
 using Member =
-    std::variant<std::monostate, bool S::*, double S::*, std::optional<double> S::*, Length S::*,
-                 std::array<int, 2> S::*, std::vector<double> S::*, std::vector<Length> S::*,
-                 std::vector<InverseLength> S::*, std::vector<DensityPoint> S::*, Choices S::*...>;
+    std::variant<std::monostate, bool S::*, int S::*, double S::*, std::optional<double> S::*,
+                 std::string S::*, Length S::*, std::array<int, 2> S::*, std::array<int, 3> S::*,
+                 std::array<double, 4> S::*, std::uint64_t S::*, std::vector<double> S::*,
+                 std::vector<Length> S::*, std::vector<InverseLength> S::*,
+                 std::vector<DensityPoint> S::*, Choices S::*...>;
 
 template <class S, class... Choices>
 struct BoundField {
@@ -91,12 +103,20 @@ using TransmittanceField = BoundField<TransmittanceBake, TransmittanceContent, T
                                       PixelType, Compression>;
 using MultipleScatteringField = BoundField<MultipleScatteringBake, MultipleScatteringMapping,
                                            MultipleScatteringMethod, PixelType, Compression>;
+using NoiseField = BoundField<Noise, NoiseSampling, NoisePacking>;
+using NoiseChannelField =
+    BoundField<NoiseChannel, NoiseType, NoiseFractal, WorleyFeature, WorleyValue, CurlComponent>;
+using NoiseVolumeField = BoundField<NoiseVolumeBake, std::vector<VolumeFormat>, PixelType,
+                                    VolumeLayout, Compression, VdbCompression>;
 
 std::span<const RootField> root_fields();
 std::span<const AtmosphereField> atmosphere_fields();
 std::span<const LayerField> layer_fields();
 std::span<const TransmittanceField> transmittance_fields();
 std::span<const MultipleScatteringField> multiple_scattering_fields();
+std::span<const NoiseField> noise_fields();
+std::span<const NoiseChannelField> noise_channel_fields();
+std::span<const NoiseVolumeField> noise_volume_fields();
 
 // All sections, in the order of a recipe.
 std::span<const Section> sections();
@@ -113,11 +133,14 @@ std::vector<std::string_view> choice_names(const Field& field);
 // The names of all assets, one bake section each.
 std::vector<std::string_view> asset_names();
 
-// The tables within the table at a path: {"atmosphere", "bake"} for "".
+// The tables within the table at a path: {"atmosphere", "noise", "bake"} for "".
 std::vector<std::string_view> subtables(std::string_view path);
 
 // Whether the field applies where its selector has this value.
 bool applies(const Field& field, std::string_view selector_value);
+
+// Whether two keys of a section say the same thing, so that only one of them may be given.
+bool exclude_each_other(const Field& field, const Field& other);
 
 // What a value may be, in words: "in [1 m, 1e+12 m]", "one of `zip`, `none`". `describe_range`
 // is empty for kinds without numbers.

@@ -48,8 +48,7 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
         return false;
     }
     return std::none_of(section.fields.begin(), section.fields.end(), [&](const Field& other) {
-        return !field.exclusive_group.empty() && other.exclusive_group == field.exclusive_group &&
-               find_entry(table, other.key);
+        return exclude_each_other(field, other) && find_entry(table, other.key);
     });
 }
 
@@ -106,13 +105,74 @@ std::string bakes_text(const Table& root) {
     return text;
 }
 
-}  // namespace
-
-std::string init_text(const Preset& preset) {
+std::optional<Table> parse_preset(const Preset& preset) {
     const Source source{Source::Kind::preset, 0, std::string(preset.name),
                         std::string(preset.text)};
     DiagnosticList none_expected;
-    const std::optional<Table> root = parse_toml(source, none_expected);
+    return parse_toml(source, none_expected);
+}
+
+// The keys of a table as comments, each with the value that the preset gives it.
+std::string commented_keys(const Section& section, const Table& table) {
+    std::string text;
+    for (const Field& field : section.fields) {
+        const Entry* entry = find_entry(table, field.key);
+        const bool is_worth_showing = entry || is_at_default(field, section, table);
+        if (!is_worth_showing) continue;
+        const std::string value = entry ? spell_value(entry->value) : std::string(field.fallback);
+        text += comment(describe_field(field));
+        text += fmt::format("# {} = {}\n", field.key, value);
+    }
+    return text;
+}
+
+// What can be overridden in each channel: the keys that the preset gives.
+std::string commented_channels(const Table& preset, const std::string& path) {
+    std::string text;
+    for (const Entry* entry : named_tables(preset, "channels")) {
+        text += fmt::format("\n# [{}]\n", join_path(join_path(path, "channels"), entry->key));
+        const auto& keys = std::get<Table>(entry->value.data);
+        for (const Field& field : find_section("noise.*.channels.*")->fields) {
+            const Entry* key = find_entry(keys, field.key);
+            if (key) text += fmt::format("# {} = {}\n", field.key, spell_value(key->value));
+        }
+    }
+    return text;
+}
+
+Table bake_of_noise(const std::string& name) {
+    return {{"asset", {}, {std::string("noise_volume"), {}}}, {"noise", {}, {name, {}}}};
+}
+
+}  // namespace
+
+std::string noise_init_name(std::string_view preset) {
+    const std::size_t underscore = preset.rfind('_');
+    return std::string(underscore == std::string_view::npos ? preset
+                                                            : preset.substr(underscore + 1));
+}
+
+std::string noise_init_text(const Preset& preset) {
+    const std::optional<Table> keys = parse_preset(preset);
+    if (!keys) return std::string(preset.text);
+    const std::string name = noise_init_name(preset.name);
+    const std::string path = join_path("noise", name);
+    const Section& section = *find_section("noise.*");
+    std::string text = head_comment(preset.text);
+    text += fmt::format(
+        "#\n# Written by `skybake init --preset {}`. Lines of the form `# key = value` show what "
+        "the\n# preset or a default says: take the # off to change one.\n",
+        preset.name);
+    text += fmt::format("\n# {}\n[{}]\n", section.documentation, path);
+    text += comment(describe_field(*find_field(section, "preset")));
+    text += fmt::format("preset = \"{}\"\n", preset.name);
+    text += commented_keys(section, *keys) + commented_channels(*keys, path);
+    return text + table_text(*find_section("bake.*", "noise_volume"), join_path("bake", name),
+                             bake_of_noise(name));
+}
+
+std::string init_text(const Preset& preset) {
+    const std::optional<Table> root = parse_preset(preset);
     if (!root) return std::string(preset.text);
     std::string text = head_comment(preset.text);
     text += fmt::format(

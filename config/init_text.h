@@ -1,7 +1,8 @@
-// The commented recipe that `skybake init` writes.
+// The commented recipes that `skybake init` writes.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "config/presets.h"
 
@@ -10,5 +11,12 @@ namespace skybake::config {
 // Every value of the preset, its [bake.*] sections included, with what the field tables say of it;
 // keys left at their default stand there as comments. Reads back as the same parameters.
 std::string init_text(const Preset& preset);
+
+// For a noise preset: a [noise.NAME] that starts from it, its values as comments, and a
+// [bake.NAME].
+std::string noise_init_text(const Preset& preset);
+
+// NAME there: "shape" for "nubis_shape".
+std::string noise_init_name(std::string_view preset);
 
 }  // namespace skybake::config

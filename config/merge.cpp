@@ -26,26 +26,26 @@ std::string asset_of(const Table& table, const std::string& name) {
 
 // The section that a table at these names has; null if it has no fields or is unknown.
 const Section* section_of(const Names& names, const Table& table) {
+    const auto begins_with = [&](std::string_view first) { return names[0] == first; };
     if (names.empty()) return find_section("");
     if (names.size() == 1) return find_section(names[0]);
-    if (names.size() == 2 && names[0] == "bake") {
+    if (names.size() == 2 && begins_with("bake")) {
         return find_section("bake.*", asset_of(table, names[1]));
     }
-    if (names.size() == 3 && names[0] == "atmosphere" && names[1] == "layers") {
+    if (names.size() == 2 && begins_with("noise")) return find_section("noise.*");
+    if (names.size() == 3 && begins_with("atmosphere") && names[1] == "layers") {
         return find_section("atmosphere.layers.*");
     }
+    if (names.size() == 4 && begins_with("noise") && names[2] == "channels") {
+        return find_section("noise.*.channels.*");
+    }
     return nullptr;
-}
-
-bool excludes(const Field& field, const Field& other) {
-    return !field.exclusive_group.empty() && field.exclusive_group == other.exclusive_group &&
-           field.key != other.key;
 }
 
 // Whether `over`, by naming its keys, drops the earlier value of this field.
 bool is_dropped(const Field& field, const Section& section, const Table& over) {
     for (const Field& other : section.fields) {
-        if (excludes(field, other) && find_entry(over, other.key)) return true;
+        if (exclude_each_other(field, other) && find_entry(over, other.key)) return true;
     }
     if (field.selector.empty()) return false;
     const std::string* selected = text_at(over, field.selector);
@@ -123,7 +123,7 @@ void check_section(const Table& table, const Section& section, const std::string
         if (!first) continue;
         for (std::size_t j = i + 1; j < section.fields.size(); ++j) {
             const Entry* second = find_entry(table, section.fields[j].key);
-            if (second && excludes(section.fields[i], section.fields[j])) {
+            if (second && exclude_each_other(section.fields[i], section.fields[j])) {
                 report_pair(*first, *second, path, diagnostics);
             }
         }
@@ -135,7 +135,7 @@ void check_at(const Table& table, Names& names, const std::string& path,
     if (const Section* section = section_of(names, table)) {
         check_section(table, *section, path, diagnostics);
     }
-    constexpr std::size_t deepest_section = 3;
+    constexpr std::size_t deepest_section = 4;
     if (names.size() == deepest_section) return;
     for (const Entry& entry : table) {
         const Table* below = as_table(entry.value);

@@ -4,6 +4,7 @@
 
 #include "config/diagnostic_list.h"
 #include "config/merge.h"
+#include "config/noise_preset_merge.h"
 #include "config/recipe_decoder.h"
 #include "config/recipe_sources.h"
 
@@ -20,7 +21,8 @@ Outcome<Recipe> decode_sources(RecipeSources sources, DiagnosticList diagnostics
         if (tree.source->kind == Source::Kind::file) file = tree.source;  // the recipe is the last
     }
     if (file) {
-        Decoder decoder{diagnostics, recipe.values, sources.complete, std::nullopt};
+        const bool laid = lay_noises_over_presets(root, sources.sources, diagnostics);
+        Decoder decoder{diagnostics, recipe.values, sources.complete && laid, std::nullopt};
         recipe.parameters = decode_recipe(root, *file, decoder);
         recipe.inputs = std::move(sources.inputs);
     }

@@ -8,22 +8,12 @@
 #include "config/bake_decoder.h"
 #include "config/key_path.h"
 #include "config/layer_decoder.h"
+#include "config/noise_decoder.h"
 #include "config/toml_source.h"
 #include "config/units.h"
 
 namespace skybake::config {
 namespace {
-
-// The table of a named entry, such as a layer; null, and an error, if it is none.
-const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder) {
-    if (const Table* table = as_table(entry.value)) return table;
-    decoder.diagnostics.error(
-        "E0103", entry.value.place,
-        fmt::format("`{}` must be a table, not {}", join_path(path, entry.key),
-                    shorten(spell_value(entry.value))),
-        fmt::format("write [{}] and its keys below", join_path(path, entry.key)));
-    return nullptr;
-}
 
 void check_radii(const DecodedSection& atmosphere, Decoder& decoder) {
     const DecodedField& ground = atmosphere.at("ground_radius");
@@ -51,16 +41,11 @@ void decode_layers(const Table& atmosphere, Atmosphere& result, Decoder& decoder
     }
 }
 
-Atmosphere decode_atmosphere(const Table& root, const Source& source, Decoder& decoder) {
+// A recipe without one has an atmosphere of no size.
+Atmosphere decode_atmosphere(const Table& root, Decoder& decoder) {
     Atmosphere result;
     const Entry* entry = find_entry(root, "atmosphere");
-    if (!entry) {
-        if (decoder.complete) {
-            decoder.diagnostics.error("E0105", {&source}, "the recipe has no [atmosphere]",
-                                      "start from preset = \"earth\", or see `skybake init`");
-        }
-        return result;
-    }
+    if (!entry) return result;
     const Table& table = subtable(root, "atmosphere", "", decoder);
     if (!as_table(entry->value)) return result;
     const DecodedSection section =
@@ -77,7 +62,19 @@ auto file_order(const Place& place) {
     return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
 }
 
-std::vector<Bake> decode_bakes(const Table& root, Decoder& decoder) {
+std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
+    std::vector<Noise> noises;
+    for (const Entry& entry : subtable(root, "noise", "", decoder)) {
+        const Table* table = named_table(entry, "noise", decoder);
+        // One that is no table is a noise all the same, so that bakes may name it.
+        Noise named;
+        named.name = entry.key;
+        noises.push_back(table ? decode_noise(entry.key, entry.key_place, *table, decoder) : named);
+    }
+    return noises;
+}
+
+std::vector<Bake> decode_bakes(const Table& root, std::span<const Noise> noises, Decoder& decoder) {
     std::vector<const Entry*> entries;
     for (const Entry& entry : subtable(root, "bake", "", decoder)) entries.push_back(&entry);
     std::stable_sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) {
@@ -87,10 +84,23 @@ std::vector<Bake> decode_bakes(const Table& root, Decoder& decoder) {
     for (const Entry* entry : entries) {
         const Table* table = named_table(*entry, "bake", decoder);
         if (!table) continue;
-        std::optional<Bake> bake = decode_bake(entry->key, entry->key_place, *table, decoder);
+        std::optional<Bake> bake =
+            decode_bake(entry->key, entry->key_place, *table, noises, decoder);
         if (bake) bakes.push_back(std::move(*bake));
     }
     return bakes;
+}
+
+// The sky's assets need an atmosphere; a recipe of nothing at all was to be one of a sky.
+void check_atmosphere(const Table& root, const Parameters& parameters, const Source& source,
+                      Decoder& decoder) {
+    if (find_entry(root, "atmosphere") || !decoder.complete) return;
+    const bool bakes_sky = std::any_of(
+        parameters.bakes.begin(), parameters.bakes.end(),
+        [](const Bake& bake) { return !std::holds_alternative<NoiseVolumeBake>(bake.asset); });
+    if (!bakes_sky && !(parameters.bakes.empty() && parameters.noises.empty())) return;
+    decoder.diagnostics.error("E0105", {&source}, "the recipe has no [atmosphere]",
+                              "start from preset = \"earth\", or see `skybake init`");
 }
 
 }  // namespace
@@ -104,8 +114,10 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     if (!parameters.wavelengths.empty()) {
         decoder.channels = static_cast<int>(parameters.wavelengths.size());
     }
-    parameters.atmosphere = decode_atmosphere(root, source, decoder);
-    parameters.bakes = decode_bakes(root, decoder);
+    parameters.atmosphere = decode_atmosphere(root, decoder);
+    parameters.noises = decode_noises(root, decoder);
+    parameters.bakes = decode_bakes(root, parameters.noises, decoder);
+    check_atmosphere(root, parameters, source, decoder);
     return parameters;
 }
 

@@ -218,7 +218,11 @@ class Loader {
     void report_unknown_preset(const std::string& name, const Place& place) {
         const std::vector<std::string_view> names = preset_names();
         std::string label = did_you_mean(name, names);
-        if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
+        if (find_noise_preset(name)) {
+            label = "a preset of noises: it stands below [noise.NAME]";
+        } else if (label.empty()) {
+            label = fmt::format("there are: {}", fmt::join(names, ", "));
+        }
         diagnostics_.error("E0115", place, fmt::format("unknown preset `{}`", shorten(name)),
                            std::move(label));
     }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/fields.h"
+#include "config/noise_value_reader.h"
 #include "config/presets.h"
 #include "config/toml_source.h"
 #include "config/units.h"
@@ -65,8 +66,29 @@ Json choice_schema(const Field& field) {
     return {{"enum", names}};
 }
 
-Json size_schema(const Range& range) {
-    return {{"type", "array"}, {"items", integer_schema(range)}, {"minItems", 2}, {"maxItems", 2}};
+Json list_schema(const Json& item, int fewest, int most) {
+    return {{"type", "array"}, {"items", item}, {"minItems", fewest}, {"maxItems", most}};
+}
+
+Json one_or_list(const Json& item, int fewest, int most) {
+    return {{"anyOf", {item, list_schema(item, fewest, most)}}};
+}
+
+Json choice_list_schema(const Field& field) {
+    const Json choice = choice_schema(field);
+    Json list = list_schema(choice, 1, static_cast<int>(field.choices.size()));
+    list["uniqueItems"] = true;
+    return {{"anyOf", {choice, list}}};
+}
+
+Json seed_schema() {
+    const Json integer = {{"type", "integer"}, {"minimum", 0}};
+    const Json text = {{"type", "string"}, {"pattern", "^(0[xX][0-9a-fA-F]+|[0-9]+)$"}};
+    return {{"anyOf", {integer, text}}};
+}
+
+Json levels_schema(const Range& range) {
+    return {{"anyOf", {integer_schema(range), {{"const", "all"}}}}};
 }
 
 Json density_table_schema(const Range& range) {
@@ -102,9 +124,25 @@ Json value_schema(const Field& field) {
         case Kind::fractions:
             return per_channel(fraction_schema(field.range));
         case Kind::size:
-            return size_schema(field.range);
+            return list_schema(integer_schema(field.range), 2, 2);
         case Kind::density_table:
             return density_table_schema(field.range);
+        case Kind::choice_list:
+            return choice_list_schema(field);
+        case Kind::voxels:
+            return list_schema(integer_schema(field.range), 3, 3);
+        case Kind::seed:
+            return seed_schema();
+        case Kind::frequency:
+            return one_or_list(integer_schema(field.range), 3, 3);
+        case Kind::frequencies:
+            return list_schema(one_or_list(integer_schema(field.range), 3, 3), 1, most_octaves);
+        case Kind::gains:
+            return list_schema(number_schema(field.range), 1, most_octaves);
+        case Kind::remap:
+            return list_schema(number_schema(field.range), 4, 4);
+        case Kind::levels:
+            return levels_schema(field.range);
     }
     return {};
 }
@@ -116,7 +154,6 @@ Json field_schema(const Field& field) {
     Json schema = value_schema(field);
     schema["description"] = describe_field(field);
     if (!field.fallback.empty()) schema["default"] = default_json(field);
-    if (field.key == "preset") schema["examples"] = preset_names();
     return schema;
 }
 
@@ -126,7 +163,7 @@ void add_exclusions(const Section& section, Json& rules) {
         const Field& a = section.fields[i];
         for (std::size_t j = i + 1; j < section.fields.size(); ++j) {
             const Field& b = section.fields[j];
-            if (a.exclusive_group.empty() || a.exclusive_group != b.exclusive_group) continue;
+            if (!exclude_each_other(a, b)) continue;
             rules.push_back({{"not", {{"required", {a.key, b.key}}}}});
         }
     }
@@ -161,6 +198,7 @@ Json section_schema(const Section& section) {
                    {"properties", properties},
                    {"additionalProperties", false}};
     if (!section.asset.empty()) schema["properties"]["asset"]["const"] = section.asset;
+    if (section.path.empty()) schema["properties"]["preset"]["examples"] = preset_names();
     Json rules = Json::array();
     add_exclusions(section, rules);
     add_variants(section, rules);
@@ -191,8 +229,22 @@ Json bakes_schema() {
             {"additionalProperties", reference("named_bake")}};
 }
 
+Json noise_schema() {
+    Json channels = Json::object();
+    for (const char* name : {"R", "G", "B", "A", "Y"}) channels[name] = reference("noise_channel");
+    Json schema = section_schema(*find_section("noise.*"));
+    schema["properties"]["preset"]["examples"] = noise_preset_names();
+    schema["properties"]["channels"] = {{"type", "object"},
+                                        {"description", "R; R, G, B; R, G, B, A; or Y"},
+                                        {"properties", channels},
+                                        {"additionalProperties", false}};
+    return schema;
+}
+
 Json definitions() {
     Json result = Json::object();
+    result["noise"] = noise_schema();
+    result["noise_channel"] = section_schema(*find_section("noise.*.channels.*"));
     result["layer"] = section_schema(*find_section("atmosphere.layers.*"));
     for (const std::string_view asset : asset_names()) {
         result[std::string(asset)] = section_schema(*find_section("bake.*", asset));
@@ -212,6 +264,10 @@ std::string recipe_schema() {
                                           {"description", "layers of the atmosphere, by name"},
                                           {"additionalProperties", reference("layer")}};
     schema["properties"]["atmosphere"] = atmosphere;
+    schema["properties"]["noise"] = {{"type", "object"},
+                                     {"description", "noises, by name"},
+                                     {"propertyNames", {{"pattern", "^[A-Za-z0-9_-]+$"}}},
+                                     {"additionalProperties", reference("noise")}};
     schema["properties"]["bake"] = bakes_schema();
     schema["definitions"] = definitions();
     return schema.dump(2) + '\n';

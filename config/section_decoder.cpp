@@ -29,9 +29,7 @@ struct SectionReader {
 
     bool is_excluded(const Field& field) const {
         for (const Field& other : section.fields) {
-            const bool excludes = other.key != field.key && !field.exclusive_group.empty() &&
-                                  other.exclusive_group == field.exclusive_group;
-            if (excludes && find_entry(table, other.key)) return true;
+            if (exclude_each_other(field, other) && find_entry(table, other.key)) return true;
         }
         return false;
     }
@@ -155,6 +153,16 @@ const Table& subtable(const Table& table, std::string_view key, const std::strin
                                           shorten(spell_value(entry->value))),
                               fmt::format("write [{}] and its keys below", join_path(path, key)));
     return empty;
+}
+
+const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder) {
+    if (const Table* table = as_table(entry.value)) return table;
+    decoder.diagnostics.error(
+        "E0103", entry.value.place,
+        fmt::format("`{}` must be a table, not {}", join_path(path, entry.key),
+                    shorten(spell_value(entry.value))),
+        fmt::format("write [{}] and its keys below", join_path(path, entry.key)));
+    return nullptr;
 }
 
 void append_values(const DecodedSection& section, Decoder& decoder) {

@@ -51,6 +51,10 @@ DecodedSection decode_section(const Section& section, const std::string& path, c
 const Table& subtable(const Table& table, std::string_view key, const std::string& path,
                       Decoder& decoder);
 
+// The table of an entry that the user names, such as a layer, below `path`; null, and an error, if
+// it is none.
+const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder);
+
 // Appends the section's values to those of the recipe.
 void append_values(const DecodedSection& section, Decoder& decoder);
 
@@ -64,9 +68,20 @@ struct Assigner {
     void operator()(Length S::*member) const { target.*member = {std::get<double>(value)}; }
     void operator()(std::vector<Length> S::*member) const { assign_each(member); }
     void operator()(std::vector<InverseLength> S::*member) const { assign_each(member); }
+    void operator()(int S::*member) const {
+        target.*member = static_cast<int>(std::get<double>(value));
+    }
     template <class T>
     void operator()(std::optional<T> S::*member) const {
         target.*member = std::get<T>(value);
+    }
+    template <class T>
+    requires std::is_enum_v<T>
+    void operator()(std::vector<T> S::*member) const {
+        (target.*member).clear();
+        for (const ChoiceIndex choice : std::get<std::vector<ChoiceIndex>>(value)) {
+            (target.*member).push_back(static_cast<T>(choice.index));
+        }
     }
     template <class T>
     void operator()(T S::*member) const {

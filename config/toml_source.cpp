@@ -81,7 +81,14 @@ Parsed run_parser(std::string_view text) {
     return parsed;
 }
 
-// The most common slip deserves better than the parser's words: a quantity without its quotes.
+// A seed may be larger than TOML's integers.
+bool is_huge_integer(std::string_view value) {
+    constexpr std::size_t digits_of_int64 = 19;
+    const bool all_digits = value.find_first_not_of("0123456789") == std::string_view::npos;
+    return all_digits && value.size() >= digits_of_int64;
+}
+
+// The most common slips deserve better than the parser's words: a quantity without its quotes.
 std::string advice(const Place& place) {
     const std::string line = source_range(place).line_text;
     const std::size_t equals = line.find('=');
@@ -94,6 +101,7 @@ std::string advice(const Place& place) {
     while (!value.empty() && (value.back() == ' ' || value.back() == '\t')) {
         value.remove_suffix(1);
     }
+    if (is_huge_integer(value)) return "a number above 2^63 - 1 stands in quotes, as text";
     const auto parsed = parse_quantity(value);
     const auto* quantity = std::get_if<Quantity>(&parsed);
     if (!quantity || quantity->dimension == Dimension::number) return "";

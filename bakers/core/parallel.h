@@ -10,6 +10,15 @@ namespace skybake {
 // when all are done. 0 threads means as many as the machine has. A tile must not throw.
 void parallel_for(int count, int threads, const std::function<void(int)>& tile);
 
+// Calls produce(i, slot) for i = 0 ... count - 1 on up to `threads` threads and consume(i, slot)
+// one at a time in the order of i, on any thread, while later ones are being produced. `slot`,
+// below `slots`, names the buffer that carries item i from one to the other: no two items that are
+// alive have the same. Stops early, having returned from all calls, once consume returns false.
+// Neither may throw.
+void ordered_pipeline(int count, int threads, int slots,
+                      const std::function<void(int index, int slot)>& produce,
+                      const std::function<bool(int index, int slot)>& consume);
+
 // What `threads` stands for: itself, or the machine's number of processors for 0.
 int thread_count(int threads);
 

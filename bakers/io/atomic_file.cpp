@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <optional>
 #include <string>
@@ -47,18 +46,29 @@ fs::path resolve_links(const fs::path& path, std::error_code& error) {
     return target;
 }
 
+// Fills `bytes` as far as the file goes; how many there were, or nothing where it cannot be read.
+std::optional<std::size_t> read_piece(int descriptor, std::string& bytes) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::read(descriptor, bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return std::nullopt;
+        if (count == 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    return done;
+}
+
 // Whether an open file holds these bytes and no more. Reads it piece by piece: no second copy.
 bool holds(int descriptor, std::string_view bytes) {
-    std::array<char, 65536> piece;
+    std::string piece(65536, '\0');
     std::size_t done = 0;
     while (true) {
-        const ssize_t count = ::read(descriptor, piece.data(), piece.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return false;
-        const auto size = static_cast<std::size_t>(count);
-        if (size == 0) return done == bytes.size();
-        if (bytes.substr(done, size) != std::string_view(piece.data(), size)) return false;
-        done += size;
+        const auto count = read_piece(descriptor, piece);
+        if (!count) return false;
+        if (*count == 0) return done == bytes.size();
+        if (bytes.substr(done, *count) != std::string_view(piece).substr(0, *count)) return false;
+        done += *count;
     }
 }
 
@@ -96,12 +106,63 @@ int flush(int descriptor) {
 }
 
 // Makes the temporary hold the bytes; errno, 0, or ECANCELED.
-int fill(const TemporaryFile& temporary, std::optional<mode_t> mode, std::string_view bytes,
-         const Progress* progress) {
-    if (!temporary.valid()) return errno;
-    if (mode && ::fchmod(temporary.descriptor(), *mode) != 0) return errno;
+int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress* progress) {
     const int error = write_all(temporary.descriptor(), bytes, progress);
     return error != 0 ? error : flush(temporary.descriptor());
+}
+
+// Where a path leads, and what is there.
+struct Target {
+    fs::path path;
+    std::optional<struct stat> old;  // of a regular file
+};
+
+config::Outcome<Target> find_target(const fs::path& path) {
+    const auto refuse = [&path](const std::string& reason) -> config::Outcome<Target> {
+        return {{}, failure(path, reason).diagnostics};
+    };
+    if (!path.has_filename()) return refuse("it is a folder");
+    std::error_code link_error;
+    Target target{resolve_links(path, link_error), {}};
+    if (link_error) return refuse(link_error.message());
+    struct stat status {};
+    if (::stat(target.path.c_str(), &status) == 0) {
+        if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
+        if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
+        target.old = status;
+    } else if (errno != ENOENT) {
+        return refuse(system_reason(errno));
+    }
+    return {std::move(target), {}};
+}
+
+// Whether two files hold the same bytes. False too where one cannot be read, or on interruption.
+bool same_bytes(const fs::path& first, const fs::path& second, const Progress* progress) {
+    constexpr std::size_t piece = std::size_t{1} << 20;
+    const FileDescriptor a(::open(first.c_str(), O_RDONLY | O_CLOEXEC));
+    const FileDescriptor b(::open(second.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!a.valid() || !b.valid()) return false;
+    std::string bytes(piece, '\0');
+    std::string others(piece, '\0');
+    while (!is_cancelled(progress)) {
+        const auto count = read_piece(a.get(), bytes);
+        const auto other_count = read_piece(b.get(), others);
+        if (!count || count != other_count) return false;
+        if (*count == 0) return true;
+        if (std::string_view(bytes).substr(0, *count) !=
+            std::string_view(others).substr(0, *count)) {
+            return false;
+        }
+    }
+    return false;
+}
+
+// People know the file by its own name.
+void rename_in_text(std::string& text, const std::string& temporary, const std::string& name) {
+    for (std::size_t at = text.find(temporary); at != std::string::npos;
+         at = text.find(temporary, at + name.size())) {
+        text.replace(at, temporary.size(), name);
+    }
 }
 
 }  // namespace
@@ -120,29 +181,56 @@ AtomicFiles::~AtomicFiles() = default;
 
 config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
                                                 const Progress* progress) {
-    if (!path.has_filename()) return failure(path, "it is a folder");
-    std::error_code link_error;
-    fs::path target = resolve_links(path, link_error);
-    if (link_error) return failure(path, link_error.message());
-
-    std::optional<mode_t> mode;
-    struct stat status {};
-    if (::stat(target.c_str(), &status) == 0) {
-        if (S_ISDIR(status.st_mode)) return failure(path, "it is a folder");
-        if (!S_ISREG(status.st_mode)) return failure(path, "it is not a regular file");
-        if (is_unchanged(target, status, bytes)) return {WriteResult::unchanged, {}};
-        mode = status.st_mode & 07777;
-    } else if (errno != ENOENT) {
-        return failure(path, errno);
-    }
-    remove_stale_temporaries(target);
+    config::Outcome<Target> target = find_target(path);
+    if (!target.value) return {{}, std::move(target.diagnostics)};
+    const auto& old = target.value->old;
+    if (old && is_unchanged(target.value->path, *old, bytes)) return {WriteResult::unchanged, {}};
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = std::make_unique<Staged>(path, std::move(target));
-    const int error = fill(staged->temporary, mode, bytes, progress);
+    auto staged = begin(path, target.value->path, old ? std::optional(old->st_mode) : std::nullopt);
+    if (!staged.value) return {{}, std::move(staged.diagnostics)};
+    const int error = fill((*staged.value)->temporary, bytes, progress);
     if (error == ECANCELED) return {WriteResult::interrupted, {}};
     if (error != 0) return failure(path, error);
-    staged_.push_back(std::move(staged));
+    staged_.push_back(std::move(*staged.value));
     return {WriteResult::written, {}};
+}
+
+config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& write,
+                                                const Progress* progress) {
+    config::Outcome<Target> target = find_target(path);
+    if (!target.value) return {{}, std::move(target.diagnostics)};
+    const auto& old = target.value->old;
+    if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    auto staged = begin(path, target.value->path, old ? std::optional(old->st_mode) : std::nullopt);
+    if (!staged.value) return {{}, std::move(staged.diagnostics)};
+    const TemporaryFile& temporary = (*staged.value)->temporary;
+    config::Outcome<bool> written = write(temporary.path());
+    for (config::Diagnostic& diagnostic : written.diagnostics) {
+        rename_in_text(diagnostic.message, temporary.path().string(), path.string());
+        rename_in_text(diagnostic.where.source, temporary.path().string(), path.string());
+    }
+    if (!written.value) return {{}, std::move(written.diagnostics)};
+    if (!*written.value || is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    if (const int error = flush(temporary.descriptor())) return failure(path, error);
+    if (old && same_bytes(target.value->path, temporary.path(), progress)) {
+        return {WriteResult::unchanged, std::move(written.diagnostics)};
+    }
+    if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    staged_.push_back(std::move(*staged.value));
+    return {WriteResult::written, std::move(written.diagnostics)};
+}
+
+// An empty temporary beside the target, with the permissions of an old file.
+config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(
+    const fs::path& path, const fs::path& target, std::optional<unsigned> mode) {
+    const auto refuse = [&path](int error) -> config::Outcome<std::unique_ptr<Staged>> {
+        return {{}, failure(path, error).diagnostics};
+    };
+    remove_stale_temporaries(target);
+    auto staged = std::make_unique<Staged>(path, target);
+    if (!staged->temporary.valid()) return refuse(errno);
+    if (mode && ::fchmod(staged->temporary.descriptor(), *mode & 07777) != 0) return refuse(errno);
+    return {std::move(staged), {}};
 }
 
 std::vector<config::Diagnostic> AtomicFiles::commit() {

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +22,11 @@ enum class WriteResult {
     unchanged,    // the file held these bytes already: it and its time stamp were left alone
     interrupted,  // progress->cancelled() became true: nothing was changed
 };
+
+// Writes a whole file under the name it is given, over an empty one. True when all is written,
+// false where it has stopped for an interruption; a diagnostic may name the temporary, which
+// `stage` replaces by the file's own name.
+using FileWriter = std::function<config::Outcome<bool>(const std::filesystem::path& temporary)>;
 
 // Several files that belong together. All are on the disk before the first replaces an old one, so
 // a full disk or an interruption leaves every old file in place. What was not committed is removed
@@ -38,12 +45,21 @@ class AtomicFiles {
     config::Outcome<WriteResult> stage(const std::filesystem::path& path, std::string_view bytes,
                                        const Progress* progress = nullptr);
 
+    // The same for a file that is too large to be held in memory, or that a library writes itself.
+    // It is written whole even where the old file turns out to hold the same bytes.
+    config::Outcome<WriteResult> stage(const std::filesystem::path& path, const FileWriter& write,
+                                       const Progress* progress = nullptr);
+
     // Renames the staged files to their targets, the last one first: a manifest, staged when all
     // that it describes is known, claims its files before they appear. E0301.
     std::vector<config::Diagnostic> commit();
 
   private:
     struct Staged;
+    static config::Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path,
+                                                          const std::filesystem::path& target,
+                                                          std::optional<unsigned> mode);
+
     std::vector<std::unique_ptr<Staged>> staged_;
 };
 

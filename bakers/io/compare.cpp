@@ -14,8 +14,8 @@
 namespace skybake {
 namespace {
 
-std::string layout_of(const ExrImage& image) {
-    return fmt::format("{} x {} {}", image.pixels.width, image.pixels.height,
+std::string layout_of(const RowSource& image) {
+    return fmt::format("{} x {} {}", image.width, image.height,
                        fmt::join(image.channel_names, " "));
 }
 
@@ -30,14 +30,13 @@ double relative(double absolute, double a, double b) {
     return absolute / std::max(std::abs(a), std::abs(b));
 }
 
-ChannelDifference compare_channel(const Image2<float>& first, const Image2<float>& second,
-                                  int channel) {
-    ChannelDifference result;
-    double squares = 0;
-    for (int y = 0; y < first.height; ++y) {
+// Adds rows of one channel, whose first is row `y` of the image.
+void add_rows(const Image2<float>& first, const Image2<float>& second, int rows, int y,
+              ChannelDifference& result, std::size_t channel, double& squares) {
+    for (int row = 0; row < rows; ++row) {
         for (int x = 0; x < first.width; ++x) {
-            const double a = first.texel(x, y)[channel];
-            const double b = second.texel(x, y)[channel];
+            const double a = first.texel(x, row)[channel];
+            const double b = second.texel(x, row)[channel];
             const double absolute = distance(a, b);
             squares += absolute * absolute;
             result.differing += absolute > 0 ? 1 : 0;
@@ -45,15 +44,38 @@ ChannelDifference compare_channel(const Image2<float>& first, const Image2<float
             if (absolute > result.max_absolute) {
                 result.max_absolute = absolute;
                 result.worst_x = x;
-                result.worst_y = y;
+                result.worst_y = y + row;
             }
         }
     }
-    result.rms = std::sqrt(squares / (static_cast<double>(first.width) * first.height));
-    return result;
 }
 
-std::map<std::string, std::string> facts_of(const ExrImage& image) {
+// The channels of two images of one layout.
+config::Outcome<std::vector<ChannelDifference>> compare_channels(const RowSource& first,
+                                                                 const RowSource& second) {
+    std::vector<ChannelDifference> channels(first.channel_names.size());
+    std::vector<double> squares(channels.size(), 0.0);
+    int step = std::min(first.rows_per_piece, first.height);
+    const int interleaved = static_cast<int>(channels.size());
+    Image2<float> a(first.width, step, interleaved);
+    Image2<float> b(first.width, step, interleaved);
+    for (int y = 0; y < first.height; y += step) {
+        step = std::min(step, first.height - y);
+        if (auto problem = first.read(y, step, a.texels.data())) return {{}, {*problem}};
+        if (auto problem = second.read(y, step, b.texels.data())) return {{}, {*problem}};
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            add_rows(a, b, step, y, channels[c], c, squares[c]);
+        }
+    }
+    const double texels = static_cast<double>(first.width) * first.height;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        channels[c].channel = first.channel_names[c];
+        channels[c].rms = std::sqrt(squares[c] / texels);
+    }
+    return {std::move(channels), {}};
+}
+
+std::map<std::string, std::string> facts_of(const RowSource& image) {
     std::map<std::string, std::string> facts(image.attributes.begin(), image.attributes.end());
     facts["pixel type"] = spell(image.pixel_type);
     facts["compression"] = spell(image.compression);
@@ -66,7 +88,8 @@ std::optional<std::string> find_fact(const std::map<std::string, std::string>& f
     return found != facts.end() ? std::optional(found->second) : std::nullopt;
 }
 
-std::vector<AttributeDifference> compare_attributes(const ExrImage& first, const ExrImage& second) {
+std::vector<AttributeDifference> compare_attributes(const RowSource& first,
+                                                    const RowSource& second) {
     const auto facts = facts_of(first);
     const auto others = facts_of(second);
     std::set<std::string> names;
@@ -82,19 +105,29 @@ std::vector<AttributeDifference> compare_attributes(const ExrImage& first, const
 
 }  // namespace
 
-ImageDifference compare_images(const ExrImage& first, const ExrImage& second) {
+RowSource rows_of(ExrRows& file) {
+    return {
+        file.width(),
+        file.height(),
+        file.channel_names(),
+        file.pixel_type(),
+        file.compression(),
+        file.attributes(),
+        file.rows_per_piece(),
+        [&file](int first, int count, float* texels) { return file.read(first, count, texels); }};
+}
+
+config::Outcome<ImageDifference> compare_images(const RowSource& first, const RowSource& second) {
     ImageDifference difference;
     difference.attributes = compare_attributes(first, second);
     if (layout_of(first) != layout_of(second)) {
         difference.layout = fmt::format("{} against {}", layout_of(first), layout_of(second));
-        return difference;
+        return {std::move(difference), {}};
     }
-    for (int channel = 0; channel < first.pixels.channels; ++channel) {
-        ChannelDifference entry = compare_channel(first.pixels, second.pixels, channel);
-        entry.channel = first.channel_names[static_cast<std::size_t>(channel)];
-        difference.channels.push_back(std::move(entry));
-    }
-    return difference;
+    auto channels = compare_channels(first, second);
+    if (!channels.value) return {{}, std::move(channels.diagnostics)};
+    difference.channels = std::move(*channels.value);
+    return {std::move(difference), {}};
 }
 
 bool equal_within(const ImageDifference& difference, double tolerance) {

@@ -1,14 +1,9 @@
 #include "bakers/io/exr.h"
 
-#include <ImfChannelList.h>
-#include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
-#include <ImfStringAttribute.h>
-#include <ImfVersion.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,6 +15,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "bakers/io/exr_library.h"
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/io/read_file.h"
 
@@ -33,39 +29,7 @@ using config::PixelType;
 static_assert(std::endian::native == std::endian::little,
               "texels are stored as they lie in memory");
 
-constexpr std::size_t longest_attribute_name = 31;
 constexpr float largest_half = 65504.0f;
-// Pinned, since the library's default has changed between releases and bytes must not.
-constexpr int deflate_level = 4;
-// No codec of the profile makes more of a byte than deflate, 1032. A header that promises more
-// texels than that is damaged, and would otherwise have them allocated.
-constexpr double largest_expansion = 1100;
-constexpr double expansion_slack = 65536;
-
-struct CompressionName {
-    Compression ours;
-    Imf::Compression theirs;
-};
-constexpr std::array<CompressionName, 4> compression_names = {{
-    {Compression::none, Imf::NO_COMPRESSION},
-    {Compression::zip, Imf::ZIP_COMPRESSION},
-    {Compression::zips, Imf::ZIPS_COMPRESSION},
-    {Compression::piz, Imf::PIZ_COMPRESSION},
-}};
-
-Imf::Compression to_library(Compression compression) {
-    for (const CompressionName& name : compression_names) {
-        if (name.ours == compression) return name.theirs;
-    }
-    return Imf::NO_COMPRESSION;
-}
-
-std::optional<Compression> from_library(Imf::Compression compression) {
-    for (const CompressionName& name : compression_names) {
-        if (name.theirs == compression) return name.ours;
-    }
-    return std::nullopt;
-}
 
 // --- Streams ------------------------------------------------------------------------------------
 
@@ -125,13 +89,7 @@ std::optional<std::string> contradiction(const ExrImage& image) {
     if (pixels.texels.size() != pixels.offset(0, pixels.height)) {
         return "an image whose texels do not match its size";
     }
-    for (const auto& [name, text] : image.attributes) {
-        if (name.empty() || name.size() > longest_attribute_name) {
-            return fmt::format("the attribute name `{}` has {} characters, {} are the most", name,
-                               name.size(), longest_attribute_name);
-        }
-    }
-    return std::nullopt;
+    return bad_attribute_name(image.attributes);
 }
 
 // The first texel that the file cannot hold. The place is given as users count: column, row,
@@ -181,17 +139,8 @@ Imf::FrameBuffer interleaved(T* texels, const Image2<float>& shape, Imf::PixelTy
 }
 
 Imf::Header make_header(const ExrImage& image) {
-    Imf::Header header(image.pixels.width, image.pixels.height, 1.0f, Imath::V2f(0, 0), 1.0f,
-                       Imf::INCREASING_Y, to_library(image.compression));
-    header.zipCompressionLevel() = deflate_level;
-    const Imf::PixelType type = image.pixel_type == PixelType::half ? Imf::HALF : Imf::FLOAT;
-    for (const std::string& name : image.channel_names) {
-        header.channels().insert(name, Imf::Channel(type));
-    }
-    for (const auto& [name, text] : image.attributes) {
-        header.insert(name, Imf::StringAttribute(text));
-    }
-    return header;
+    return make_exr_header({image.pixels.width, image.pixels.height, image.channel_names,
+                            image.pixel_type, image.compression, image.attributes});
 }
 
 template <class T>
@@ -209,85 +158,27 @@ std::string write_texels(const ExrImage& image, const T* texels, Imf::PixelType 
 
 // --- Reading ------------------------------------------------------------------------------------
 
-// Channels as texels hold them: colours as R G B [A] rather than in the file's alphabetical order.
-std::vector<std::string> texel_order(std::vector<std::string> names) {
-    const std::vector<std::string> rgba = {"R", "G", "B", "A"};
-    const std::vector<std::string> rgb = {"R", "G", "B"};
-    for (const auto& order : {rgba, rgb}) {
-        if (std::is_permutation(names.begin(), names.end(), order.begin(), order.end()))
-            return order;
-    }
-    return names;
-}
-
-// Everything about the header that this reader does not take, or nothing.
-std::optional<std::string> unknown_layout(const Imf::Header& header, int version) {
-    if (Imf::isTiled(version)) return "tiled images are not read";
-    if (Imf::isMultiPart(version)) return "images of several parts are not read";
-    if (Imf::isNonImage(version)) return "deep images are not read";
-    if (!from_library(header.compression()))
-        return "its compression is not one of none, zip, zips, piz";
-    std::optional<Imf::PixelType> type;
-    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-        if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-            return "subsampled channels are not read";
-        }
-        if (channel.channel().type == Imf::UINT) return "integer channels are not read";
-        if (type.value_or(channel.channel().type) != channel.channel().type) {
-            return "channels of different types are not read";
-        }
-        type = channel.channel().type;
-    }
-    if (!type) return "it has no channels";
-    return std::nullopt;
-}
-
-ExrImage empty_image(const Imf::Header& header) {
-    ExrImage image;
-    std::vector<std::string> names;
-    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-        names.emplace_back(channel.name());
-        image.pixel_type =
-            channel.channel().type == Imf::HALF ? PixelType::half : PixelType::float32;
-    }
-    image.channel_names = texel_order(std::move(names));
-    image.compression = *from_library(header.compression());
-    for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
-        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
-        if (text != nullptr) image.attributes.emplace_back(attribute.name(), text->value());
-    }
-    return image;
-}
-
 Outcome<ExrImage> damaged(const std::string& name, const std::string& reason) {
-    return {{},
-            {file_error("E0304", name,
-                        fmt::format("cannot read `{}` as an OpenEXR image: {}", name, reason))}};
+    return {{}, {damaged_exr(name, reason)}};
 }
 
 Outcome<ExrImage> decode(std::string_view bytes, const std::string& name) {
     MemoryInput stream(bytes);
     Imf::InputFile file(stream, 0);  // 0: no threads but this one
     const Imf::Header& header = file.header();
-    if (const auto reason = unknown_layout(header, file.version())) return damaged(name, *reason);
-
-    const Imath::Box2i window = header.dataWindow();
-    const double width = static_cast<double>(window.max.x) - window.min.x + 1;
-    const double height = static_cast<double>(window.max.y) - window.min.y + 1;
-    ExrImage image = empty_image(header);
-    const double bytes_per_texel = (image.pixel_type == PixelType::half ? 2.0 : 4.0) *
-                                   static_cast<double>(image.channel_names.size());
-    if (width * height * bytes_per_texel >
-        largest_expansion * static_cast<double>(bytes.size()) + expansion_slack) {
-        return damaged(name, fmt::format("its {} bytes cannot hold {} x {} texels", bytes.size(),
-                                         width, height));
+    if (const auto reason = unknown_layout(header, file.version(), bytes.size())) {
+        return damaged(name, *reason);
     }
-    image.pixels = Image2<float>(static_cast<int>(width), static_cast<int>(height),
-                                 static_cast<int>(image.channel_names.size()));
+    ExrFacts facts = facts_of(header);
+    ExrImage image{
+        Image2<float>(facts.width, facts.height, static_cast<int>(facts.channel_names.size())),
+        std::move(facts.channel_names), facts.pixel_type, facts.compression,
+        std::move(facts.attributes)};
+    const Imath::Box2i window = header.dataWindow();
     // Slices are addressed from the origin, the data window may start elsewhere.
     Imf::FrameBuffer buffer;
     const std::size_t texel = sizeof(float) * image.channel_names.size();
-    const std::size_t row = texel * static_cast<std::size_t>(width);
+    const std::size_t row = texel * static_cast<std::size_t>(image.pixels.width);
     for (std::size_t channel = 0; channel < image.channel_names.size(); ++channel) {
         buffer.insert(
             image.channel_names[channel],

@@ -19,12 +19,21 @@ Manifest new_manifest(const config::Recipe& recipe) {
     return manifest;
 }
 
-config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder) {
+config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) {
     constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;
-    const std::filesystem::path path = folder / manifest_name;
-    config::Outcome<std::string> text = read_file(path, largest_manifest);
+    config::Outcome<std::string> text = read_file(file, largest_manifest);
     if (!text.value) return {{}, std::move(text.diagnostics)};
-    return parse_manifest(*text.value, path.string());
+    return parse_manifest(*text.value, file.string());
+}
+
+config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder) {
+    return read_manifest_file(folder / manifest_name);
+}
+
+ManifestPlace manifest_place(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return {path, path / manifest_name};
+    return {path.has_parent_path() ? path.parent_path() : ".", path};
 }
 
 Manifest merge_manifests(const Manifest& previous, Manifest fresh) {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "bakers/core/baked_table.h"
+#include "bakers/core/volume.h"
+#include "bakers/io/volume_layout.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 
@@ -21,10 +23,15 @@ inline constexpr std::string_view manifest_name = "manifest.json";
 
 struct ManifestFile {
     std::string path;    // relative to the manifest's folder, never leaving it
-    std::string format;  // "exr"
+    std::string format;  // "exr", "vdb", "bin"
     config::PixelType pixel_type = config::PixelType::float32;
     std::uint64_t bytes = 0;
     std::string xxh3;  // xxh3_hex of the file
+
+    // Of volumes.
+    int level = 0;                           // of detail; 0 is the volume itself
+    std::string compression = {};            // "zip", "blosc", ...
+    std::optional<SliceLayout> layout = {};  // exr: where the slices lie
 };
 
 // Wall times: the one thing in a bake's output that changes from run to run.
@@ -34,25 +41,39 @@ struct Timing {
     int threads = 1;
 };
 
+// One level of detail of a volume.
+struct ManifestLevel {
+    std::array<int, 3> size{};
+    std::string content_hash;                 // xxh3_hex of the voxels as stored
+    std::vector<ValueStatistics> statistics;  // one per channel
+    std::vector<VolumeProbe> probes;
+};
+
 // One asset: all that its files say in their metadata, and what only a manifest may say.
 struct ManifestAsset {
     std::string name;
     std::string kind;
     std::string content;
     std::vector<ManifestFile> files;
-    std::array<int, 2> size{};
+    std::vector<int> size;  // texels along u, v; voxels along u, v, w
     std::vector<std::string> channels;
-    config::Compression compression = config::Compression::zip;
+    config::Compression compression = config::Compression::zip;  // of tables
     std::string mapping;
-    std::array<AxisMapping, 2> axes;  // u, v
+    std::vector<AxisMapping> axes;  // u, v; u, v, w
     Timing timing;
     std::optional<Certificate> error;  // none where it was not measured
     RangeCounts range;
-    std::vector<Probe> probes;
+    std::vector<Probe> probes;  // of tables
     std::vector<std::pair<std::string, std::string>> details;
     std::string parameters;    // TOML: the parameters that this asset depends on
-    std::string content_hash;  // xxh3_hex of the texels as stored
+    std::string content_hash;  // xxh3_hex of the texels as stored; of volumes: of level 0
     std::string release;       // the release that baked it
+
+    // Of volumes: none of a table.
+    std::vector<ManifestLevel> levels;  // level 0 first
+    double seam_error = 0;              // between voxel 0 and voxel `size`, over all axes
+
+    bool is_volume() const { return !levels.empty(); }
 };
 
 struct Manifest {
@@ -73,8 +94,19 @@ std::string manifest_json(const Manifest& manifest);
 // it is damaged, of another tool or format, or names a file outside of its folder.
 config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name);
 
-// Reads `folder`/manifest.json. E0300 where there is none, E0304 where it is damaged.
+// Reads a manifest. E0300 where there is none, E0304 where it is damaged.
+config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file);
+
+// The same of `folder`/manifest.json.
 config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder);
+
+// Where the manifest is that a user means by a folder or by the manifest itself, and the folder
+// that its paths are relative to.
+struct ManifestPlace {
+    std::filesystem::path folder;
+    std::filesystem::path file;
+};
+ManifestPlace manifest_place(const std::filesystem::path& path);
 
 // `fresh` with those assets of `previous` that it does not name, in the order of `previous`; for
 // bakes of a part of a recipe.

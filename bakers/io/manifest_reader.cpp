@@ -81,6 +81,7 @@ class Node {
         }
         return nodes;
     }
+    std::size_t count() const { return elements().size(); }
     bool is_null() const { return json_->is_null(); }
     std::string dump() const { return json_->dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -112,15 +113,34 @@ std::string path_within_folder(const Node& node) {
     return text;
 }
 
-ManifestFile read_file_entry(const Node& node) {
+// Counts of voxels and cells: whatever is made of three of them fits into 64 bits.
+int extent(const Node& node) {
+    constexpr int largest = 65536;
+    const int value = node.integer<int>(1);
+    if (value > largest) node.fail(fmt::format("at most {} are read", largest));
+    return value;
+}
+
+SliceLayout read_layout(const Node& node) {
+    const auto kind = volume_layout_of(node["kind"].text());
+    if (!kind) node["kind"].fail("no such layout");
+    return {*kind, extent(node["columns"]), extent(node["rows"])};
+}
+
+ManifestFile read_file_entry(const Node& node, bool of_volume) {
     ManifestFile file;
     file.path = path_within_folder(node["path"]);
     file.format = node["format"].text();
+    if (!volume_format_of(file.format)) node["format"].fail("no such format");
     const auto type = pixel_type_of(node["pixel_type"].text());
     if (!type) node["pixel_type"].fail("no such pixel type");
     file.pixel_type = *type;
     file.bytes = node["bytes"].integer<std::uint64_t>(0);
     file.xxh3 = node["xxh3"].text();
+    if (!of_volume) return file;
+    file.level = node["level"].integer<int>(0);
+    file.compression = node["compression"].text();
+    if (file.format == "exr") file.layout = read_layout(node["layout"]);
     return file;
 }
 
@@ -155,32 +175,92 @@ Probe read_probe(const Node& node) {
     return probe;
 }
 
-ManifestAsset read_asset(const Node& node) {
-    ManifestAsset asset;
-    asset.name = node["name"].text();
-    asset.kind = node["kind"].text();
-    asset.content = node["content"].text();
-    for (const Node& file : node["files"].elements()) asset.files.push_back(read_file_entry(file));
+VolumeProbe read_volume_probe(const Node& node) {
+    const auto uvw = node["uvw"].elements(3);
+    return {{uvw[0].number(), uvw[1].number(), uvw[2].number()},
+            numbers(node["value"]),
+            numbers(node["tolerance"])};
+}
+
+ValueStatistics read_statistics(const Node& node) {
+    ValueStatistics statistics;
+    statistics.min = node["min"].number();
+    statistics.max = node["max"].number();
+    statistics.mean = node["mean"].number();
+    const auto range = node["histogram"]["range"].elements(2);
+    statistics.histogram_range = {range[0].number(), range[1].number()};
+    for (const Node& count : node["histogram"]["counts"].elements()) {
+        statistics.histogram.push_back(count.integer<std::int64_t>(0));
+    }
+    return statistics;
+}
+
+// A level from its own object, or level 0 from that of its asset.
+ManifestLevel read_level(const Node& node, std::size_t channels) {
+    ManifestLevel level;
+    const auto size = node["size"].elements(3);
+    level.size = {extent(size[0]), extent(size[1]), extent(size[2])};
+    level.content_hash = node["content_hash"].text();
+    for (const Node& entry : node["statistics"].elements(channels)) {
+        level.statistics.push_back(read_statistics(entry));
+    }
+    for (const Node& probe : node["probes"].elements()) {
+        level.probes.push_back(read_volume_probe(probe));
+    }
+    return level;
+}
+
+void read_volume(const Node& node, ManifestAsset& asset) {
+    asset.levels.push_back(read_level(node, asset.channels.size()));
+    for (const Node& mip : node["mips"].elements()) {
+        asset.levels.push_back(read_level(mip, asset.channels.size()));
+    }
+    asset.size.assign(asset.levels[0].size.begin(), asset.levels[0].size.end());
+    asset.seam_error = node["seam_error"].number();
+    for (const ManifestFile& file : asset.files) {
+        if (static_cast<std::size_t>(file.level) >= asset.levels.size()) {
+            node["files"].fail(fmt::format("`{}` is of level {}", file.path, file.level));
+        }
+    }
+}
+
+void read_table(const Node& node, ManifestAsset& asset) {
     const auto size = node["size"].elements(2);
     asset.size = {size[0].integer<int>(1), size[1].integer<int>(1)};
-    asset.channels = texts(node["channels"]);
     const auto compression = compression_of(node["compression"].text());
     if (!compression) node["compression"].fail("no such compression");
     asset.compression = *compression;
+    for (const Node& probe : node["probes"].elements()) asset.probes.push_back(read_probe(probe));
+    for (const Node& file : node["files"].elements()) {
+        if (file["format"].text() != "exr") file["format"].fail("tables are exr");
+    }
+}
+
+ManifestAsset read_asset(const Node& node) {
+    ManifestAsset asset;
+    const bool of_volume = node["size"].count() == 3;
+    asset.name = node["name"].text();
+    asset.kind = node["kind"].text();
+    asset.content = node["content"].text();
+    for (const Node& file : node["files"].elements()) {
+        asset.files.push_back(read_file_entry(file, of_volume));
+    }
+    asset.channels = texts(node["channels"]);
     asset.mapping = node["mapping"]["name"].text();
     asset.axes = {read_axis(node["mapping"]["u"]), read_axis(node["mapping"]["v"])};
+    if (of_volume) asset.axes.push_back(read_axis(node["mapping"]["w"]));
     asset.timing = {node["timing"]["bake_s"].number(), node["timing"]["write_s"].number(),
                     node["timing"]["threads"].integer<int>(0)};
     asset.error = read_certificate(node["error"]);
     asset.range = {node["range"]["below_normal"].integer<long>(0),
                    node["range"]["above_range"].integer<long>(0)};
-    for (const Node& probe : node["probes"].elements()) asset.probes.push_back(read_probe(probe));
     for (const auto& [key, value] : node["details"].members()) {
         asset.details.emplace_back(key, value.text());
     }
     asset.parameters = node["parameters"].text();
     asset.content_hash = node["content_hash"].text();
     asset.release = node["release"].text();
+    of_volume ? read_volume(node, asset) : read_table(node, asset);
     return asset;
 }
 

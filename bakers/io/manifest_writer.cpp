@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "bakers/io/conventions.h"
@@ -14,12 +15,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // keys stay in the order of the schema
 
-Json to_json(const ManifestFile& file) {
-    return {{"path", file.path},
-            {"format", file.format},
-            {"pixel_type", spell(file.pixel_type)},
-            {"bytes", file.bytes},
-            {"xxh3", file.xxh3}};
+Json to_json(const ManifestFile& file, bool of_volume) {
+    Json json = {{"path", file.path},
+                 {"format", file.format},
+                 {"pixel_type", spell(file.pixel_type)},
+                 {"bytes", file.bytes},
+                 {"xxh3", file.xxh3}};
+    if (!of_volume) return json;
+    json["level"] = file.level;
+    json["compression"] = file.compression;
+    if (file.layout) {
+        json["layout"] = {{"kind", spell(file.layout->kind)},
+                          {"columns", file.layout->columns},
+                          {"rows", file.layout->rows}};
+    }
+    return json;
 }
 
 Json to_json(const AxisMapping& axis) {
@@ -52,35 +62,74 @@ Json to_json(const Probe& probe) {
             {"tolerance", probe.tolerance}};
 }
 
+Json to_json(const VolumeProbe& probe) {
+    return {{"uvw", probe.uvw}, {"value", probe.value}, {"tolerance", probe.tolerance}};
+}
+
+Json to_json(const ValueStatistics& statistics) {
+    return {
+        {"min", statistics.min},
+        {"max", statistics.max},
+        {"mean", statistics.mean},
+        {"histogram", {{"range", statistics.histogram_range}, {"counts", statistics.histogram}}}};
+}
+
+Json to_json(const ManifestLevel& level);
+
+template <class T>
+Json array_of(const std::vector<T>& elements) {
+    Json json = Json::array();
+    for (const T& element : elements) json.push_back(to_json(element));
+    return json;
+}
+
+Json to_json(const ManifestLevel& level) {
+    return {{"size", level.size},
+            {"statistics", array_of(level.statistics)},
+            {"probes", array_of(level.probes)},
+            {"content_hash", level.content_hash}};
+}
+
+Json mapping_json(const ManifestAsset& asset) {
+    constexpr std::array names = {"u", "v", "w"};
+    Json json = {{"name", asset.mapping}};
+    for (std::size_t i = 0; i < asset.axes.size(); ++i) json[names[i]] = to_json(asset.axes[i]);
+    return json;
+}
+
+// What only volumes have. Level 0 is the asset itself.
+void add_volume(const ManifestAsset& asset, Json& json) {
+    json["probes"] = array_of(asset.levels[0].probes);
+    json["statistics"] = array_of(asset.levels[0].statistics);
+    json["seam_error"] = asset.seam_error;
+    json["mips"] = array_of(std::vector(asset.levels.begin() + 1, asset.levels.end()));
+}
+
 Json to_json(const ManifestAsset& asset) {
     Json files = Json::array();
-    for (const ManifestFile& file : asset.files) files.push_back(to_json(file));
-    Json probes = Json::array();
-    for (const Probe& probe : asset.probes) probes.push_back(to_json(probe));
+    for (const ManifestFile& file : asset.files) files.push_back(to_json(file, asset.is_volume()));
     Json details = Json::object();
     for (const auto& [key, value] : asset.details) details[key] = value;
-    return {
-        {"name", asset.name},
-        {"kind", asset.kind},
-        {"content", asset.content},
-        {"files", std::move(files)},
-        {"size", asset.size},
-        {"channels", asset.channels},
-        {"compression", spell(asset.compression)},
-        {"mapping",
-         {{"name", asset.mapping}, {"u", to_json(asset.axes[0])}, {"v", to_json(asset.axes[1])}}},
-        {"timing",
-         {{"bake_s", asset.timing.bake_s},
-          {"write_s", asset.timing.write_s},
-          {"threads", asset.timing.threads}}},
-        {"error", to_json(asset.error)},
-        {"range",
-         {{"below_normal", asset.range.below_normal}, {"above_range", asset.range.above_range}}},
-        {"probes", std::move(probes)},
-        {"details", std::move(details)},
-        {"parameters", asset.parameters},
-        {"content_hash", asset.content_hash},
-        {"release", asset.release}};
+    Json json = {{"name", asset.name},        {"kind", asset.kind}, {"content", asset.content},
+                 {"files", std::move(files)}, {"size", asset.size}, {"channels", asset.channels}};
+    if (!asset.is_volume()) json["compression"] = spell(asset.compression);
+    json["mapping"] = mapping_json(asset);
+    json["timing"] = {{"bake_s", asset.timing.bake_s},
+                      {"write_s", asset.timing.write_s},
+                      {"threads", asset.timing.threads}};
+    json["error"] = to_json(asset.error);
+    json["range"] = {{"below_normal", asset.range.below_normal},
+                     {"above_range", asset.range.above_range}};
+    if (asset.is_volume()) {
+        add_volume(asset, json);
+    } else {
+        json["probes"] = array_of(asset.probes);
+    }
+    json["details"] = std::move(details);
+    json["parameters"] = asset.parameters;
+    json["content_hash"] = asset.content_hash;
+    json["release"] = asset.release;
+    return json;
 }
 
 Json conventions_json(const Manifest& manifest) {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "bakers/core/hash.h"
 #include "bakers/io/conventions.h"
-#include "bakers/io/hash.h"
 #include "bakers/io/release.h"
 
 namespace skybake {
@@ -14,6 +16,35 @@ std::string details_text(const std::vector<std::pair<std::string, std::string>>&
     std::string text;
     for (const auto& [key, value] : details) text += fmt::format("{} = {}\n", key, value);
     return text;
+}
+
+std::string statistics_text(const std::vector<std::string>& channels, const ManifestLevel& level) {
+    std::string text;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        const ValueStatistics& s = level.statistics[c];
+        text += fmt::format("{}: min {} max {} mean {} histogram {} to {}: {}\n", channels[c],
+                            s.min, s.max, s.mean, s.histogram_range[0], s.histogram_range[1],
+                            fmt::join(s.histogram, " "));
+    }
+    return text;
+}
+
+// What the files of tables and of volumes say in the same words.
+Attributes shared_attributes(const ManifestAsset& asset) {
+    return {
+        {"skybake/channels", fmt::format("{}", fmt::join(asset.channels, " "))},
+        {"skybake/content", asset.content},
+        {"skybake/details", details_text(asset.details)},
+        {"skybake/error", error_line(asset.error)},
+        {"skybake/kind", asset.kind},
+        {"skybake/mapping", asset.mapping},
+        {"skybake/mapping_u", axis_line(asset.axes[0])},
+        {"skybake/mapping_v", axis_line(asset.axes[1])},
+        {"skybake/parameters", asset.parameters},
+        {"skybake/range", fmt::format("below_normal {}, above_range {}", asset.range.below_normal,
+                                      asset.range.above_range)},
+        {"skybake/release", asset.release},
+    };
 }
 
 }  // namespace
@@ -27,7 +58,7 @@ ManifestAsset describe(const BakedTable& table) {
     asset.channels = table.channel_names;
     asset.compression = table.compression;
     asset.mapping = table.mapping;
-    asset.axes = table.axes;
+    asset.axes.assign(table.axes.begin(), table.axes.end());
     if (table.certified) asset.error = table.certificate;
     asset.range = table.range;
     asset.probes = table.probes;
@@ -35,6 +66,28 @@ ManifestAsset describe(const BakedTable& table) {
     asset.parameters = table.parameters;
     asset.content_hash = xxh3_hex(stored_bytes(table.image, table.pixel_type));
     asset.release = release();
+    return asset;
+}
+
+ManifestAsset describe(const BakedVolume& volume) {
+    ManifestAsset asset;
+    asset.name = volume.name;
+    asset.kind = volume.kind;
+    asset.content = volume.content;
+    asset.channels = volume.channel_names;
+    asset.mapping = volume.mapping;
+    asset.axes.assign(volume.axes.begin(), volume.axes.end());
+    if (volume.certified) asset.error = volume.certificate;
+    asset.range = volume.range;
+    asset.details = volume.details;
+    asset.parameters = volume.parameters;
+    asset.release = release();
+    asset.seam_error = volume.seam_error;
+    for (const VolumeLevel& level : volume.levels) {
+        asset.levels.push_back({level.size, level.content_hash, level.statistics, level.probes});
+    }
+    asset.size.assign(asset.levels[0].size.begin(), asset.levels[0].size.end());
+    asset.content_hash = asset.levels[0].content_hash;
     return asset;
 }
 
@@ -65,24 +118,30 @@ std::string axis_line(const AxisMapping& axis) {
 }
 
 Attributes exr_attributes(const ManifestAsset& asset) {
-    return {
-        {"skybake/channels", fmt::format("{}", fmt::join(asset.channels, " "))},
-        {"skybake/content", asset.content},
-        {"skybake/content_hash", asset.content_hash},
-        {"skybake/details", details_text(asset.details)},
-        {"skybake/error", error_line(asset.error)},
-        {"skybake/kind", asset.kind},
-        {"skybake/mapping", asset.mapping},
-        {"skybake/mapping_u", axis_line(asset.axes[0])},
-        {"skybake/mapping_v", axis_line(asset.axes[1])},
-        {"skybake/parameters", asset.parameters},
-        {"skybake/range", fmt::format("below_normal {}, above_range {}", asset.range.below_normal,
-                                      asset.range.above_range)},
-        {"skybake/release", asset.release},
-        {"skybake/units", std::string(units_line())},
-    };
+    Attributes attributes = shared_attributes(asset);
+    attributes.emplace_back("skybake/content_hash", asset.content_hash);
+    attributes.emplace_back("skybake/units", units_line());
+    std::sort(attributes.begin(), attributes.end());
+    return attributes;
 }
 
 Attributes exr_attributes(const BakedTable& table) { return exr_attributes(describe(table)); }
+
+Attributes volume_attributes(const ManifestAsset& asset, const ManifestFile& file) {
+    const ManifestLevel& level = asset.levels[static_cast<std::size_t>(file.level)];
+    Attributes attributes = shared_attributes(asset);
+    attributes.emplace_back("skybake/content_hash", level.content_hash);
+    if (file.layout) {
+        attributes.emplace_back("skybake/layout", layout_line(level.size, *file.layout));
+    }
+    attributes.emplace_back("skybake/level",
+                            fmt::format("{} of {}", file.level, asset.levels.size()));
+    attributes.emplace_back("skybake/mapping_w", axis_line(asset.axes[2]));
+    attributes.emplace_back("skybake/seam_error", fmt::format("{}", asset.seam_error));
+    attributes.emplace_back("skybake/size", fmt::format("{}", fmt::join(level.size, " ")));
+    attributes.emplace_back("skybake/statistics", statistics_text(asset.channels, level));
+    std::sort(attributes.begin(), attributes.end());
+    return attributes;
+}
 
 }  // namespace skybake

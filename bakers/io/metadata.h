@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bakers/core/baked_table.h"
+#include "bakers/core/volume.h"
 #include "bakers/io/exr.h"
 #include "bakers/io/manifest.h"
 
@@ -16,7 +17,10 @@ namespace skybake {
 // Everything that a manifest says of the table except its files and timing.
 ManifestAsset describe(const BakedTable& table);
 
-// The attributes of the asset's file:
+// The same of a volume, but for the files.
+ManifestAsset describe(const BakedVolume& volume);
+
+// The attributes of a table's file:
 //
 //   skybake/parameters    TOML, the resolved parameters that the table depends on
 //   skybake/kind          "transmittance", "multiple_scattering"
@@ -33,6 +37,17 @@ Attributes exr_attributes(const ManifestAsset& asset);
 
 // The same from a table, as `describe` sees it.
 Attributes exr_attributes(const BakedTable& table);
+
+// The attributes of one of a volume's files: those of a table without units, and
+//
+//   skybake/content_hash  xxh3_hex of the level's voxels as stored: x, y, z, channels interleaved
+//   skybake/layout        EXR: where the slices lie
+//   skybake/level         "0 of 1": which of how many levels of detail
+//   skybake/mapping_w     the third axis in one line
+//   skybake/seam_error    the largest difference across the tile's borders
+//   skybake/size          voxels along x, y, z
+//   skybake/statistics    minimum, maximum, mean and histogram, one channel a line
+Attributes volume_attributes(const ManifestAsset& asset, const ManifestFile& file);
 
 // The units that all files and manifests share, in one line.
 std::string_view units_line();

@@ -7,9 +7,10 @@
 namespace skybake {
 namespace {
 
-// The choices of a key that all bake sections share, in the order of its enumeration.
+// The choices of a key of volumes, in the order of its enumeration; those of tables are the first
+// of them.
 std::span<const config::Choice> choices_of(std::string_view key) {
-    const config::Section* section = config::find_section("bake.*", "transmittance");
+    const config::Section* section = config::find_section("bake.*", "noise_volume");
     const config::Field* field = section != nullptr ? config::find_field(*section, key) : nullptr;
     return field != nullptr ? field->choices : std::span<const config::Choice>();
 }
@@ -38,12 +39,28 @@ std::string_view spell(config::Compression compression) {
     return word_of("compression", compression);
 }
 
+std::string_view spell(config::VdbCompression compression) {
+    return word_of("vdb_compression", compression);
+}
+
+std::string_view spell(config::VolumeFormat format) { return word_of("formats", format); }
+
+std::string_view spell(config::VolumeLayout layout) { return word_of("layout", layout); }
+
 std::optional<config::PixelType> pixel_type_of(std::string_view word) {
     return value_of<config::PixelType>("pixel_type", word);
 }
 
 std::optional<config::Compression> compression_of(std::string_view word) {
     return value_of<config::Compression>("compression", word);
+}
+
+std::optional<config::VolumeFormat> volume_format_of(std::string_view word) {
+    return value_of<config::VolumeFormat>("formats", word);
+}
+
+std::optional<config::VolumeLayout> volume_layout_of(std::string_view word) {
+    return value_of<config::VolumeLayout>("layout", word);
 }
 
 }  // namespace skybake

@@ -19,6 +19,7 @@ class TemporaryFile {
 
     bool valid() const { return file_.valid(); }
     int descriptor() const { return file_.get(); }
+    const std::filesystem::path& path() const { return path_; }
     // False where it cannot; errno says why.
     bool rename_to(const std::filesystem::path& target);
 

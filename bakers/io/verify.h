@@ -25,7 +25,7 @@ struct VerifyReport {
     std::vector<VerifyFailure> failures;
 };
 
-// A further check of a decoded asset, for what only its baker knows (physical coordinates to uv).
+// A further check of a decoded table, for what only its baker knows (physical coordinates to uv).
 struct AssetCheck {
     std::string name;
     // One message per failure; `checks` is increased by the number of things looked at.
@@ -34,11 +34,12 @@ struct AssetCheck {
         run;
 };
 
-// Re-reads every file that the folder's manifest lists and makes every check that can still be
-// made: presence, byte count, hash of the file, size, channels, pixel type, each attribute against
-// the manifest, hash of the texels, finiteness, each probe (within its tolerance, uv inside [0,
-// 1]). E0300 where there is no manifest, E0304 where it is damaged.
-config::Outcome<VerifyReport> verify_folder(const std::filesystem::path& folder,
-                                            std::span<const AssetCheck> further = {});
+// Re-reads every file that a manifest lists and makes every check that can still be made: presence,
+// byte count, hash of the file, size, channels, pixel type, each attribute against the manifest,
+// hash of the texels, finiteness, each probe (within its tolerance); of volumes the layout and the
+// extremes of their values too. `path` is the manifest or its folder. Volumes are read as streams.
+// `further` checks are made of tables. E0300 where there is no manifest, E0304 where it is damaged.
+config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
+                                          std::span<const AssetCheck> further = {});
 
 }  // namespace skybake

@@ -1,27 +1,12 @@
 #include "bakers/io/write_table.h"
 
-#include <chrono>
-
+#include "bakers/core/hash.h"
 #include "bakers/io/exr.h"
-#include "bakers/io/hash.h"
+#include "bakers/io/file_names.h"
 #include "bakers/io/metadata.h"
+#include "bakers/io/stopwatch.h"
 
 namespace skybake {
-namespace {
-
-class Stopwatch {
-  public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
-
-std::string table_file_name(const std::string& name) { return name + ".exr"; }
 
 config::Outcome<EncodedTable> encode_table(const BakedTable& table) {
     const Stopwatch stopwatch;
@@ -45,16 +30,6 @@ config::Outcome<WriteResult> stage_table(EncodedTable& table, const std::filesys
     const Stopwatch stopwatch;
     auto result = files.stage(folder / table_file_name(table.asset.name), table.bytes, progress);
     table.asset.timing.write_s += stopwatch.seconds();
-    return result;
-}
-
-config::Outcome<WriteResult> write_table(EncodedTable& table, const std::filesystem::path& folder,
-                                         const Progress* progress) {
-    AtomicFiles files;
-    auto result = stage_table(table, folder, files, progress);
-    if (!result.value) return result;
-    std::vector<config::Diagnostic> diagnostics = files.commit();
-    if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
     return result;
 }
 

@@ -12,9 +12,6 @@
 
 namespace skybake {
 
-// "NAME.exr": where a table of this name goes, relative to the output folder.
-std::string table_file_name(const std::string& name);
-
 // A table as the bytes of its file, ready to be written; nothing has touched the disk.
 struct EncodedTable {
     std::string bytes;
@@ -27,9 +24,5 @@ config::Outcome<EncodedTable> encode_table(const BakedTable& table);
 // Stages NAME.exr for the folder; adds the time it took to asset.timing.write_s. E0301.
 config::Outcome<WriteResult> stage_table(EncodedTable& table, const std::filesystem::path& folder,
                                          AtomicFiles& files, const Progress* progress = nullptr);
-
-// Writes NAME.exr into the folder by itself; adds the time it took to asset.timing.write_s. E0301.
-config::Outcome<WriteResult> write_table(EncodedTable& table, const std::filesystem::path& folder,
-                                         const Progress* progress = nullptr);
 
 }  // namespace skybake

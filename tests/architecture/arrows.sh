@@ -22,6 +22,7 @@ forbid 'cli/' 'config bakers' "$none"
 forbid 'toml\+\+' 'config bakers cli' 'config/toml_source\.cpp'
 forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
 forbid '(OpenEXR|Imf)' 'config bakers cli' 'bakers/io/exr\.cpp'
+forbid 'openvdb/' 'config bakers cli' 'bakers/io/vdb_(decoder|encoder)\.cpp|bakers/io/vdb_library\.h'
 forbid 'Imath' 'config bakers cli' '(bakers/io/exr|bakers/core/pixel_type)\.cpp'
 forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/core/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/io/hash\.cpp'

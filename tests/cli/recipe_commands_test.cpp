@@ -10,6 +10,11 @@
 namespace skybake::cli::testing {
 namespace {
 
+// Where a preset's line begins in the list.
+std::string title_of(const config::Preset& preset) {
+    return std::string("\n  ").append(preset.name).append(" ");
+}
+
 // --- init ---------------------------------------------------------------------------------------
 
 TEST(InitCommand, WritesARecipeThatChecks) {
@@ -45,10 +50,42 @@ TEST(InitCommand, PrintsToStandardOutput) {
     EXPECT_EQ(result.error, "");
 }
 
-TEST(InitCommand, ListsThePresets) {
+TEST(InitCommand, ListsThePresetsOfEachKind) {
     const Result result = run_words({"init", "--list"});
     EXPECT_EQ(result.code, 0);
-    EXPECT_EQ(count_lines(result.out), static_cast<long>(config::presets().size()));
+    const std::size_t noises = result.out.find("\nnoises: ");
+    ASSERT_NE(noises, std::string::npos);
+    for (const config::Preset& preset : config::presets()) {
+        EXPECT_LT(result.out.find(title_of(preset)), noises) << preset.name;
+    }
+    for (const config::Preset& preset : config::noise_presets()) {
+        const std::size_t at = result.out.find(title_of(preset));
+        EXPECT_NE(at, std::string::npos) << preset.name;
+        EXPECT_GT(at, noises) << preset.name;
+    }
+    const std::size_t titles = config::presets().size() + config::noise_presets().size();
+    EXPECT_EQ(count_lines(result.out), static_cast<long>(titles + 3));
+}
+
+TEST(InitCommand, WritesARecipeOfANoise) {
+    const TemporaryFolder folder;
+    for (const config::Preset& preset : config::noise_presets()) {
+        SCOPED_TRACE(preset.name);
+        const std::string file = (folder / (std::string(preset.name) + ".toml")).string();
+        EXPECT_EQ(run_words({"init", file, "--preset", std::string(preset.name)}).code, 0);
+        const Result check = run_words({"check", file});
+        EXPECT_EQ(check.code, 0) << check.error;
+        EXPECT_TRUE(contains(check.error, "no errors; 1 noise, 1 asset to bake")) << check.error;
+    }
+    const std::string text = run_words({"init", "-", "--preset", "nubis_shape"}).out;
+    EXPECT_TRUE(contains(text, "\n[noise.shape]\n"));
+    EXPECT_TRUE(contains(text, "\npreset = \"nubis_shape\"\n"));
+    EXPECT_TRUE(contains(text, "\n# [noise.shape.channels.R]\n"));
+    EXPECT_TRUE(contains(text, "\n[bake.shape]\n"));
+    EXPECT_TRUE(contains(run_words({"init", "nubis_shape"}).error,
+                         "skybake init nubis_shape.toml --preset nubis_shape"));
+    EXPECT_TRUE(contains(run_words({"init", "-", "--preset", "nubis_shap"}).error,
+                         "did you mean `nubis_shape`?"));
 }
 
 TEST(InitCommand, UnknownPresetsAreSuggested) {
@@ -117,6 +154,16 @@ TEST(CheckCommand, WarningsAreNoFailure) {
     EXPECT_TRUE(contains(result.error, "warning[W0202]"));
 }
 
+TEST(CheckCommand, CountsWhatTheRecipeIsAbout) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "both.toml").string();
+    write_bytes(file,
+                "preset = \"earth\"\n[noise.a]\npreset = \"nubis_shape\"\n[noise.b]\n"
+                "preset = \"nubis_detail\"\n[bake.transmittance]\n");
+    EXPECT_TRUE(contains(run_words({"check", file}).error,
+                         "no errors; 3 layers, 2 noises, 1 asset to bake"));
+}
+
 // --- show ---------------------------------------------------------------------------------------
 
 class ShowCommand : public ::testing::Test {
@@ -161,6 +208,21 @@ TEST_F(ShowCommand, ShowsOnePart) {
     EXPECT_TRUE(contains(unknown.error, "did you mean `atmosphere.layers.mie`?"));
 }
 
+TEST(ShowNoise, NamesThePresetAndLeavesOutTheSky) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "noise.toml").string();
+    write_bytes(file, "[noise.shape]\npreset = \"nubis_shape\"\nseed = 7\n");
+    const Result result = run_words({"show", file});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, "# preset nubis_shape\n"));
+    EXPECT_TRUE(contains(result.out, "\n[noise.shape.channels.R]\n"));
+    EXPECT_TRUE(contains(result.out, "# derived\n"));
+    EXPECT_TRUE(contains(result.out, "# " + file + ":3\n"));
+    EXPECT_FALSE(contains(result.out, "zenith optical depth"));
+    EXPECT_EQ(run_words({"show", file, "noise.shape.channels.G.frequencies"}).out,
+              "frequencies = [4, 8, 16]   # derived\n");
+}
+
 // What show prints is TOML again.
 TEST_F(ShowCommand, PrintsToml) {
     const Result result = show({"atmosphere.layers.mie"});
@@ -175,6 +237,8 @@ TEST(ExplainCommand, ExplainsKeysAndCodes) {
     EXPECT_TRUE(contains(run_words({"explain", "layers.*.g"}).out, "typical haze 0.76"));
     EXPECT_TRUE(contains(run_words({"explain", "E0102"}).out, "E0102: unknown key"));
     EXPECT_TRUE(contains(run_words({"explain"}).out, "[atmosphere.layers.*]"));
+    EXPECT_TRUE(contains(run_words({"explain", "noise"}).out, "worley_gains"));
+    EXPECT_TRUE(contains(run_words({"explain", "W0203"}).out, "four voxels a cell"));
     const Result unknown = run_words({"explain", "scale_hieght"});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_TRUE(contains(unknown.error, "did you mean `scale_height`?"));

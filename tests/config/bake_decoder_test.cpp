@@ -34,7 +34,9 @@ TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
 
 TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
     for (const std::string_view asset : asset_names()) {
-        const Recipe recipe = bake("[bake." + std::string(asset) + "]\n");
+        const Recipe recipe =
+            bake("[noise.n.channels.Y]\ntype = 'perlin'\n[bake." + std::string(asset) + "]\n" +
+                 (asset == "noise_volume" ? "noise = 'n'\n" : ""));
         EXPECT_EQ(recipe.parameters.bakes.size(), 1u) << asset;
     }
 }
@@ -75,7 +77,8 @@ TEST(BakeDecoder, RefusesUnknownAssets) {
     EXPECT_EQ(diagnostics[0].label, "did you mean `transmittance`?");
     EXPECT_EQ(diagnostics[0].where.column, 7);
     EXPECT_EQ(diagnostics[1].code, "E0118");
-    EXPECT_EQ(diagnostics[1].label, "`asset` is one of transmittance, multiple_scattering");
+    EXPECT_EQ(diagnostics[1].label,
+              "`asset` is one of transmittance, multiple_scattering, noise_volume");
     EXPECT_EQ(diagnostics[1].where.line, 4);
     EXPECT_EQ(diagnostics[2].code, "E0103");
 }

@@ -36,6 +36,21 @@ TEST(Explain, ShowsTables) {
     EXPECT_FALSE(mentions(explain("transmittance"), "method"));
 }
 
+TEST(Explain, KnowsNoises) {
+    EXPECT_TRUE(mentions(explain("noise"), "[noise.*.channels.*]"));
+    EXPECT_TRUE(mentions(explain("noise.shape"), "sampling"));
+    EXPECT_TRUE(mentions(explain("noise.shape.channels"), "worley_gains"));
+    EXPECT_TRUE(mentions(explain("noise.shape.channels.R"), "worley_gains"));
+    EXPECT_TRUE(mentions(explain("noise.shape.channels.R.frequency"), "in [1, 1048576]"));
+    EXPECT_TRUE(
+        mentions(explain("frequencies"), "not together with frequency, octaves, lacunarity"));
+    EXPECT_TRUE(mentions(explain("frequency"), "not together with frequencies\n"));
+    EXPECT_TRUE(mentions(explain("noise_volume.mips"), "\"all\" goes down to one voxel"));
+    EXPECT_TRUE(mentions(explain("seed"), "noise.*.seed"));
+    EXPECT_TRUE(mentions(explain("seed"), "0xffffffffffffffff"));
+    EXPECT_TRUE(mentions(explain("atmosphere.layers"), "scale_height"));
+}
+
 TEST(Explain, EveryCodeAndEveryKeyIsExplained) {
     for (const DiagnosticCode& code : diagnostic_codes()) {
         EXPECT_TRUE(mentions(explain(code.code), code.title)) << code.code;

@@ -17,7 +17,9 @@ TEST(FieldTables, KeysAreUniqueAndDocumented) {
             EXPECT_TRUE(keys.insert(field.key).second) << section.path << '.' << field.key;
             EXPECT_FALSE(field.documentation.empty()) << field.key;
             EXPECT_NE(field.documentation.back(), '.') << field.key;
-            EXPECT_EQ(field.kind == Kind::choice, !field.choices.empty()) << field.key;
+            const bool chooses = field.kind == Kind::choice || field.kind == Kind::choice_list;
+            EXPECT_EQ(chooses, !field.choices.empty()) << field.key;
+            EXPECT_FALSE(!field.exclusive_side.empty() && field.exclusive_group.empty());
             EXPECT_FALSE(field.required && !field.fallback.empty()) << field.key;
             EXPECT_LE(field.range.minimum, field.range.maximum) << field.key;
         }
@@ -95,6 +97,67 @@ TEST(FieldTables, ChoicesStandInTheOrderOfTheirEnumerations) {
               static_cast<int>(MultipleScatteringMethod::converged));
     EXPECT_EQ(scattering("method", "as_in_paper"),
               static_cast<int>(MultipleScatteringMethod::as_in_paper));
+}
+
+TEST(FieldTables, ChoicesOfNoisesStandInTheOrderOfTheirEnumerations) {
+    const auto names = [](std::string_view path, std::string_view key,
+                          std::string_view asset = "") {
+        return choice_names(*find_field(*find_section(path, asset), key));
+    };
+    const auto expect_at = [](const std::vector<std::string_view>& all, auto enumerator,
+                              std::string_view name) {
+        const auto index = static_cast<std::size_t>(enumerator);
+        ASSERT_LT(index, all.size());
+        EXPECT_EQ(all[index], name);
+    };
+    const auto sampling = names("noise.*", "sampling");
+    expect_at(sampling, NoiseSampling::centers, "centers");
+    expect_at(sampling, NoiseSampling::corners, "corners");
+    expect_at(sampling, NoiseSampling::slices_at_corners, "slices_at_corners");
+    const auto pack = names("noise.*", "pack");
+    expect_at(pack, NoisePacking::none, "none");
+    expect_at(pack, NoisePacking::shape, "shape");
+    expect_at(pack, NoisePacking::detail, "detail");
+    const auto type = names("noise.*.channels.*", "type");
+    expect_at(type, NoiseType::constant, "constant");
+    expect_at(type, NoiseType::perlin, "perlin");
+    expect_at(type, NoiseType::worley, "worley");
+    expect_at(type, NoiseType::perlin_worley, "perlin_worley");
+    expect_at(type, NoiseType::curl, "curl");
+    const auto fractal = names("noise.*.channels.*", "fractal");
+    expect_at(fractal, NoiseFractal::fbm, "fbm");
+    expect_at(fractal, NoiseFractal::rectified, "rectified");
+    expect_at(fractal, NoiseFractal::ridged, "ridged");
+    expect_at(fractal, NoiseFractal::billow, "billow");
+    const auto feature = names("noise.*.channels.*", "feature");
+    expect_at(feature, WorleyFeature::f1, "f1");
+    expect_at(feature, WorleyFeature::f2, "f2");
+    expect_at(feature, WorleyFeature::f2_minus_f1, "f2_minus_f1");
+    const auto form = names("noise.*.channels.*", "value_form");
+    expect_at(form, WorleyValue::distance, "distance");
+    expect_at(form, WorleyValue::one_minus_distance, "one_minus_distance");
+    expect_at(form, WorleyValue::one_minus_distance_over_sqrt3, "one_minus_distance_over_sqrt3");
+    expect_at(form, WorleyValue::one_minus_distance_squared, "one_minus_distance_squared");
+    const auto component = names("noise.*.channels.*", "component");
+    expect_at(component, CurlComponent::x, "x");
+    expect_at(component, CurlComponent::y, "y");
+    expect_at(component, CurlComponent::z, "z");
+    const auto formats = names("bake.*", "formats", "noise_volume");
+    expect_at(formats, VolumeFormat::exr, "exr");
+    expect_at(formats, VolumeFormat::vdb, "vdb");
+    expect_at(formats, VolumeFormat::bin, "bin");
+    const auto pixels = names("bake.*", "pixel_type", "noise_volume");
+    expect_at(pixels, PixelType::float32, "float");
+    expect_at(pixels, PixelType::half, "half");
+    expect_at(pixels, PixelType::unorm8, "unorm8");
+    expect_at(pixels, PixelType::unorm16, "unorm16");
+    const auto layout = names("bake.*", "layout", "noise_volume");
+    expect_at(layout, VolumeLayout::stack, "stack");
+    expect_at(layout, VolumeLayout::atlas, "atlas");
+    const auto vdb = names("bake.*", "vdb_compression", "noise_volume");
+    expect_at(vdb, VdbCompression::none, "none");
+    expect_at(vdb, VdbCompression::zip, "zip");
+    expect_at(vdb, VdbCompression::blosc, "blosc");
 }
 
 }  // namespace

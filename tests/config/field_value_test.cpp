@@ -21,6 +21,26 @@ TEST(FieldValue, SpellsInBaseUnits) {
               "[[\"0 m\", 1], [\"10 m\", 0.5]]");
 }
 
+TEST(FieldValue, SpellsWhatNoisesHave) {
+    constexpr Choice choices[] = {{"one", ""}, {"two", ""}};
+    const Field list{.key = "x", .kind = Kind::choice_list, .choices = choices};
+    const Field voxels{.key = "x", .kind = Kind::voxels};
+    const Field frequency{.key = "x", .kind = Kind::frequency};
+    const Field seed{.key = "x", .kind = Kind::seed};
+    const Field remap{.key = "x", .kind = Kind::remap};
+    using Triple = std::array<int, 3>;
+    EXPECT_EQ(canonical_text(list, std::vector{ChoiceIndex{1}, ChoiceIndex{0}}),
+              "[\"two\", \"one\"]");
+    EXPECT_EQ(canonical_text(voxels, Triple{4, 4, 4}), "[4, 4, 4]");
+    EXPECT_EQ(canonical_text(frequency, Triple{4, 4, 4}), "4");
+    EXPECT_EQ(canonical_text(frequency, Triple{4, 4, 8}), "[4, 4, 8]");
+    EXPECT_EQ(canonical_text(frequency, std::vector{Triple{4, 4, 8}, Triple{9, 9, 9}}),
+              "[[4, 4, 8], 9]");
+    EXPECT_EQ(canonical_text(remap, std::array<double, 4>{0.25, 1, 0, 1}), "[0.25, 1, 0, 1]");
+    EXPECT_EQ(canonical_text(seed, std::uint64_t{9223372036854775807u}), "9223372036854775807");
+    EXPECT_EQ(canonical_text(seed, std::uint64_t{9223372036854775808u}), "\"9223372036854775808\"");
+}
+
 TEST(FieldValue, NamesOrigins) {
     const Source file{Source::Kind::file, 0, "earth.toml", ""};
     const Source preset{Source::Kind::preset, 0, "preset earth", ""};

@@ -17,11 +17,12 @@ TEST(Fields, FindsSectionsAndFields) {
 }
 
 TEST(Fields, KnowsTheTablesWithinATable) {
-    EXPECT_EQ(subtables(""), (std::vector<std::string_view>{"atmosphere", "bake"}));
+    EXPECT_EQ(subtables(""), (std::vector<std::string_view>{"atmosphere", "noise", "bake"}));
     EXPECT_EQ(subtables("atmosphere"), (std::vector<std::string_view>{"layers"}));
     EXPECT_TRUE(subtables("atmosphere.layers.*").empty());
-    EXPECT_EQ(asset_names(),
-              (std::vector<std::string_view>{"transmittance", "multiple_scattering"}));
+    EXPECT_EQ(subtables("noise.*"), (std::vector<std::string_view>{"channels"}));
+    EXPECT_EQ(asset_names(), (std::vector<std::string_view>{"transmittance", "multiple_scattering",
+                                                            "noise_volume"}));
 }
 
 TEST(Fields, KnowsWhereAKeyApplies) {
@@ -29,6 +30,20 @@ TEST(Fields, KnowsWhereAKeyApplies) {
     EXPECT_TRUE(applies(*find_field(layer, "g"), "cornette_shanks"));
     EXPECT_FALSE(applies(*find_field(layer, "g"), "rayleigh"));
     EXPECT_TRUE(applies(*find_field(layer, "scattering"), "tent"));
+}
+
+TEST(Fields, KnowsWhatExcludesWhat) {
+    const Section& channel = *find_section("noise.*.channels.*");
+    const auto exclude = [&](std::string_view a, std::string_view b) {
+        return exclude_each_other(*find_field(channel, a), *find_field(channel, b));
+    };
+    EXPECT_TRUE(exclude("frequency", "frequencies"));
+    EXPECT_TRUE(exclude("frequencies", "octaves"));
+    EXPECT_TRUE(exclude("gain", "gains"));
+    EXPECT_FALSE(exclude("frequency", "octaves"));
+    EXPECT_FALSE(exclude("frequencies", "frequencies"));
+    EXPECT_FALSE(exclude("frequencies", "worley_frequency"));
+    EXPECT_FALSE(exclude("type", "value"));
 }
 
 TEST(Fields, DescribesRangesAndChoices) {

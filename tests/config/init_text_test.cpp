@@ -41,6 +41,37 @@ TEST(InitText, DefaultsInCommentsAreValid) {
     }
 }
 
+using testing::valid_with_warnings;
+
+TEST(InitText, ANoiseStartsFromItsPreset) {
+    for (const Preset& preset : noise_presets()) {
+        SCOPED_TRACE(preset.name);
+        const std::string name = noise_init_name(preset.name);
+        const std::string text = noise_init_text(preset);
+        const Recipe written = valid_with_warnings(text);
+        EXPECT_EQ(all_parameters(written),
+                  all_parameters(valid_with_warnings(
+                      "[noise." + name + "]\npreset = '" + std::string(preset.name) + "'\n[bake." +
+                      name + "]\nasset = 'noise_volume'\nnoise = '" + name + "'\n")));
+        // Whoever takes the `#` off a value or a table must get the same noise.
+        std::string uncommented;
+        for (std::size_t start = 0; start < text.size();) {
+            const std::size_t end = text.find('\n', start);
+            const std::string line = text.substr(start, end - start);
+            start = end + 1;
+            const bool is_toml =
+                line.starts_with("# [noise.") ||
+                (line.starts_with("# ") && line[2] != '`' &&
+                 line.find(" = ") != std::string::npos && line.find(" = ") == line.find(' ', 2));
+            uncommented += (is_toml ? line.substr(2) : line) + '\n';
+        }
+        EXPECT_NE(uncommented.find("\n[noise." + name + ".channels.R]\n"), std::string::npos);
+        EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
+    }
+    EXPECT_EQ(noise_init_name("nubis_shape"), "shape");
+    EXPECT_EQ(noise_init_name("thesis"), "thesis");
+}
+
 TEST(InitText, SaysUnitRangeAndMeaning) {
     const std::string text = init_text(*find_preset("earth"));
     EXPECT_NE(text.find("in (-1, 1); typical haze 0.76"), std::string::npos);

@@ -70,6 +70,29 @@ TEST(Merge, AnotherProfileOrPhaseDropsTheKeysOfTheOldOne) {
               "{ g = 1, phase = \"henyey_greenstein\" }");
 }
 
+// The same for the keys of one channel of a noise.
+std::string merged_channel(const std::string& base, const std::string& over) {
+    Table result = table_of("[noise.n.channels.R]\n" + base);
+    merge(result, table_of("[noise.n.channels.R]\n" + over));
+    const std::string text = spelled(std::move(result));
+    const std::string before = "{ noise = { n = { channels = { R = ";
+    EXPECT_TRUE(text.starts_with(before)) << text;
+    return text.substr(before.size(), text.size() - before.size() - std::string(" } } } }").size());
+}
+
+TEST(Merge, AListOfFrequenciesAndASeriesDropEachOther) {
+    EXPECT_EQ(merged_channel("frequency = 1\noctaves = 2\nlacunarity = 3", "frequencies = [4]"),
+              "{ frequencies = [4] }");
+    EXPECT_EQ(merged_channel("frequencies = [4]", "octaves = 2"), "{ octaves = 2 }");
+    EXPECT_EQ(merged_channel("frequency = 1\noctaves = 2", "octaves = 3"),
+              "{ frequency = 1, octaves = 3 }");
+    EXPECT_EQ(merged_channel("gain = 1\nfrequency = 2", "gains = [1]"),
+              "{ frequency = 2, gains = [1] }");
+    EXPECT_EQ(merged_channel("type = 'perlin_worley'\nworley_gain = 1\nfrequency = 3\nfractal = 2",
+                             "type = 'worley'"),
+              "{ frequency = 3, type = \"worley\" }");
+}
+
 TEST(Merge, AnotherAssetStartsItsSectionAfresh) {
     EXPECT_EQ(merged_bake("size = 1\ncontent = 2", "asset = 'multiple_scattering'"),
               "{ asset = \"multiple_scattering\" }");

@@ -38,6 +38,18 @@ TEST(Presets, AreValidRecipesWithATitleAndTwoBakes) {
     }
 }
 
+TEST(Presets, OfNoisesAreThoseOfTheIssue) {
+    EXPECT_EQ(noise_preset_names(),
+              (std::vector<std::string_view>{"nubis_detail", "nubis_shape", "takram_detail",
+                                             "takram_shape", "thesis"}));
+    for (const Preset& entry : noise_presets()) {
+        EXPECT_EQ(find_preset(entry.name), nullptr) << entry.name;
+        EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
+        EXPECT_FALSE(preset_title(entry).empty()) << entry.name;
+        EXPECT_LE(preset_title(entry).size(), 100u) << entry.name;
+    }
+}
+
 // The recipe of the issue, number by number.
 TEST(Presets, EarthIsTheRecipeOfTheIssue) {
     const Parameters earth = preset("earth");

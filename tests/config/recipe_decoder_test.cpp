@@ -59,5 +59,21 @@ TEST(RecipeDecoder, ARecipeWithoutAtmosphereSaysSo) {
     EXPECT_EQ(diagnostics[0].where.source, "test.toml");
 }
 
+// Noises need no sky; bakes of a sky do.
+TEST(RecipeDecoder, NoisesNeedNoAtmosphere) {
+    const std::string noise = "[noise.n.channels.Y]\ntype = 'worley'\n";
+    const std::string volume = "[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n";
+    for (const std::string& text : {noise, noise + volume}) {
+        const Recipe recipe = valid(text);
+        EXPECT_EQ(recipe.parameters.noises.size(), 1u);
+        EXPECT_EQ(recipe.parameters.atmosphere.ground_radius.meters, 0);
+        EXPECT_TRUE(recipe.parameters.atmosphere.layers.empty());
+    }
+    const auto diagnostics = parse(noise + volume + "[bake.transmittance]\n").diagnostics;
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0105");
+    EXPECT_EQ(diagnostics[0].message, "the recipe has no [atmosphere]");
+}
+
 }  // namespace
 }  // namespace skybake::config

@@ -33,6 +33,11 @@ const std::string vacuum = "preset = \"vacuum\"\n";
 const std::string layer =
     vacuum + "[atmosphere.layers.a]\nprofile = \"exponential\"\nscale_height = \"8 km\"\n";
 
+const std::string shape =
+    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\nasset = \"noise_volume\"\n"
+    "noise = \"shape\"\n";
+const std::string perlin = "[noise.n.channels.Y]\ntype = \"perlin\"\n";
+
 const std::vector<Fault> faults = {
     {"E0100", vacuum + "# \xff", 2, 3, 1, "a recipe is TOML text in UTF-8"},
     {"E0101", vacuum + "[atmosphere]\nground_radius = 8 km", 3, 19, 1,
@@ -67,6 +72,18 @@ const std::vector<Fault> faults = {
     {"E0118", vacuum + "[bake.multiple_scatering]", 2, 7, 18,
      "did you mean `multiple_scattering`?"},
     {"E0119", vacuum + "format = 2", 2, 10, 1, "must be 1"},
+    {"E0126", shape + "size = [10000, 10000, 10000]", 6, 8, 21,
+     "at most 68719476736 (2^36) voxels"},
+    {"E0127", perlin + "frequency = 256\n[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"", 6, 9,
+     3, "a larger or odd size, a lower frequency, or an octave less"},
+    {"E0128", perlin + "lacunarity = 16\noctaves = 6", 4, 11, 1,
+     "at most 1048576 cells a tile: fewer octaves, or a lower lacunarity"},
+    {"E0129", perlin + "[noise.n.channels.R]\ntype = \"perlin\"", 3, 19, 1,
+     "wanted: Y; or R; or R, G, B; or R, G, B, A"},
+    {"E0130", perlin + "[bake.n]\nasset = \"noise_volume\"\nnoise = \"m\"", 5, 9, 3,
+     "there are: n"},
+    {"E0131", shape + "pixel_type = \"unorm8\"", 6, 14, 8,
+     "unorm8 and unorm16 go with formats = [\"bin\"] alone; float and half with all"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 
@@ -98,6 +115,20 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
         if (code.code.starts_with("E01")) {
             EXPECT_TRUE(tested.contains(std::string(code.code))) << code.code;
         }
+    }
+}
+
+// What `explain` says of a code about noises is a recipe that earns it, and one that does not.
+TEST(Recipe, ExamplesOfNoiseCodesAreRight) {
+    for (const char* name : {"E0126", "E0127", "E0128", "E0129", "E0130", "E0131", "W0203"}) {
+        const DiagnosticCode* code = find_diagnostic_code(name);
+        ASSERT_TRUE(code) << name;
+        const auto wrong = parse(std::string(code->wrong)).diagnostics;
+        ASSERT_EQ(wrong.size(), 1u) << name;
+        EXPECT_EQ(wrong[0].code, name);
+        const Outcome<Recipe> right = parse(std::string(code->right));
+        EXPECT_TRUE(right.value) << name;
+        EXPECT_TRUE(right.diagnostics.empty()) << name;
     }
 }
 

@@ -60,6 +60,17 @@ inline Recipe valid(const std::string& text, const std::vector<std::string>& set
     return outcome.value ? std::move(*outcome.value) : Recipe{};
 }
 
+// The same for a text that may earn warnings.
+inline Recipe valid_with_warnings(const std::string& text) {
+    Outcome<Recipe> outcome = parse(text);
+    for (const Diagnostic& diagnostic : outcome.diagnostics) {
+        if (diagnostic.severity == Severity::error) {
+            ADD_FAILURE() << diagnostic.code << ": " << diagnostic.message;
+        }
+    }
+    return outcome.value ? std::move(*outcome.value) : Recipe{};
+}
+
 // The resolved value at a path; an empty one, and a failure, if there is none.
 inline ResolvedValue value_at(const Recipe& recipe, const std::string& path) {
     for (const ResolvedValue& value : recipe.values) {
@@ -85,7 +96,7 @@ inline const Layer* find_layer(const Parameters& parameters, const std::string& 
 
 // All that files carry, so equal texts mean equal parameters.
 inline std::string all_parameters(const Recipe& recipe) {
-    const std::string patterns[] = {"*", "*.*", "*.*.*", "*.*.*.*"};
+    const std::string patterns[] = {"*", "*.*", "*.*.*", "*.*.*.*", "*.*.*.*.*"};
     return parameters_toml(recipe, patterns);
 }
 

@@ -33,6 +33,29 @@ TEST(Schema, HasEveryKeyOfTheTables) {
     }
 }
 
+TEST(Schema, KnowsNoises) {
+    const nlohmann::json& noise = schema()["definitions"]["noise"];
+    nlohmann::json fields_only = noise;
+    fields_only["properties"].erase("channels");
+    expect_fields(fields_only, *find_section("noise.*"));
+    const nlohmann::json& channel = schema()["definitions"]["noise_channel"];
+    expect_fields(channel, *find_section("noise.*.channels.*"));
+    EXPECT_EQ(noise["properties"]["channels"]["properties"].size(), 5u);
+    EXPECT_EQ(noise["properties"]["preset"]["examples"][0], "nubis_detail");
+    EXPECT_EQ(schema()["properties"]["noise"]["additionalProperties"]["$ref"],
+              "#/definitions/noise");
+    EXPECT_EQ(channel["properties"]["frequency"]["anyOf"][1]["maxItems"], 3);
+    EXPECT_EQ(channel["properties"]["frequency"]["anyOf"][0]["maximum"], 1048576);
+    EXPECT_EQ(channel["properties"]["gains"]["maxItems"], 16);
+    const nlohmann::json& bake = schema()["definitions"]["noise_volume"]["properties"];
+    EXPECT_EQ(bake["mips"]["anyOf"][1]["const"], "all");
+    EXPECT_EQ(bake["formats"]["anyOf"][1]["uniqueItems"], true);
+    EXPECT_EQ(bake["formats"]["default"][0], "exr");
+    const std::string rules = channel["allOf"].dump();
+    EXPECT_NE(rules.find(R"({"not":{"required":["frequency","frequencies"]}})"), std::string::npos);
+    EXPECT_EQ(rules.find(R"({"not":{"required":["frequency","octaves"]}})"), std::string::npos);
+}
+
 TEST(Schema, SaysRangesAndChoices) {
     const nlohmann::json& layer = schema()["definitions"]["layer"]["properties"];
     EXPECT_EQ(layer["g"]["exclusiveMinimum"], -1);

@@ -54,8 +54,70 @@ inline void check_layer(const Layer& layer, std::size_t channels) {
     }
 }
 
+inline void check_octaves(const NoiseOctaves& octaves) {
+    require(!octaves.frequencies.empty() && octaves.frequencies.size() <= 16, "1 to 16 octaves");
+    require(octaves.gains.size() == octaves.frequencies.size(), "one gain per octave");
+    for (const auto& frequency : octaves.frequencies) {
+        for (const int cells : frequency)
+            require(cells >= 1 && cells <= 1048576, "frequency in range");
+    }
+    double sum = 0;
+    for (const double gain : octaves.gains) {
+        require(within(gain, 0, 1e10), "gain in range");
+        sum += gain;
+    }
+    require(sum > 0, "octaves weigh something");
+}
+
+inline void check_channel(const NoiseChannel& channel) {
+    if (channel.type == NoiseType::constant) {
+        require(channel.octaves.frequencies.empty(), "a constant has no octaves");
+    } else {
+        check_octaves(channel.octaves);
+    }
+    if (channel.type == NoiseType::perlin_worley) check_octaves(channel.worley_octaves);
+    require(within(channel.value, -1e6, 1e6), "value in range");
+    for (const double bound : channel.remap) require(within(bound, -1e6, 1e6), "remap in range");
+    require(std::fabs(channel.remap[1] - channel.remap[0]) >= 1e-6, "remap has a slope");
+    require(within(channel.bias, 0.001, 0.999), "bias in range");
+}
+
+inline void check_noise(const Noise& noise) {
+    std::string letters;
+    for (const NoiseChannel& channel : noise.channels) {
+        letters += channel.name;
+        check_channel(channel);
+    }
+    require(letters == "Y" || letters == "R" || letters == "RGB" || letters == "RGBA",
+            "channels of a picture");
+    require(noise.pack != NoisePacking::shape || letters == "RGBA", "shape packs R, G, B, A");
+    require(noise.pack != NoisePacking::detail || letters == "RGB", "detail packs R, G, B");
+    for (const int voxels : noise.size) require(voxels >= 1 && voxels <= 16384, "size in range");
+}
+
+inline void check_asset(const NoiseVolumeBake& asset, const Parameters& parameters) {
+    bool found = false;
+    for (const Noise& noise : parameters.noises) found = found || noise.name == asset.noise;
+    require(found, "its noise is there");
+    double voxels = 1;
+    for (const int edge : asset.size) {
+        require(edge >= 1 && edge <= 16384, "size in range");
+        voxels *= edge;
+    }
+    require(voxels <= 68719476736.0, "at most 2^36 voxels");
+    require(!asset.formats.empty() && asset.formats.size() <= 3, "one to three formats");
+    const bool unorm =
+        asset.pixel_type == PixelType::unorm8 || asset.pixel_type == PixelType::unorm16;
+    for (const VolumeFormat format : asset.formats) {
+        require(!unorm || format == VolumeFormat::bin, "unorm in bin alone");
+    }
+    require(asset.columns >= 0 && asset.columns <= asset.size[2], "no more columns than slices");
+    require(asset.mips >= 1 && asset.mips <= 15, "levels in range");
+}
+
 template <class Asset>
-void check_asset(const Asset& asset) {
+void check_asset(const Asset& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
     if (asset.max_error) {
         require(within(*asset.max_error, 1e-7, 1), "max_error in range");
         return;
@@ -63,9 +125,8 @@ void check_asset(const Asset& asset) {
     for (const int texels : asset.size) require(texels >= 1 && texels <= 16384, "size in range");
 }
 
-inline void check_parameters(const Parameters& parameters) {
+inline void check_atmosphere(const Parameters& parameters) {
     const std::size_t channels = parameters.wavelengths.size();
-    require(channels == 1 || channels == 3, "one channel or three");
     const Atmosphere& atmosphere = parameters.atmosphere;
     require(within(atmosphere.ground_radius.meters, 1, 1e12), "ground radius in range");
     require(within(atmosphere.top_radius.meters, 1, 1e12), "top radius in range");
@@ -74,15 +135,22 @@ inline void check_parameters(const Parameters& parameters) {
     for (const double albedo : atmosphere.ground_albedo)
         require(within(albedo, 0, 1), "albedo in range");
     for (const Layer& layer : atmosphere.layers) check_layer(layer, channels);
+}
+
+inline void check_parameters(const Parameters& parameters) {
+    const std::size_t channels = parameters.wavelengths.size();
+    require(channels == 1 || channels == 3, "one channel or three");
+    for (const Noise& noise : parameters.noises) check_noise(noise);
     for (const Bake& bake : parameters.bakes) {
         require(!bake.name.empty() && bake.name.find('/') == std::string::npos,
                 "a name for a file");
-        std::visit([](const auto& asset) { check_asset(asset); }, bake.asset);
+        std::visit([&](const auto& asset) { check_asset(asset, parameters); }, bake.asset);
     }
+    if (parameters.atmosphere.ground_radius.meters > 0) check_atmosphere(parameters);
 }
 
 inline std::string canonical_text(const Recipe& recipe) {
-    const std::string patterns[] = {"*", "*.*", "*.*.*", "*.*.*.*"};
+    const std::string patterns[] = {"*", "*.*", "*.*.*", "*.*.*.*", "*.*.*.*.*"};
     return parameters_toml(recipe, patterns);
 }
 

@@ -210,6 +210,70 @@ TEST(AtomicFile, StagedFilesAppearTogetherOrNotAtAll) {
     EXPECT_EQ(read_bytes(folder / "a"), "1");
 }
 
+// A writer of these bytes, as a library would write them.
+FileWriter writer_of(const std::string& bytes, bool complete = true) {
+    return [bytes, complete](const fs::path& temporary) -> config::Outcome<bool> {
+        write_bytes(temporary, bytes);
+        return {complete, {}};
+    };
+}
+
+TEST(AtomicFile, TakesWhatAWriterWrites) {
+    const TemporaryFolder folder;
+    const std::string bytes(3000000, 'x');
+    AtomicFiles files;
+    EXPECT_EQ(files.stage(folder / "a", writer_of(bytes)).value, WriteResult::written);
+    EXPECT_FALSE(fs::exists(folder / "a"));
+    EXPECT_TRUE(files.commit().empty());
+    EXPECT_TRUE(read_bytes(folder / "a") == bytes);
+
+    const auto old_time = fs::file_time_type::clock::now() - std::chrono::hours(48);
+    fs::last_write_time(folder / "a", old_time);
+    ::chmod((folder / "a").c_str(), 0606);
+    EXPECT_EQ(files.stage(folder / "a", writer_of(bytes)).value, WriteResult::unchanged);
+    EXPECT_TRUE(files.commit().empty());
+    EXPECT_EQ(fs::last_write_time(folder / "a"), old_time);
+    // Different in the last byte, longer, shorter.
+    for (const std::string& other : {bytes.substr(1) + "y", bytes + "x", bytes.substr(1)}) {
+        EXPECT_EQ(files.stage(folder / "a", writer_of(other)).value, WriteResult::written);
+        EXPECT_TRUE(files.commit().empty());
+        EXPECT_TRUE(read_bytes(folder / "a") == other);
+    }
+    EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "a").permissions()), 0606u);
+    EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+TEST(AtomicFile, AWriterThatFailsLeavesNothing) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "a", "old");
+    AtomicFiles files;
+    const auto failed = files.stage(folder / "a", [](const fs::path& temporary) {
+        write_bytes(temporary, "part");
+        config::Diagnostic diagnostic;
+        diagnostic.code = "E0301";
+        diagnostic.message = "cannot write `" + temporary.string() + "`: no luck";
+        diagnostic.where.source = temporary.string();
+        return config::Outcome<bool>{{}, {diagnostic}};
+    });
+    ASSERT_EQ(first_code(failed.diagnostics), "E0301");
+    // People are told of the file that they know.
+    EXPECT_EQ(failed.diagnostics[0].message,
+              "cannot write `" + (folder / "a").string() + "`: no luck");
+    EXPECT_EQ(failed.diagnostics[0].where.source, (folder / "a").string());
+    EXPECT_EQ(folder.names(), Names{"a"});
+    EXPECT_EQ(files.stage(folder / "a", writer_of("part", false)).value, WriteResult::interrupted);
+    EXPECT_EQ(folder.names(), Names{"a"});
+    AlwaysCancelled cancelled;
+    EXPECT_EQ(files.stage(folder / "a", writer_of("new"), &cancelled).value,
+              WriteResult::interrupted);
+    EXPECT_TRUE(files.commit().empty());
+    EXPECT_EQ(read_bytes(folder / "a"), "old");
+    for (const fs::path& path : {folder / "absent/below", fs::path("/dev/full")}) {
+        EXPECT_EQ(first_code(files.stage(path, writer_of("new")).diagnostics), "E0301") << path;
+    }
+    EXPECT_EQ(folder.names(), Names{"a"});
+}
+
 TEST(AtomicFile, AReadOnlyDiskIsReported) {
     const TemporaryFolder folder;
     const int status = on_small_disk(folder, [&folder] {

@@ -1,5 +1,6 @@
 #include "bakers/io/compare.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,26 @@ ExrImage sample() {
     image.channel_names = {"R", "G", "B"};
     image.attributes = {{"skybake/kind", "transmittance"}};
     return image;
+}
+
+// Rows of an image in memory, in pieces of three.
+RowSource rows(const ExrImage& image) {
+    return {image.pixels.width,
+            image.pixels.height,
+            image.channel_names,
+            image.pixel_type,
+            image.compression,
+            image.attributes,
+            3,
+            [&image](int first, int count, float* texels) -> std::optional<config::Diagnostic> {
+                const float* from = image.pixels.texel(0, first);
+                std::copy_n(from, image.pixels.texel(0, first + count) - from, texels);
+                return std::nullopt;
+            }};
+}
+
+ImageDifference compare_images(const ExrImage& first, const ExrImage& second) {
+    return *compare_images(rows(first), rows(second)).value;
 }
 
 TEST(Compare, EqualImagesAreEqual) {
@@ -64,6 +85,13 @@ TEST(Compare, ListsMetadata) {
     EXPECT_EQ(difference.attributes[1].second, "other");
     EXPECT_EQ(difference.attributes[2].first, std::nullopt);
     EXPECT_TRUE(equal_within(difference, 0));
+}
+
+TEST(Compare, PassesOnWhatCannotBeRead) {
+    const ExrImage image = sample();
+    RowSource broken = rows(image);
+    broken.read = [](int, int, float*) { return config::Diagnostic{{}, "E0304", "no", {}, {}}; };
+    EXPECT_EQ(testing::first_code(compare_images(rows(image), broken).diagnostics), "E0304");
 }
 
 }  // namespace

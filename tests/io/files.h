@@ -14,9 +14,14 @@
 
 #include "bakers/core/baked_table.h"
 #include "bakers/core/bilinear.h"
+#include "bakers/core/pixel_type.h"
+#include "bakers/core/survey_volume.h"
+#include "bakers/core/trilinear.h"
 #include "bakers/io/atomic_file.h"
 #include "bakers/io/manifest.h"
 #include "bakers/io/write_table.h"
+#include "bakers/io/write_volume.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::testing {
 
@@ -103,6 +108,29 @@ inline std::vector<Probe> sample_probes(const Image2<float>& image) {
     return probes;
 }
 
+// Lookups about the whole tile, many of them across its seams.
+inline std::vector<VolumeProbe> sample_volume_probes(const VolumeLevel& level, std::size_t channels,
+                                                     config::PixelType type) {
+    std::vector<VolumeProbe> probes;
+    for (int i = 0; i < 16; ++i) {
+        VolumeProbe probe;
+        probe.uvw = {i / 16.0, 1 - i * 0.0625, (i * 5 % 16) / 15.0};
+        probe.value.assign(channels, 0.0);
+        probe.tolerance.assign(channels, 1e-9);
+        for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw)) {
+            std::vector<float> voxel(channels);
+            std::vector<float*> out;
+            for (float& value : voxel) out.push_back(&value);
+            level.voxels->fill({tap.voxel, {1, 1, 1}}, out);
+            for (std::size_t c = 0; c < channels; ++c) {
+                probe.value[c] += tap.weight * double{round_to_pixel_type(voxel[c], type)};
+            }
+        }
+        probes.push_back(std::move(probe));
+    }
+    return probes;
+}
+
 inline BakedTable sample_table(const std::string& name = "transmittance") {
     BakedTable table;
     table.name = name;
@@ -137,10 +165,48 @@ inline Manifest write_sample_bake(const std::filesystem::path& folder,
     for (const std::string& name : names) {
         auto table = encode_table(sample_table(name));
         EXPECT_TRUE(table.value.has_value());
-        EXPECT_TRUE(write_table(*table.value, folder).value.has_value());
+        AtomicFiles files;
+        EXPECT_TRUE(stage_table(*table.value, folder, files).value.has_value());
+        EXPECT_TRUE(files.commit().empty());
         table.value->asset.timing.bake_s = 0.004;
         manifest.assets.push_back(table.value->asset);
     }
+    EXPECT_TRUE(
+        write_file_atomically(folder / manifest_name, manifest_json(manifest)).value.has_value());
+    return manifest;
+}
+
+// A volume with all that a volume can have, surveyed; level after level has half the size.
+inline BakedVolume sample_volume(const std::array<int, 3>& size = {12, 10, 7}, int channels = 3,
+                                 config::PixelType type = config::PixelType::half,
+                                 std::vector<config::VolumeFormat> formats =
+                                     {config::VolumeFormat::exr, config::VolumeFormat::bin},
+                                 int levels = 1) {
+    BakedVolume volume = plain_volume(size, channels, type);
+    volume.formats = std::move(formats);
+    volume.levels.resize(static_cast<std::size_t>(levels), volume.levels[0]);
+    for (std::size_t i = 0; i < volume.levels.size(); ++i) {
+        VolumeLevel& level = volume.levels[i];
+        for (std::size_t a = 0; a < 3; ++a) level.size[a] = std::max(1, size[a] >> i);
+        const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0.0, 1.0});
+        EXPECT_TRUE(survey_level(volume, static_cast<int>(i), ranges, {2}).empty());
+        level.probes = sample_volume_probes(level, volume.channel_names.size(), type);
+    }
+    volume.certified = true;
+    volume.certificate = {{1e-4, 3e-5}, {2e-2, 4e-3}, 64, 1024, "double", "1 is the range", "", ""};
+    return volume;
+}
+
+// Writes the volume's files and a manifest of it alone.
+inline Manifest write_sample_volume(const std::filesystem::path& folder,
+                                    const BakedVolume& volume) {
+    Manifest manifest = new_manifest({});
+    ManifestAsset asset = describe_with_files(volume);
+    AtomicFiles files;
+    const auto staged = stage_volume(volume, asset, folder, files, 2);
+    EXPECT_TRUE(staged.value.has_value());
+    EXPECT_TRUE(files.commit().empty());
+    manifest.assets.push_back(std::move(asset));
     EXPECT_TRUE(
         write_file_atomically(folder / manifest_name, manifest_json(manifest)).value.has_value());
     return manifest;

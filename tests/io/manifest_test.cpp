@@ -40,6 +40,64 @@ TEST(Manifest, ReadsBackAsItWasWritten) {
     EXPECT_EQ(text.back(), '\n');
 }
 
+// The text of a manifest with a volume of three levels in two formats.
+std::string volume_text() {
+    const TemporaryFolder folder;
+    BakedVolume volume =
+        testing::sample_volume({12, 10, 7}, 3, config::PixelType::half,
+                               {config::VolumeFormat::exr, config::VolumeFormat::bin}, 3);
+    volume.layout = config::VolumeLayout::atlas;
+    volume.seam_error = 1.0 / 3;
+    return manifest_json(testing::write_sample_volume(folder.path(), volume));
+}
+
+TEST(Manifest, ReadsAVolumeBackAsItWasWritten) {
+    const std::string text = volume_text();
+    const auto manifest = parse_manifest(text, "manifest.json");
+    ASSERT_TRUE(manifest.value.has_value()) << manifest.diagnostics[0].message;
+    EXPECT_EQ(manifest_json(*manifest.value), text);
+    const ManifestAsset& asset = manifest.value->assets[0];
+    EXPECT_TRUE(asset.is_volume());
+    EXPECT_EQ(asset.size, (std::vector<int>{12, 10, 7}));
+    EXPECT_EQ(asset.axes.size(), 3u);
+    ASSERT_EQ(asset.levels.size(), 3u);
+    EXPECT_EQ(asset.levels[2].size, (std::array<int, 3>{3, 2, 1}));
+    EXPECT_EQ(asset.levels[0].content_hash, asset.content_hash);
+    EXPECT_EQ(asset.levels[1].statistics[2].histogram.size(), 32u);
+    ASSERT_EQ(asset.files.size(), 6u);
+    EXPECT_EQ(asset.files[2].level, 2);
+    EXPECT_EQ(asset.files[0].layout->columns, 3);
+    EXPECT_EQ(asset.files[0].layout->rows, 3);
+    EXPECT_FALSE(asset.files[3].layout.has_value());
+    EXPECT_EQ(asset.files[3].compression, "none");
+    EXPECT_EQ(asset.seam_error, 1.0 / 3);
+}
+
+TEST(Manifest, NamesThePlaceOfDamageInAVolume) {
+    const auto message = [](const std::string& piece, const std::string& other) {
+        std::string text = volume_text();
+        const std::size_t at = text.find(piece);
+        EXPECT_NE(at, std::string::npos) << piece;
+        text.replace(at, piece.size(), other);
+        const auto manifest = parse_manifest(text, "manifest.json");
+        EXPECT_EQ(testing::first_code(manifest.diagnostics), "E0304") << other;
+        return manifest.diagnostics.empty() ? "" : manifest.diagnostics[0].message;
+    };
+    const auto names = [](const std::string& text, const std::string& place) {
+        return text.find(place) != std::string::npos;
+    };
+    EXPECT_TRUE(names(message("\"level\": 2", "\"level\": 3"), "of level 3"));
+    EXPECT_TRUE(names(message("\"level\": 0", "\"level\": -1"), "assets[0].files[0].level"));
+    EXPECT_TRUE(names(message("\"atlas\"", "\"heap\""), "no such layout"));
+    EXPECT_TRUE(
+        names(message("\"columns\": 3", "\"columns\": 99999999"), "files[0].layout.columns"));
+    EXPECT_TRUE(names(message("\"counts\": [", "\"counts\": [1.5, "), "histogram.counts[0]"));
+    EXPECT_TRUE(names(message("\"uvw\": [", "\"uvw\": [1, "), "3 values"));
+    EXPECT_TRUE(names(message("\"mips\"", "\"mops\""), "`mips` is missing"));
+    EXPECT_TRUE(names(message("\"bin\"", "\"raw\""), "no such format"));
+    EXPECT_TRUE(names(message("\"w\": {", "\"x\": {"), "`w` is missing"));
+}
+
 TEST(Manifest, KeepsEveryBitOfANumber) {
     Manifest manifest = new_manifest({});
     manifest.wavelengths_nm = {0.1, 1.0 / 3, 680, 5e-324, std::numeric_limits<double>::max()};
@@ -92,9 +150,9 @@ TEST(Manifest, SurvivesEveryTruncation) {
 
 TEST(Manifest, SurvivesDamage) {
     Random random(3);
-    const std::string whole = sample_text();
-    for (int round = 0; round < 500; ++round) {
-        std::string text = whole;
+    const std::string samples[] = {sample_text(), volume_text()};
+    for (int round = 0; round < 1000; ++round) {
+        std::string text = samples[round % 2];
         for (std::size_t i = random.below(6) + 1; i > 0; --i) {
             text[random.below(text.size())] = static_cast<char>(random.next());
         }

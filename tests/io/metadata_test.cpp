@@ -1,6 +1,6 @@
 #include "bakers/io/metadata.h"
 
-#include "bakers/io/hash.h"
+#include "bakers/core/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

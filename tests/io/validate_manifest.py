@@ -47,6 +47,17 @@ def main():
         "too few probes": (("assets", 0, "probes"), []),
         "uv out of range": (("assets", 0, "probes", 0, "uv"), [0, 1.5]),
         "another tool": (("tool", "name"), "other"),
+        "a table with a level": (("assets", 0, "files", 0, "level"), 0),
+        "a table with statistics": (("assets", 0, "statistics"), manifest["assets"][2]["statistics"]),
+        "a table in another format": (("assets", 0, "files", 0, "format"), "vdb"),
+        "a table with the probes of a volume": (("assets", 0, "probes"), manifest["assets"][2]["probes"]),
+        "a volume with the probes of a table": (("assets", 2, "probes"), manifest["assets"][0]["probes"]),
+        "a size of four": (("assets", 2, "size"), [1, 2, 3, 4]),
+        "a size of two for a volume": (("assets", 2, "size"), [12, 10]),
+        "a layout": (("assets", 2, "files", 0, "layout", "kind"), "heap"),
+        "a negative count": (("assets", 2, "statistics", 0, "histogram", "counts", 0), -1),
+        "a negative seam error": (("assets", 2, "seam_error"), -1),
+        "a mip without a size": (("assets", 2, "mips", 0), {}),
     }
     for name, (path, value) in wrong.items():
         if validator.is_valid(set_at(manifest, path, value)):

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "bakers/io/hash.h"
+#include "bakers/core/hash.h"
 #include "bakers/io/metadata.h"
 #include "tests/io/files.h"
 
@@ -14,7 +14,7 @@ using testing::TemporaryFolder;
 using Checks = std::multiset<std::string>;
 
 Checks failed_checks(const fs::path& folder, std::span<const AssetCheck> further = {}) {
-    const auto report = verify_folder(folder, further);
+    const auto report = verify_bake(folder, further);
     Checks checks;
     if (!report.value) {
         ADD_FAILURE() << report.diagnostics[0].message;
@@ -45,7 +45,7 @@ void rewrite(const fs::path& folder, Manifest& manifest,
 TEST(Verify, PassesWhatWasBaked) {
     const TemporaryFolder folder;
     testing::write_sample_bake(folder.path(), {"transmittance", "second"});
-    const auto report = verify_folder(folder.path());
+    const auto report = verify_bake(folder.path());
     ASSERT_TRUE(report.value.has_value());
     EXPECT_TRUE(report.value->failures.empty());
     EXPECT_EQ(report.value->files, 2);
@@ -129,15 +129,15 @@ TEST(Verify, RunsFurtherChecks) {
                                return std::vector<std::string>{"one", "two"};
                            }};
     EXPECT_EQ(failed_checks(folder.path(), {&check, 1}), (Checks{"mapping", "mapping"}));
-    EXPECT_EQ(verify_folder(folder.path(), {&check, 1}).value->checks,
-              verify_folder(folder.path()).value->checks + 3);
+    EXPECT_EQ(verify_bake(folder.path(), {&check, 1}).value->checks,
+              verify_bake(folder.path()).value->checks + 3);
 }
 
 TEST(Verify, NeedsAManifest) {
     const TemporaryFolder folder;
-    EXPECT_EQ(testing::first_code(verify_folder(folder.path()).diagnostics), "E0300");
+    EXPECT_EQ(testing::first_code(verify_bake(folder.path()).diagnostics), "E0300");
     testing::write_bytes(folder / "manifest.json", "not JSON");
-    EXPECT_EQ(testing::first_code(verify_folder(folder.path()).diagnostics), "E0304");
+    EXPECT_EQ(testing::first_code(verify_bake(folder.path()).diagnostics), "E0304");
 }
 
 }  // namespace

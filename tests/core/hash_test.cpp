@@ -1,4 +1,4 @@
-#include "bakers/io/hash.h"
+#include "bakers/core/hash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,271 @@
+#include "bakers/core/survey_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bakers/core/aligned_floats.h"
+#include "bakers/core/half_conversion.h"
+#include "bakers/core/hash.h"
+#include "bakers/core/parallel.h"
+#include "bakers/core/pixel_type.h"
+#include "bakers/core/voxel_boxes.h"
+#include "bakers/core/voxel_bytes.h"
+
+namespace skybake {
+
+namespace {
+
+using config::Diagnostic;
+using config::PixelType;
+
+// What is known of the values of one channel, of a box or of all boxes so far.
+struct Summary {
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+    double sum = 0;
+    std::array<std::int64_t, kHistogramBins> histogram{};
+    long below_normal = 0;
+};
+
+struct BadValue {
+    std::size_t index = 0;  // of the voxel in its box
+    std::size_t channel = 0;
+    float value = 0;
+};
+
+// A box on its way from a producer to the consumer.
+struct Slot {
+    AlignedFloats values;  // channel after channel
+    std::string bytes;
+    std::vector<Summary> channels;
+    std::optional<BadValue> bad;
+};
+
+std::optional<BadValue> first_bad(const std::vector<const float*>& channels, std::size_t count,
+                                  PixelType type) {
+    std::optional<BadValue> bad;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        // Look for whether before where: the usual box has none.
+        bool all = true;
+        for (std::size_t i = 0; i < count; ++i) all = all & fits(channels[c][i], type);
+        if (all) continue;
+        for (std::size_t i = 0; i < count && (!bad || i < bad->index); ++i) {
+            if (!fits(channels[c][i], type)) bad = BadValue{i, c, channels[c][i]};
+        }
+    }
+    return bad;
+}
+
+// Rounds in place and counts the values that lose digits.
+long round_values(float* values, std::size_t count, PixelType type) {
+    const auto smallest = static_cast<float>(smallest_normal(type));
+    long below = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        below += values[i] != 0 && std::fabs(values[i]) < smallest ? 1 : 0;
+    }
+    if (type == PixelType::half) {
+        for (std::size_t i = 0; i < count; ++i) values[i] = float_of_half(half_of_float(values[i]));
+    } else if (type != PixelType::float32) {
+        for (std::size_t i = 0; i < count; ++i) values[i] = round_to_pixel_type(values[i], type);
+    }
+    return below;
+}
+
+// In eight lanes, so that no addition waits for the one before; their order is fixed.
+void add_extremes_and_sum(const float* values, std::size_t count, Summary& summary) {
+    constexpr std::size_t kLanes = 8;
+    std::array<float, kLanes> least;
+    std::array<float, kLanes> most;
+    std::array<double, kLanes> sums{};
+    least.fill(values[0]);
+    most.fill(values[0]);
+    std::size_t i = 0;
+    for (; i + kLanes <= count; i += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const float value = values[i + lane];
+            least[lane] = value < least[lane] ? value : least[lane];
+            most[lane] = value > most[lane] ? value : most[lane];
+            sums[lane] += double{value};
+        }
+    }
+    for (; i < count; ++i) {
+        least[0] = std::min(least[0], values[i]);
+        most[0] = std::max(most[0], values[i]);
+        sums[0] += double{values[i]};
+    }
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        summary.min = std::min(summary.min, double{least[lane]});
+        summary.max = std::max(summary.max, double{most[lane]});
+        summary.sum += sums[lane];
+    }
+}
+
+void add_histogram(const float* values, std::size_t count, std::array<double, 2> range,
+                   Summary& summary) {
+    const double scale = kHistogramBins / (range[1] - range[0]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = values[i];
+        if (!(value >= range[0] && value <= range[1])) continue;
+        const int bin = static_cast<int>((value - range[0]) * scale);
+        ++summary.histogram[static_cast<std::size_t>(std::min(bin, kHistogramBins - 1))];
+    }
+}
+
+void add(const Summary& part, Summary& whole) {
+    whole.min = std::min(whole.min, part.min);
+    whole.max = std::max(whole.max, part.max);
+    whole.sum += part.sum;
+    whole.below_normal += part.below_normal;
+    for (std::size_t i = 0; i < part.histogram.size(); ++i) {
+        whole.histogram[i] += part.histogram[i];
+    }
+}
+
+ValueStatistics statistics_of(const Summary& summary, std::array<double, 2> range, double count) {
+    ValueStatistics statistics;
+    statistics.min = summary.min + 0.0;  // a zero without its sign
+    statistics.max = summary.max + 0.0;
+    statistics.mean = summary.sum / count + 0.0;
+    statistics.histogram_range = range;
+    statistics.histogram.assign(summary.histogram.begin(), summary.histogram.end());
+    return statistics;
+}
+
+class Survey {
+  public:
+    Survey(const BakedVolume& volume, int level,
+           const std::vector<std::array<double, 2>>& histogram_ranges, const BakeOptions& options)
+        : volume_(volume),
+          level_(volume.levels[static_cast<std::size_t>(level)]),
+          number_(level),
+          ranges_(histogram_ranges),
+          options_(options),
+          boxes_(level_.size, static_cast<int>(volume.channel_names.size())),
+          whole_(volume.channel_names.size()) {}
+
+    // False after an interruption or a bad value.
+    bool run() {
+        slots_.resize(static_cast<std::size_t>(box_slots(options_.threads)));
+        bool finished = true;
+        ordered_pipeline(
+            boxes_.count(), options_.threads, static_cast<int>(slots_.size()),
+            [&](int i, int slot) { look_at(i, slots_[static_cast<std::size_t>(slot)]); },
+            [&](int i, int slot) {
+                finished = take(i, slots_[static_cast<std::size_t>(slot)]);
+                return finished;
+            });
+        return finished;
+    }
+
+    const std::optional<Diagnostic>& problem() const { return problem_; }
+
+    void fill(VolumeLevel& level, RangeCounts& range) const {
+        const double count = static_cast<double>(level_.size[0]) * level_.size[1] * level_.size[2];
+        level.statistics.clear();
+        for (std::size_t c = 0; c < whole_.size(); ++c) {
+            level.statistics.push_back(statistics_of(whole_[c], ranges_[c], count));
+            range.below_normal += whole_[c].below_normal;
+        }
+        level.content_hash = hasher_.hex();
+    }
+
+  private:
+    bool cancelled() const {
+        return options_.progress != nullptr && options_.progress->cancelled();
+    }
+
+    void look_at(int index, Slot& slot) const {
+        if (cancelled()) return;
+        const VoxelBox box = boxes_[index];
+        const auto count = static_cast<std::size_t>(box.count());
+        const std::size_t channels = whole_.size();
+        slot.values.resize(count * channels);
+        std::vector<float*> planes;
+        for (std::size_t c = 0; c < channels; ++c) planes.push_back(&slot.values[c * count]);
+        level_.voxels->fill(box, planes);
+        const std::vector<const float*> values(planes.begin(), planes.end());
+        slot.bad = first_bad(values, count, volume_.pixel_type);
+        if (slot.bad) return;
+        slot.channels.assign(channels, {});
+        for (std::size_t c = 0; c < channels; ++c) {
+            Summary& summary = slot.channels[c];
+            summary.below_normal = round_values(planes[c], count, volume_.pixel_type);
+            add_extremes_and_sum(planes[c], count, summary);
+            add_histogram(planes[c], count, ranges_[c], summary);
+        }
+        slot.bytes.resize(count * channels *
+                          static_cast<std::size_t>(bytes_per_value(volume_.pixel_type)));
+        store_voxels(values, count, volume_.pixel_type, slot.bytes.data());
+    }
+
+    bool take(int index, const Slot& slot) {
+        if (cancelled()) return false;
+        if (slot.bad) {
+            problem_ = diagnostic(boxes_[index], *slot.bad);
+            return false;
+        }
+        for (std::size_t c = 0; c < whole_.size(); ++c) add(slot.channels[c], whole_[c]);
+        hasher_.update(slot.bytes);
+        if (options_.progress != nullptr) {
+            options_.progress->advance("voxels", (index + 1.0) / boxes_.count());
+        }
+        return true;
+    }
+
+    Diagnostic diagnostic(const VoxelBox& box, const BadValue& bad) const {
+        const auto width = static_cast<std::size_t>(box.size[0]);
+        const auto height = static_cast<std::size_t>(box.size[1]);
+        const std::string level = number_ == 0 ? "" : fmt::format(" of level {}", number_);
+        const std::string place = fmt::format(
+            "`{}`: the value at voxel ({}, {}, {}){}, channel {},", volume_.name, bad.index % width,
+            bad.index / width % height + static_cast<std::size_t>(box.origin[1]),
+            bad.index / width / height + static_cast<std::size_t>(box.origin[2]), level,
+            volume_.channel_names[bad.channel]);
+        Diagnostic result;
+        result.code = std::isfinite(bad.value) ? "E0402" : "E0401";
+        result.message = std::isfinite(bad.value)
+                             ? fmt::format("{} is {}, outside {}", place, bad.value,
+                                           range_text(volume_.pixel_type))
+                             : fmt::format("{} is not finite", place);
+        if (std::isfinite(bad.value)) {
+            result.label = volume_.pixel_type == PixelType::half
+                               ? "remap it, or bake it as float"
+                               : "remap it into [0, 1], or bake it as half or float";
+        }
+        return result;
+    }
+
+    const BakedVolume& volume_;
+    const VolumeLevel& level_;
+    const int number_;
+    const std::vector<std::array<double, 2>>& ranges_;
+    const BakeOptions& options_;
+    const BoxSequence boxes_;
+    std::vector<Slot> slots_;
+    std::vector<Summary> whole_;
+    Hasher hasher_;
+    std::optional<Diagnostic> problem_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> survey_level(BakedVolume& volume, int level,
+                                     const std::vector<std::array<double, 2>>& histogram_ranges,
+                                     const BakeOptions& options) {
+    Survey survey(volume, level, histogram_ranges, options);
+    if (!survey.run()) {
+        if (survey.problem()) return {*survey.problem()};
+        return {};
+    }
+    survey.fill(volume.levels[static_cast<std::size_t>(level)], volume.range);
+    return {};
+}
+
+}  // namespace skybake

@@ -1,0 +1,85 @@
+// A baked volume: what files and manifests say of it, and its voxels on demand. Volumes may be
+// larger than memory, so nobody holds all voxels: writers ask for boxes of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/core/baked_table.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// Voxels origin ... origin + size - 1 along x, y, z.
+struct VoxelBox {
+    std::array<int, 3> origin{};
+    std::array<int, 3> size{};
+    std::int64_t count() const { return std::int64_t{size[0]} * size[1] * size[2]; }
+};
+
+// A pure function from voxel indices to values; any thread may ask. An implementation may keep
+// scratch memory per call, not between calls.
+class VoxelSource {
+  public:
+    virtual ~VoxelSource() = default;
+    // channels[c] is where channel c goes, box.count() floats, x fastest, then y, then z; null
+    // where it is not wanted. Values are as baked, before rounding to a pixel type.
+    virtual void fill(const VoxelBox& box, const std::vector<float*>& channels) const = 0;
+};
+
+// Of one channel, as stored.
+struct ValueStatistics {
+    double min = 0;
+    double max = 0;
+    double mean = 0;
+    std::array<double, 2> histogram_range{};  // the bins' outer bounds, [0, 1] for most noises
+    std::vector<std::int64_t> histogram;      // bins of equal width; values outside are not counted
+};
+
+// A place in the volume and the value that a correct lookup of the stored file returns there.
+struct VolumeProbe {
+    std::array<double, 3> uvw{};    // texture coordinates: voxel i is at (i + 1/2) / size
+    std::vector<double> value;      // one per channel: trilinear with repeat, in double
+    std::vector<double> tolerance;  // one per channel: room for filtering in 1/256 voxel
+};
+
+// One level of detail. Level 0 is the volume itself.
+struct VolumeLevel {
+    std::array<int, 3> size{};
+    std::shared_ptr<const VoxelSource> voxels;
+    std::vector<ValueStatistics> statistics;  // one per channel
+    std::string content_hash;  // xxh3 of the voxels as stored: x, y, z order, channels interleaved
+    std::vector<VolumeProbe> probes;
+};
+
+struct BakedVolume {
+    std::string name;     // NAME of [bake.NAME]
+    std::string kind;     // "noise_volume"
+    std::string content;  // what a voxel means, with its unit, in one line
+    std::string mapping;  // "tile, voxel centres": where voxels lie
+    std::array<AxisMapping, 3> axes;
+    std::vector<std::string> channel_names;  // {"R", "G", "B", "A"}, {"R", "G", "B"} or {"Y"}
+    config::PixelType pixel_type = config::PixelType::half;
+    std::vector<config::VolumeFormat> formats;
+    config::VolumeLayout layout = config::VolumeLayout::stack;  // of EXR
+    int columns = 0;                                            // of an atlas; 0: to be chosen
+    config::Compression compression = config::Compression::zip;
+    config::VdbCompression vdb_compression = config::VdbCompression::blosc;
+    double voxel_size_m = 0;            // VDB: edge of a voxel of level 0
+    std::array<double, 3> minimum_m{};  // VDB: the lower corner of voxel (0, 0, 0)
+    std::string up_axis;                // "+z"
+    std::vector<VolumeLevel> levels;
+    RangeCounts range;
+    bool certified = false;
+    Certificate certificate;
+    double seam_error = 0;    // largest difference between voxel 0 and voxel `size`, over all axes
+    double bake_seconds = 0;  // wall time of making the voxels once
+    std::string parameters;   // TOML: the resolved parameters that this volume depends on
+    std::vector<std::pair<std::string, std::string>> details;
+};
+
+}  // namespace skybake

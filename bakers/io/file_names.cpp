@@ -1,0 +1,28 @@
+#include "bakers/io/file_names.h"
+
+#include <fmt/format.h>
+
+#include "bakers/io/spelling.h"
+
+namespace skybake {
+
+std::string table_file_name(const std::string& name) { return name + ".exr"; }
+
+std::string volume_file_name(const std::string& name, config::VolumeFormat format, int level) {
+    if (level == 0) return fmt::format("{}.{}", name, spell(format));
+    return fmt::format("{}.mip{}.{}", name, level, spell(format));
+}
+
+std::vector<std::string> file_names(const config::Bake& bake) {
+    const auto* volume = std::get_if<config::NoiseVolumeBake>(&bake.asset);
+    if (volume == nullptr) return {table_file_name(bake.name)};
+    std::vector<std::string> names;
+    for (const config::VolumeFormat format : volume->formats) {
+        for (int level = 0; level < volume->mips; ++level) {
+            names.push_back(volume_file_name(bake.name, format, level));
+        }
+    }
+    return names;
+}
+
+}  // namespace skybake

@@ -1,0 +1,21 @@
+// The names of the files that a bake makes, relative to the output folder. They follow from the
+// recipe alone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/parameters.h"
+
+namespace skybake {
+
+// "NAME.exr": a table's file.
+std::string table_file_name(const std::string& name);
+
+// "NAME.exr", "NAME.vdb", "NAME.bin"; "NAME.mip1.exr" and so on for further levels of detail.
+std::string volume_file_name(const std::string& name, config::VolumeFormat format, int level);
+
+// All files of a [bake.NAME].
+std::vector<std::string> file_names(const config::Bake& bake);
+
+}  // namespace skybake

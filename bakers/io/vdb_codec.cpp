@@ -1,0 +1,12 @@
+// What the module of OpenVDB exports.
+#include "bakers/io/vdb_codec.h"
+
+#include "bakers/io/vdb_decoder.h"
+#include "bakers/io/vdb_encoder.h"
+
+extern "C" const skybake::VdbCodec* skybake_vdb_codec() {
+    using namespace skybake::vdb;
+    static constexpr skybake::VdbCodec codec = {file_head,    grid_head, grid_positions, topology,
+                                                encode_strip, read,      read_voxels};
+    return &codec;
+}

@@ -1,0 +1,17 @@
+// Verification of one file of a volume.
+#pragma once
+
+#include <filesystem>
+
+#include "bakers/io/examination.h"
+#include "bakers/io/manifest.h"
+
+namespace skybake {
+
+// Makes every check that the file's format allows: size, layout, channels, pixel type, compression,
+// metadata, finiteness, the hash of the voxels, the extremes of each channel and each probe, looked
+// up in the stored values with repeat. Reads the file as a stream.
+void check_volume_file(Examination& examination, const std::filesystem::path& path,
+                       const ManifestAsset& asset, const ManifestFile& file);
+
+}  // namespace skybake

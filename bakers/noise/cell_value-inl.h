@@ -1,0 +1,49 @@
+// From squared distances to a cellular octave's value, for vectors.
+#if defined(SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_
+#undef SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_
+#else
+#define SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "bakers/noise/cell_value.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake::noise {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+HWY_INLINE V cell_value(config::WorleyFeature feature, config::WorleyValue form, V first,
+                        V second) {
+    const hn::DFromV<V> d;
+    const V one = hn::Set(d, 1.0f);
+    if (needs_no_root(feature, form)) {
+        const V squared = feature == config::WorleyFeature::f1 ? first : second;
+        return hn::Max(hn::Zero(d), hn::Sub(one, squared));
+    }
+    V distance = hn::Sqrt(feature == config::WorleyFeature::f1 ? first : second);
+    if (feature == config::WorleyFeature::f2_minus_f1) {
+        distance = hn::Sub(distance, hn::Sqrt(first));
+    }
+    switch (form) {
+        case config::WorleyValue::distance:
+            return distance;
+        case config::WorleyValue::one_minus_distance:
+            return hn::Max(hn::Zero(d), hn::Sub(one, distance));
+        case config::WorleyValue::one_minus_distance_over_sqrt3:
+            return hn::Sub(one, hn::Mul(distance, hn::Set(d, kOneOverSqrt3)));
+        case config::WorleyValue::one_minus_distance_squared:
+            return hn::Max(hn::Zero(d), hn::Sub(one, hn::Mul(distance, distance)));
+    }
+    return distance;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake::noise
+HWY_AFTER_NAMESPACE();
+
+#endif  // SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_

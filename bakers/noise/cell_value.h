@@ -1,0 +1,41 @@
+// What cellular noise makes of distances. cell_value-inl.h has the same for vectors.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/parameters.h"
+
+namespace skybake::noise {
+
+inline constexpr float kOneOverSqrt3 = 0x1.279a74p-1f;
+
+inline bool needs_no_root(config::WorleyFeature feature, config::WorleyValue form) {
+    return form == config::WorleyValue::one_minus_distance_squared &&
+           feature != config::WorleyFeature::f2_minus_f1;
+}
+
+// From the squared distances to the nearest and second nearest point.
+inline float cell_value(config::WorleyFeature feature, config::WorleyValue form, float first,
+                        float second) {
+    using config::WorleyFeature;
+    using config::WorleyValue;
+    if (needs_no_root(feature, form)) {
+        return std::max(0.0f, 1 - (feature == WorleyFeature::f1 ? first : second));
+    }
+    float distance = std::sqrt(feature == WorleyFeature::f1 ? first : second);
+    if (feature == WorleyFeature::f2_minus_f1) distance -= std::sqrt(first);
+    switch (form) {
+        case WorleyValue::distance:
+            return distance;
+        case WorleyValue::one_minus_distance:
+            return std::max(0.0f, 1 - distance);
+        case WorleyValue::one_minus_distance_over_sqrt3:
+            return 1 - distance * kOneOverSqrt3;
+        case WorleyValue::one_minus_distance_squared:
+            return std::max(0.0f, 1 - distance * distance);
+    }
+    return distance;
+}
+
+}  // namespace skybake::noise

@@ -1,0 +1,149 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/noise/combine_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Highway wants its own header after foreach_target.h.
+#include <hwy/highway.h>
+
+#include "bakers/noise/combine_kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake::noise {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using config::NoiseType;
+
+namespace {
+
+using Floats = hn::ScalableTag<float>;
+constexpr Floats kFloats;
+using FloatVector = hn::Vec<Floats>;
+constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
+
+HWY_INLINE FloatVector constant(float value) { return hn::Set(kFloats, value); }
+
+HWY_INLINE FloatVector cell_sum(const ChannelPlan& channel, const std::vector<const float*>& fields,
+                                std::size_t i) {
+    FloatVector sum = hn::Zero(kFloats);
+    for (const auto& [field, weight] : channel.cells) {
+        const float* row = fields[static_cast<std::size_t>(field)];
+        sum = hn::Add(sum, hn::Mul(hn::LoadU(kFloats, row + i), constant(weight)));
+    }
+    return sum;
+}
+
+HWY_INLINE FloatVector shaped(const ChannelPlan& channel, FloatVector value) {
+    if (channel.remapped) {
+        value = hn::Add(
+            hn::Mul(hn::Sub(value, constant(channel.remap_low_in)), constant(channel.remap_scale)),
+            constant(channel.remap_low_out));
+    }
+    const FloatVector one = constant(1);
+    if (channel.invert) value = hn::Sub(one, value);
+    if (channel.biased) {
+        value = hn::Div(value,
+                        hn::Add(hn::Mul(hn::Sub(one, value), constant(channel.bias_slope)), one));
+    }
+    return value;
+}
+
+}  // namespace
+
+void combine(const ChannelPlan& channel, const float* gradient,
+             const std::vector<const float*>& fields, std::size_t count, float* out) {
+    const bool rectified = gradient != nullptr && channel.type != NoiseType::curl &&
+                           channel.fractal == config::NoiseFractal::rectified;
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        FloatVector value = constant(channel.value);
+        if (gradient != nullptr) value = hn::LoadU(kFloats, gradient + i);
+        if (rectified) value = hn::Max(hn::Zero(kFloats), value);
+        if (channel.type == NoiseType::worley) value = cell_sum(channel, fields, i);
+        if (channel.type == NoiseType::perlin_worley) {
+            const FloatVector cells = cell_sum(channel, fields, i);
+            value = hn::Add(cells, hn::Mul(value, hn::Sub(constant(1), cells)));
+        }
+        hn::StoreU(shaped(channel, value), kFloats, out + i);
+    }
+}
+
+void pack(config::NoisePacking packing, const std::array<const float*, 4>& channels,
+          std::size_t count, float* out) {
+    const bool shape = packing == config::NoisePacking::shape;
+    const FloatVector one = constant(1);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const auto weighted = [&](std::size_t first) HWY_ATTR {
+            const auto channel = [&](std::size_t offset, float weight) HWY_ATTR {
+                return hn::Mul(hn::LoadU(kFloats, channels[first + offset] + i), constant(weight));
+            };
+            return hn::Add(hn::Add(channel(0, 0.625f), channel(1, 0.25f)), channel(2, 0.125f));
+        };
+        FloatVector value = weighted(shape ? 1 : 0);
+        if (shape) {
+            const FloatVector gap = hn::Sub(one, value);
+            value = hn::Div(hn::Add(hn::LoadU(kFloats, channels[0] + i), gap), hn::Add(gap, one));
+        }
+        hn::StoreU(value, kFloats, out + i);
+    }
+}
+
+void add_shaped(OctaveShape shape, const float* octave, float weight_, bool set, std::size_t count,
+                float* sums) {
+    const FloatVector weight = constant(weight_);
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        FloatVector value = hn::LoadU(kFloats, octave + i);
+        if (shape != OctaveShape::plain) value = hn::Abs(value);
+        if (shape == OctaveShape::one_minus_absolute) value = hn::Sub(constant(1), value);
+        if (shape != OctaveShape::plain) value = hn::Mul(value, weight);
+        const FloatVector before = set ? hn::Zero(kFloats) : hn::LoadU(kFloats, sums + i);
+        hn::StoreU(hn::Add(before, value), kFloats, sums + i);
+    }
+}
+
+void shift(float scale, float offset, std::size_t count, float* sums) {
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        const FloatVector sum = hn::LoadU(kFloats, sums + i);
+        hn::StoreU(hn::Add(hn::Mul(sum, constant(scale)), constant(offset)), kFloats, sums + i);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake::noise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake::noise {
+
+HWY_EXPORT(combine);
+HWY_EXPORT(pack);
+HWY_EXPORT(add_shaped);
+HWY_EXPORT(shift);
+
+using config::NoiseType;
+
+SumShift sum_shift(const ChannelPlan& channel) {
+    const bool centered =
+        channel.type != NoiseType::curl && channel.fractal == config::NoiseFractal::fbm;
+    return centered ? SumShift{0.5f, 0.5f} : SumShift{};
+}
+
+void combine_channel(const ChannelPlan& channel, const float* gradient,
+                     const std::vector<const float*>& fields, std::size_t count, float* out) {
+    HWY_DYNAMIC_DISPATCH(combine)(channel, gradient, fields, count, out);
+}
+
+void pack_channels(config::NoisePacking packing, const std::array<const float*, 4>& channels,
+                   std::size_t count, float* out) {
+    HWY_DYNAMIC_DISPATCH(pack)(packing, channels, count, out);
+}
+
+void add_octave(OctaveShape shape, const float* octave, float weight, bool set, std::size_t count,
+                float* sums) {
+    HWY_DYNAMIC_DISPATCH(add_shaped)(shape, octave, weight, set, count, sums);
+}
+
+void scale_and_shift(float scale, float offset, std::size_t count, float* sums) {
+    HWY_DYNAMIC_DISPATCH(shift)(scale, offset, count, sums);
+}
+
+}  // namespace skybake::noise
+#endif  // HWY_ONCE

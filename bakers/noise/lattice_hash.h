@@ -1,0 +1,93 @@
+// The random numbers of the lattice: one hash a lattice point, a pure function of the octave's key
+// and the point's three coordinates. This header is the definition; lattice_hash-inl.h is the same
+// for vectors.
+//
+// No linear index is ever formed, so lattices of any size lose nothing: a 64-bit key is mixed with
+// z, then with y, and its two halves are mixed with x by a 32-bit finaliser of full avalanche.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace skybake::noise {
+
+// splitmix64's finaliser (Steele, Lea and Flood 2014).
+inline std::uint64_t mix64(std::uint64_t h) {
+    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
+    h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
+    return h ^ (h >> 31);
+}
+
+// lowbias32 of Wellons' hash-prospector: bias 0.17.
+inline std::uint32_t mix32(std::uint32_t h) {
+    h = (h ^ (h >> 16)) * 0x7feb352du;
+    h = (h ^ (h >> 15)) * 0x846ca68bu;
+    return h ^ (h >> 16);
+}
+
+inline constexpr std::uint32_t kGolden32 = 0x9e3779b9u;
+inline constexpr std::uint64_t kGolden64 = 0x9e3779b97f4a7c15u;
+
+// What is random about an octave. Octaves of one purpose, frequency and seed are the same field
+// wherever they stand, so that channels which share octaves share their work.
+enum class Purpose : std::uint32_t { gradient, cells, potential_x, potential_y, potential_z };
+
+inline std::uint64_t octave_key(std::uint64_t noise_seed, std::uint64_t channel_seed,
+                                Purpose purpose, const std::array<int, 3>& frequency) {
+    std::uint64_t key = mix64(noise_seed + kGolden64);
+    key = mix64(key ^ mix64(channel_seed + 2 * kGolden64));
+    key = mix64(key + static_cast<std::uint64_t>(purpose) + 1);
+    for (const int f : frequency) key = mix64(key * kGolden64 + static_cast<std::uint64_t>(f));
+    return key;
+}
+
+// What the points of one lattice row (y and z fixed) share.
+struct RowKey {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+};
+
+inline RowKey row_key(std::uint64_t octave_key, std::uint32_t y, std::uint32_t z) {
+    const std::uint64_t slice = mix64(octave_key ^ (z * kGolden64));
+    const std::uint64_t row = mix64(slice + (std::uint64_t{y} + 1) * kGolden64);
+    return {static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(row >> 32)};
+}
+
+inline std::uint32_t lattice_hash(RowKey row, std::uint32_t x) {
+    return mix32(mix32(x * kGolden32 + row.low) ^ row.high);
+}
+
+// One of the twelve gradients of improved noise, (0, ±1, ±1) and its permutations (Perlin 2002).
+struct Gradient {
+    float x = 0;
+    float y = 0;
+    float z = 0;
+};
+
+inline Gradient lattice_gradient(RowKey row, std::uint32_t x) {
+    const std::uint32_t h = lattice_hash(row, x);
+    const std::uint32_t zero_axis = ((h >> 16) * 3) >> 16;
+    const float first = (h & 1) != 0 ? -1.0f : 1.0f;
+    const float second = (h & 2) != 0 ? -1.0f : 1.0f;
+    if (zero_axis == 0) return {0, first, second};
+    if (zero_axis == 1) return {first, 0, second};
+    return {first, second, 0};
+}
+
+// Where the one point of a cell lies in it: three offsets of 24 bits in [0, 1).
+struct CellPoint {
+    float x = 0;
+    float y = 0;
+    float z = 0;
+};
+
+inline float unit_float(std::uint32_t h) { return static_cast<float>(h >> 8) * 0x1p-24f; }
+
+inline CellPoint cell_point(RowKey row, std::uint32_t x) {
+    const std::uint32_t a = mix32(mix32(x * kGolden32 + row.low) ^ row.high);
+    const std::uint32_t b = mix32(mix32(x * kGolden32 + row.high) ^ row.low);
+    const std::uint32_t c = mix32((a + kGolden32) ^ (b << 1));
+    return {unit_float(a), unit_float(b), unit_float(c)};
+}
+
+}  // namespace skybake::noise

@@ -1,0 +1,219 @@
+#include "bakers/noise/noise_field.h"
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "bakers/noise/cell_kernel.h"
+#include "bakers/noise/combine_kernel.h"
+#include "bakers/noise/gradient_kernel.h"
+#include "bakers/noise/pointwise_kernel.h"
+
+namespace skybake::noise {
+
+namespace {
+
+// Chunks are as deep as the blocks of cellular noise, and small enough for the second cache to hold
+// what a chunk has of every field.
+constexpr int kChunkDepth = 8;
+constexpr int kChunkRows = 16;
+constexpr std::size_t kChunkFloats = 1 << 14;
+
+// Fewer voxels than this are not worth the set-up of the kernels that share work.
+constexpr std::int64_t kPointwiseVoxels = 512;
+
+// What becomes of the chunk's voxels on their way out.
+class BoxFiller {
+  public:
+    BoxFiller(const NoisePlan& plan, const VoxelBox& box, const std::vector<float*>& channels)
+        : plan_(plan), box_(box), channels_(channels) {
+        constexpr std::size_t kPadding = kLanePadding;
+        row_stride_ = (static_cast<std::size_t>(box.size[0]) + kPadding - 1) / kPadding * kPadding;
+        const auto rows = static_cast<int>(kChunkFloats / (row_stride_ * kChunkDepth));
+        chunk_rows_ = std::min(box.size[1], std::max(kChunkRows, rows / kChunkRows * kChunkRows));
+        chunk_floats_ = row_stride_ * static_cast<std::size_t>(chunk_rows_) *
+                        static_cast<std::size_t>(std::min(kChunkDepth, box.size[2]));
+        pointwise_ = box.count() <= kPointwiseVoxels;
+        prepare();
+    }
+
+    void fill() {
+        VoxelBox chunk = box_;
+        for (int z = 0; z < box_.size[2]; z += kChunkDepth) {
+            chunk.origin[2] = box_.origin[2] + z;
+            chunk.size[2] = std::min(kChunkDepth, box_.size[2] - z);
+            for (int y = 0; y < box_.size[1]; y += chunk_rows_) {
+                chunk.origin[1] = box_.origin[1] + y;
+                chunk.size[1] = std::min(chunk_rows_, box_.size[1] - y);
+                fill_chunk(chunk);
+            }
+        }
+    }
+
+  private:
+    bool wanted(std::size_t channel) const {
+        return plan_.pack != config::NoisePacking::none || channels_[channel] != nullptr;
+    }
+
+    void prepare() {
+        fields_.resize(plan_.fields.size());
+        rows_.resize(plan_.fields.size());
+        combined_.resize(4 * row_stride_);
+        lattices_.resize(plan_.fields.size());
+        gradients_.resize(plan_.channels.size());
+        scratches_.resize(plan_.channels.size());
+        for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
+            const ChannelPlan& channel = plan_.channels[c];
+            if (!wanted(c)) continue;
+            for (const WeightedField& use : channel.cells) {
+                prepare_field(static_cast<std::size_t>(use.field));
+            }
+            if (!channel.gradient.octaves.empty()) prepare_gradient(c);
+        }
+    }
+
+    void prepare_field(std::size_t index) {
+        if (!fields_[index].empty()) return;
+        fields_[index].resize(chunk_floats_);
+        const CellField& field = plan_.fields[index];
+        if (pointwise_ || !is_blockwise(field, plan_.axes)) return;
+        lattices_[index] = make_cell_lattice(field, box_, kChunkDepth);
+        if (!candidates_) candidates_ = std::make_unique<CellCandidates>();
+    }
+
+    void prepare_gradient(std::size_t index) {
+        const GradientStack& stack = plan_.channels[index].gradient;
+        gradients_[index].resize(chunk_floats_);
+        const bool separable =
+            std::all_of(stack.octaves.begin(), stack.octaves.end(),
+                        [&](const auto& octave) { return is_separable(octave, plan_.axes); });
+        if (pointwise_ || !separable) {
+            octave_.resize(chunk_floats_);
+        } else {
+            scratches_[index].emplace(stack, box_, kChunkDepth);
+        }
+    }
+
+    void fill_field(std::size_t index, const VoxelBox& chunk) {
+        float* out = fields_[index].data();
+        if (lattices_[index]) {
+            fill_cell_field(plan_.fields[index], chunk, row_stride_, *lattices_[index],
+                            *candidates_, out);
+        } else {
+            fill_cell_field_pointwise(plan_.fields[index], chunk, row_stride_, out);
+        }
+    }
+
+    // Where the channel's gradient sums go: straight to the caller where nothing else becomes of
+    // them and whole vectors end where rows do.
+    SumTarget sum_target(std::size_t index, const VoxelBox& chunk) {
+        const ChannelPlan& channel = plan_.channels[index];
+        const SumShift shift = sum_shift(channel);
+        const auto rows = static_cast<std::size_t>(chunk.size[1]);
+        if (!is_direct(index)) {
+            return {gradients_[index].data(), row_stride_, rows * row_stride_, shift.scale,
+                    shift.offset};
+        }
+        const std::size_t slice = static_cast<std::size_t>(box_.size[1]) * row_stride_;
+        return {row_of(channels_[index], chunk, 0, 0), row_stride_, slice, shift.scale,
+                shift.offset};
+    }
+
+    bool is_direct(std::size_t index) const {
+        const ChannelPlan& channel = plan_.channels[index];
+        const bool as_it_is = !channel.remapped && !channel.invert && !channel.biased &&
+                              channel.cells.empty() &&
+                              channel.fractal != config::NoiseFractal::rectified;
+        return as_it_is && scratches_[index] && plan_.pack == config::NoisePacking::none &&
+               row_stride_ == static_cast<std::size_t>(box_.size[0]);
+    }
+
+    void fill_gradient(std::size_t index, const VoxelBox& chunk) {
+        const GradientStack& stack = plan_.channels[index].gradient;
+        const SumTarget target = sum_target(index, chunk);
+        if (scratches_[index]) {
+            fill_gradient_stack(stack, chunk, *scratches_[index], target);
+            return;
+        }
+        for (std::size_t i = 0; i < stack.octaves.size(); ++i) {
+            fill_gradient_octave_pointwise(stack.octaves[i], chunk, row_stride_, octave_.data());
+            const float weight = stack.weights.empty() ? 1 : stack.weights[i];
+            const std::size_t count = row_stride_ * static_cast<std::size_t>(chunk.size[1]) *
+                                      static_cast<std::size_t>(chunk.size[2]);
+            add_octave(stack.shape, octave_.data(), weight, i == 0, count, target.out);
+            if (i + 1 == stack.octaves.size() && target.finishes()) {
+                scale_and_shift(target.scale, target.offset, count, target.out);
+            }
+        }
+    }
+
+    // Row (y, z) of the chunk in an array over the whole box.
+    float* row_of(float* base, const VoxelBox& chunk, int y, int z) const {
+        const auto slice = static_cast<std::size_t>(chunk.origin[2] - box_.origin[2] + z);
+        const auto row = static_cast<std::size_t>(chunk.origin[1] - box_.origin[1] + y);
+        return base + (slice * static_cast<std::size_t>(box_.size[1]) + row) *
+                          static_cast<std::size_t>(box_.size[0]);
+    }
+
+    void fill_chunk(const VoxelBox& chunk) {
+        for (std::size_t i = 0; i < fields_.size(); ++i) {
+            if (!fields_[i].empty()) fill_field(i, chunk);
+        }
+        for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
+            if (!gradients_[c].empty()) fill_gradient(c, chunk);
+        }
+        for (int z = 0; z < chunk.size[2]; ++z) {
+            for (int y = 0; y < chunk.size[1]; ++y) write_row(chunk, y, z);
+        }
+    }
+
+    void write_row(const VoxelBox& chunk, int y, int z) {
+        const std::size_t offset = static_cast<std::size_t>(z * chunk.size[1] + y) * row_stride_;
+        for (std::size_t i = 0; i < fields_.size(); ++i) {
+            rows_[i] = fields_[i].empty() ? nullptr : fields_[i].data() + offset;
+        }
+        const bool packed = plan_.pack != config::NoisePacking::none;
+        for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
+            if (!wanted(c) || is_direct(c)) continue;
+            const float* gradient = gradients_[c].empty() ? nullptr : gradients_[c].data() + offset;
+            combine_channel(plan_.channels[c], gradient, rows_, row_stride_, row(c));
+            if (!packed) copy_row(row(c), row_of(channels_[c], chunk, y, z));
+        }
+        if (!packed || channels_[0] == nullptr) return;
+        pack_channels(plan_.pack, {row(0), row(1), row(2), row(3)}, row_stride_, row(0));
+        copy_row(row(0), row_of(channels_[0], chunk, y, z));
+    }
+
+    float* row(std::size_t channel) { return combined_.data() + channel * row_stride_; }
+
+    void copy_row(const float* from, float* to) const {
+        std::memcpy(to, from, static_cast<std::size_t>(box_.size[0]) * sizeof(float));
+    }
+
+    const NoisePlan& plan_;
+    const VoxelBox& box_;
+    const std::vector<float*>& channels_;
+    std::size_t row_stride_ = 0;
+    std::size_t chunk_floats_ = 0;
+    int chunk_rows_ = 0;
+    bool pointwise_ = false;
+    std::vector<AlignedFloats> fields_;     // of the chunk; empty where no wanted channel has it
+    std::vector<AlignedFloats> gradients_;  // of the chunk, per channel
+    AlignedFloats octave_;
+    std::vector<std::optional<CellLattice>> lattices_;  // none: pointwise
+    std::unique_ptr<CellCandidates> candidates_;
+    std::vector<std::optional<GradientScratch>> scratches_;  // none: pointwise
+    std::vector<const float*> rows_;                         // of the fields, the row at hand
+    AlignedFloats combined_;                                 // a row of each channel
+};
+
+}  // namespace
+
+NoiseField::NoiseField(NoisePlan plan) : plan_(std::move(plan)) {}
+
+void NoiseField::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
+    BoxFiller(plan_, box, channels).fill();
+}
+
+}  // namespace skybake::noise

@@ -1,0 +1,213 @@
+#include "bakers/noise/noise_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bakers/core/certify_volume.h"
+#include "bakers/core/low_discrepancy.h"
+#include "bakers/core/mip_source.h"
+#include "bakers/core/stored_source.h"
+#include "bakers/core/survey_volume.h"
+#include "bakers/noise/noise_field.h"
+#include "bakers/noise/noise_reference.h"
+#include "bakers/noise/noise_specification.h"
+
+namespace skybake {
+
+namespace {
+
+using config::Noise;
+using config::NoisePacking;
+using config::NoiseSampling;
+using config::NoiseVolumeBake;
+using config::Outcome;
+using noise::NoiseField;
+using noise::NoisePlan;
+
+constexpr int kQuickPoints = 1024;
+constexpr int kFullPoints = 16384;
+
+bool cancelled(const BakeOptions& options) {
+    return options.progress != nullptr && options.progress->cancelled();
+}
+
+std::array<bool, 3> centered_axes(NoiseSampling sampling) {
+    const bool across = sampling != NoiseSampling::corners;
+    return {across, across, sampling == NoiseSampling::centers};
+}
+
+std::array<AxisMapping, 3> axes_of(const std::array<int, 3>& size, NoiseSampling sampling) {
+    static constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
+    static constexpr std::array<const char*, 3> kCoordinates = {"u", "v", "w"};
+    const std::array<bool, 3> centered = centered_axes(sampling);
+    std::array<AxisMapping, 3> axes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axes[i].quantity = fmt::format("{}_tile", kNames[i]);
+        axes[i].last = 1;
+        if (centered[i]) {
+            axes[i].formula = fmt::format("{} = {}", kCoordinates[i], kNames[i]);
+            axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
+        } else {
+            axes[i].formula =
+                fmt::format("{} = {} + 1 / (2 * {})", kCoordinates[i], kNames[i], size[i]);
+            axes[i].convention = "repeats; voxel i samples i / size";
+        }
+    }
+    return axes;
+}
+
+std::vector<std::string> channel_names(const Noise& noise) {
+    if (noise.pack != NoisePacking::none || noise.channels.size() == 1) return {"Y"};
+    std::vector<std::string> names;
+    for (const config::NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    return names;
+}
+
+std::vector<std::array<double, 2>> histogram_ranges(const Noise& noise) {
+    if (noise.pack != NoisePacking::none) return {{0, 1}};
+    std::vector<std::array<double, 2>> ranges;
+    for (const config::NoiseChannel& channel : noise.channels) {
+        ranges.push_back(noise::nominal_range(channel));
+    }
+    return ranges;
+}
+
+VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size) {
+    const std::array<bool, 3> centered = centered_axes(noise.sampling);
+    return [&noise, size, centered](const std::array<double, 3>& uvw) {
+        std::array<double, 3> place = uvw;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!centered[i]) place[i] -= 0.5 / size[i];
+        }
+        return noise::noise_reference(noise, place);
+    };
+}
+
+// The largest difference between voxels of the lower faces and those a tile's length away, which
+// the kernels' definition computes from other lattice coordinates.
+double seam_error(const NoisePlan& plan, const std::array<int, 3>& size) {
+    constexpr int kPoints = 32;
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i < kPoints; ++i) {
+            const std::array<double, 3> point = low_discrepancy_point(i);
+            noise::Voxel near;
+            for (std::size_t k = 0; k < 3; ++k) {
+                near[k] = static_cast<std::int64_t>(std::floor(point[k] * size[k]));
+            }
+            near[axis] = 0;
+            noise::Voxel far = near;
+            far[axis] = size[axis];
+            const std::vector<float> here = noise_at(plan, near);
+            const std::vector<float> there = noise_at(plan, far);
+            for (std::size_t c = 0; c < here.size(); ++c) {
+                largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
+            }
+        }
+    }
+    return largest;
+}
+
+void add_levels(const Noise& noise, const NoiseVolumeBake& bake, const NoisePlan& plan,
+                const BakeOptions& options, BakedVolume& volume) {
+    // Levels of no more floats than this are kept, so that those below need not make them again.
+    constexpr std::int64_t kKeptFloats = 1 << 23;
+    const int channels = plan.output_channels();
+    VolumeLevel level;
+    level.size = bake.size;
+    level.voxels = std::make_shared<NoiseField>(plan);
+    volume.levels.push_back(level);
+    for (int i = 1; i < bake.mips; ++i) {
+        const std::array<int, 3> finer_size = level.size;
+        level.size = next_mip_size(finer_size);
+        level.voxels =
+            std::make_shared<MipSource>(level.voxels, finer_size, centered_axes(noise.sampling));
+        const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
+        if (floats <= kKeptFloats) {
+            level.voxels =
+                std::make_shared<StoredSource>(*level.voxels, level.size, channels, options);
+        }
+        volume.levels.push_back(level);
+        if (cancelled(options)) return;
+    }
+}
+
+std::string place_text(const std::array<double, 3>& uvw) {
+    return fmt::format("u {:.6g}, v {:.6g}, w {:.6g}", uvw[0], uvw[1], uvw[2]);
+}
+
+void certify(const Noise& noise, const BakeOptions& options, BakedVolume& volume) {
+    const VolumeLevel& level = volume.levels.front();
+    const VolumeReference reference = reference_of(noise, level.size);
+    const int points = options.certification == Certification::full ? kFullPoints : kQuickPoints;
+    const auto voxels =
+        static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
+    const VolumeErrors texel = measure_voxels(level, volume.pixel_type, reference, voxels, options);
+    const VolumeErrors lookup =
+        measure_lookups(level, volume.pixel_type, reference, points, options);
+    Certificate& certificate = volume.certificate;
+    certificate.texel = texel.figures;
+    certificate.texel_points = texel.points;
+    certificate.lookup = lookup.figures;
+    certificate.lookup_points = lookup.points;
+    certificate.reference = "the noise's definition in double precision, point by point";
+    certificate.scale = "share of the channel's value range, max - min";
+    certificate.worst = place_text(lookup.worst);
+    volume.certified = true;
+}
+
+int distinct_octaves(const NoisePlan& plan) {
+    std::size_t count = plan.fields.size();
+    for (const noise::ChannelPlan& channel : plan.channels)
+        count += channel.gradient.octaves.size();
+    return static_cast<int>(count);
+}
+
+}  // namespace
+
+Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
+                                       const BakeOptions& options, BakedVolume volume) {
+    volume.kind = "noise_volume";
+    volume.content = "noise, dimensionless; the volume repeats along x, y and z";
+    volume.mapping = "tile";
+    volume.axes = axes_of(bake.size, noise.sampling);
+    volume.channel_names = channel_names(noise);
+    volume.pixel_type = bake.pixel_type;
+    volume.formats = bake.formats;
+    volume.layout = bake.layout;
+    volume.columns = bake.columns;
+    volume.compression = bake.compression;
+    volume.vdb_compression = bake.vdb_compression;
+    volume.voxel_size_m = 1.0 / bake.size[0];  // the tile is a metre wide
+    volume.up_axis = "+z";
+
+    const NoisePlan plan = noise::make_noise_plan(noise, bake.size);
+    volume.details.emplace_back("distinct_octaves", std::to_string(distinct_octaves(plan)));
+    add_levels(noise, bake, plan, options, volume);
+    Outcome<BakedVolume> outcome;
+    for (std::size_t i = 0; i < volume.levels.size(); ++i) {
+        if (cancelled(options)) return outcome;
+        const auto start = std::chrono::steady_clock::now();
+        outcome.diagnostics =
+            survey_level(volume, static_cast<int>(i), histogram_ranges(noise), options);
+        if (i == 0) {
+            volume.bake_seconds =
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        }
+        if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
+        volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
+    }
+    volume.seam_error = seam_error(plan, bake.size);
+    if (options.certification != Certification::off) certify(noise, options, volume);
+    if (cancelled(options)) return outcome;
+    outcome.value = std::move(volume);
+    return outcome;
+}
+
+}  // namespace skybake

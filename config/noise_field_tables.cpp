@@ -1,0 +1,406 @@
+// The field tables of noises and of their volumes; field_tables.cpp says how such tables work.
+#include "config/fields.h"
+#include "config/shared_fields.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr Range voxel_range{1, 16384};
+constexpr Range frequency_range{1, 1048576};
+constexpr Range octave_range{1, 16};
+constexpr Range lacunarity_range{1, 16};
+constexpr Range gain_range{0, 4};
+constexpr Range gains_range{0, 1e10};  // holds the weight of the last of 16 octaves of gain 4
+constexpr Range value_range{-1e6, 1e6};
+constexpr Range bias_range{0.001, 0.999};  // beyond, single precision divides by 0
+constexpr Range level_range{1, 15};
+constexpr Range column_range{1, 16384};
+
+constexpr std::string_view perlin_2002 = "Perlin 2002, Improving Noise";
+constexpr std::string_view worley_1996 = "Worley 1996, A Cellular Texture Basis Function";
+constexpr std::string_view schneider_2015 =
+    "Schneider and Vos 2015, The Real-Time Volumetric Cloudscapes of Horizon: Zero Dawn";
+constexpr std::string_view musgrave_1994 =
+    "Musgrave, in Ebert et al. 1994, Texturing and Modeling: A Procedural Approach";
+constexpr std::string_view bridson_2007 =
+    "Bridson, Hourihan and Nordenstam 2007, Curl-Noise for Procedural Fluid Flow";
+constexpr std::string_view schlick_1994 =
+    "Schlick 1994, Fast Alternatives to Perlin's Bias and Gain Functions";
+constexpr std::string_view tileable_volume_noise = "Hillaire, TileableVolumeNoise";
+constexpr std::string_view takram = "takram, three-clouds";
+
+// Choices, each in the order of its enumeration in parameters.h.
+constexpr std::array sampling_choices = {
+    Choice{"centers", "voxel i of N at (i + 1/2)/N"},
+    Choice{"corners", "voxel i of N at i/N"},
+    Choice{"slices_at_corners", "centers along x and y, corners along z"},
+};
+constexpr std::array pack_choices = {
+    Choice{"none", "each channel as it is"},
+    Choice{"shape", "of R, G, B, A: remap(R, w - 1, 1, 0, 1) with w = 0.625 G + 0.25 B + 0.125 A"},
+    Choice{"detail", "of R, G, B: 0.625 R + 0.25 G + 0.125 B"},
+};
+constexpr std::array type_choices = {
+    Choice{"constant", "value everywhere"},
+    Choice{"perlin", "improved gradient noise"},
+    Choice{"worley", "distances to one jittered point per cell"},
+    Choice{"perlin_worley", "remap(perlin, 0, 1, worley, 1): Perlin noise dilated by Worley noise"},
+    Choice{"curl", "one component of the curl of three gradient noises"},
+};
+constexpr std::array fractal_choices = {
+    Choice{"fbm", "0.5 + 0.5 * sum of the octaves"},
+    Choice{"rectified", "max(0, sum of the octaves), as TileableVolumeNoise"},
+    Choice{"ridged", "1 - |n| of each octave"},
+    Choice{"billow", "|n| of each octave"},
+};
+constexpr std::array feature_choices = {
+    Choice{"f1", "distance to the nearest point"},
+    Choice{"f2", "distance to the second nearest point"},
+    Choice{"f2_minus_f1", "their difference: 0 on the borders of cells"},
+};
+constexpr std::array value_form_choices = {
+    Choice{"distance", "d, in cells"},
+    Choice{"one_minus_distance", "1 - d, 0 from d = 1 on"},
+    Choice{"one_minus_distance_over_sqrt3", "1 - d / sqrt(3), as Olajos 2016"},
+    Choice{"one_minus_distance_squared", "1 - d * d, 0 from d = 1 on, as TileableVolumeNoise"},
+};
+constexpr std::array component_choices = {
+    Choice{"x", "d/dy of potential z - d/dz of potential y"},
+    Choice{"y", "d/dz of potential x - d/dx of potential z"},
+    Choice{"z", "d/dx of potential y - d/dy of potential x"},
+};
+constexpr std::array format_choices = {
+    Choice{"exr", "slices in one image; float or half"},
+    Choice{"vdb", "OpenVDB, a grid per channel; float or half"},
+    Choice{"bin", "the voxels alone, little-endian, x fastest; any pixel type"},
+};
+constexpr std::array pixel_type_choices = {
+    Choice{"float", "32 bits a channel"},
+    Choice{"half", "16 bits a channel: 3 digits, 6e-8 to 65504"},
+    Choice{"unorm8", "8 bits a channel for 0 to 1; bin only"},
+    Choice{"unorm16", "16 bits a channel for 0 to 1; bin only"},
+};
+constexpr std::array layout_choices = {
+    Choice{"stack", "slices below each other, slice 0 first"},
+    Choice{"atlas", "slices in rows from the left, rows from the top"},
+};
+constexpr std::array vdb_compression_choices = {
+    Choice{"none", "no compression"},
+    Choice{"zip", "deflate"},
+    Choice{"blosc", "Blosc with LZ4: fast"},
+};
+
+// For which types and layouts a key has a meaning.
+constexpr std::string_view constant[] = {"constant"};
+constexpr std::string_view noises[] = {"perlin", "worley", "perlin_worley", "curl"};
+constexpr std::string_view with_perlin[] = {"perlin", "perlin_worley"};
+constexpr std::string_view with_worley[] = {"worley", "perlin_worley"};
+constexpr std::string_view perlin_worley[] = {"perlin_worley"};
+constexpr std::string_view curl[] = {"curl"};
+constexpr std::string_view atlas[] = {"atlas"};
+
+const std::array noise_table = {
+    NoiseField{
+        {.key = "preset",
+         .kind = Kind::text,
+         .documentation = "name of a noise preset to start from; the section's keys override",
+         .only_shown = true},
+        {}},
+    NoiseField{{.key = "seed",
+                .kind = Kind::seed,
+                .fallback = "0",
+                .documentation = "another seed, another noise of the same kind"},
+               &Noise::seed},
+    NoiseField{{.key = "size",
+                .kind = Kind::voxels,
+                .range = voxel_range,
+                .fallback = "[128, 128, 128]",
+                .documentation = "voxels it is made for: the default of [bake.*] size",
+                .hint = "shape 128 each, detail 32 each; 1 along z is a picture",
+                .citation = schneider_2015},
+               &Noise::size},
+    NoiseField{{.key = "sampling",
+                .kind = Kind::choice,
+                .choices = sampling_choices,
+                .fallback = R"("centers")",
+                .documentation = "where in the tile voxels lie"},
+               &Noise::sampling},
+    NoiseField{{.key = "pack",
+                .kind = Kind::choice,
+                .choices = pack_choices,
+                .fallback = R"("none")",
+                .documentation = "merge the channels into one, Y",
+                .citation = takram},
+               &Noise::pack},
+};
+
+const std::array channel_table = {
+    NoiseChannelField{{.key = "type",
+                       .kind = Kind::choice,
+                       .choices = type_choices,
+                       .required = true,
+                       .documentation = "kind of noise"},
+                      &NoiseChannel::type},
+    NoiseChannelField{{.key = "value",
+                       .kind = Kind::number,
+                       .range = value_range,
+                       .required = true,
+                       .documentation = "the value everywhere",
+                       .selector = "type",
+                       .selected_by = constant},
+                      &NoiseChannel::value},
+    NoiseChannelField{{.key = "frequency",
+                       .kind = Kind::frequency,
+                       .range = frequency_range,
+                       .fallback = "4",
+                       .documentation = "lattice cells a tile in the first octave, per axis or all",
+                       .hint = "at most a quarter of the voxels shows no aliasing",
+                       .exclusive_group = "frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = noises,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "octaves",
+                       .kind = Kind::integer,
+                       .range = octave_range,
+                       .fallback = "1",
+                       .documentation = "number of octaves; left out: as many as gains, if given",
+                       .exclusive_group = "frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = noises,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "lacunarity",
+                       .kind = Kind::integer,
+                       .range = lacunarity_range,
+                       .fallback = "2",
+                       .documentation = "frequency of an octave over that of the one before",
+                       .citation = musgrave_1994,
+                       .exclusive_group = "frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = noises,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "frequencies",
+                       .kind = Kind::frequencies,
+                       .range = frequency_range,
+                       .documentation = "frequency of every octave, in place of a series",
+                       .hint = "takram's Perlin-Worley has [8, 32, 56]",
+                       .exclusive_group = "frequencies",
+                       .selector = "type",
+                       .selected_by = noises},
+                      {}},
+    NoiseChannelField{{.key = "gain",
+                       .kind = Kind::number,
+                       .range = gain_range,
+                       .fallback = "0.5",
+                       .documentation = "weight of an octave over that of the one before",
+                       .citation = musgrave_1994,
+                       .exclusive_group = "gains",
+                       .selector = "type",
+                       .selected_by = noises,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "gains",
+                       .kind = Kind::gains,
+                       .range = gains_range,
+                       .documentation = "weight of every octave; they are divided by their sum",
+                       .hint = "cloud shapes [0.625, 0.25, 0.125]",
+                       .citation = tileable_volume_noise,
+                       .exclusive_group = "gains",
+                       .selector = "type",
+                       .selected_by = noises},
+                      {}},
+    NoiseChannelField{{.key = "fractal",
+                       .kind = Kind::choice,
+                       .choices = fractal_choices,
+                       .fallback = R"("fbm")",
+                       .documentation = "how octaves of gradient noise are summed",
+                       .citation = musgrave_1994,
+                       .selector = "type",
+                       .selected_by = with_perlin},
+                      &NoiseChannel::fractal},
+    NoiseChannelField{{.key = "worley_frequency",
+                       .kind = Kind::frequency,
+                       .range = frequency_range,
+                       .fallback = "4",
+                       .documentation = "as frequency, of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_octaves",
+                       .kind = Kind::integer,
+                       .range = octave_range,
+                       .fallback = "3",
+                       .documentation = "as octaves, of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_lacunarity",
+                       .kind = Kind::integer,
+                       .range = lacunarity_range,
+                       .fallback = "2",
+                       .documentation = "as lacunarity, of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_frequencies",
+                       .kind = Kind::frequencies,
+                       .range = frequency_range,
+                       .documentation = "as frequencies, of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .selector = "type",
+                       .selected_by = perlin_worley},
+                      {}},
+    NoiseChannelField{{.key = "worley_gain",
+                       .kind = Kind::number,
+                       .range = gain_range,
+                       .fallback = "0.5",
+                       .documentation = "as gain, of the cellular part",
+                       .exclusive_group = "worley_gains",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_gains",
+                       .kind = Kind::gains,
+                       .range = gains_range,
+                       .documentation = "as gains, of the cellular part",
+                       .hint = "cloud shapes [0.625, 0.25, 0.125]",
+                       .citation = schneider_2015,
+                       .exclusive_group = "worley_gains",
+                       .selector = "type",
+                       .selected_by = perlin_worley},
+                      {}},
+    NoiseChannelField{{.key = "feature",
+                       .kind = Kind::choice,
+                       .choices = feature_choices,
+                       .fallback = R"("f1")",
+                       .documentation = "which distance d of cellular noise",
+                       .citation = worley_1996,
+                       .selector = "type",
+                       .selected_by = with_worley},
+                      &NoiseChannel::feature},
+    NoiseChannelField{{.key = "value_form",
+                       .kind = Kind::choice,
+                       .choices = value_form_choices,
+                       .fallback = R"("one_minus_distance")",
+                       .documentation = "value of cellular noise at distance d",
+                       .selector = "type",
+                       .selected_by = with_worley},
+                      &NoiseChannel::value_form},
+    NoiseChannelField{{.key = "component",
+                       .kind = Kind::choice,
+                       .choices = component_choices,
+                       .fallback = R"("x")",
+                       .documentation = "which component of the curl",
+                       .citation = bridson_2007,
+                       .selector = "type",
+                       .selected_by = curl},
+                      &NoiseChannel::component},
+    NoiseChannelField{{.key = "seed",
+                       .kind = Kind::seed,
+                       .fallback = "0",
+                       .documentation = "with the noise's seed: tells channels of equal keys apart",
+                       .selector = "type",
+                       .selected_by = noises},
+                      &NoiseChannel::seed},
+    NoiseChannelField{
+        {.key = "remap",
+         .kind = Kind::remap,
+         .range = value_range,
+         .fallback = "[0, 1, 0, 1]",
+         .documentation = "[in_low, in_high, out_low, out_high]: linear, in_low to out_low",
+         .hint = "1 - d / sqrt(3) uses 0.43 to 0.96"},
+        &NoiseChannel::remap},
+    NoiseChannelField{{.key = "invert",
+                       .kind = Kind::flag,
+                       .fallback = "false",
+                       .documentation = "1 - v, after remap"},
+                      &NoiseChannel::invert},
+    NoiseChannelField{
+        {.key = "bias",
+         .kind = Kind::number,
+         .range = bias_range,
+         .fallback = "0.5",
+         .documentation = "value at 0.5, after invert: v / ((1/bias - 2) (1 - v) + 1)",
+         .hint = "0.5 changes nothing",
+         .citation = schlick_1994},
+        &NoiseChannel::bias},
+};
+
+const std::array noise_volume_table = {
+    NoiseVolumeField{asset_field, {}},
+    NoiseVolumeField{{.key = "noise",
+                      .kind = Kind::text,
+                      .required = true,
+                      .documentation = "NAME of the [noise.NAME] to bake"},
+                     &NoiseVolumeBake::noise},
+    NoiseVolumeField{{.key = "size",
+                      .kind = Kind::voxels,
+                      .range = voxel_range,
+                      .documentation = "voxels along x, y and z; left out: the noise's size",
+                      .hint = "1 along z is a picture"},
+                     &NoiseVolumeBake::size},
+    NoiseVolumeField{{.key = "formats",
+                      .kind = Kind::choice_list,
+                      .choices = format_choices,
+                      .fallback = R"(["exr"])",
+                      .documentation = "files to write, NAME.exr and so on"},
+                     &NoiseVolumeBake::formats},
+    NoiseVolumeField{{.key = "pixel_type",
+                      .kind = Kind::choice,
+                      .choices = pixel_type_choices,
+                      .fallback = R"("half")",
+                      .documentation = "numbers in the files"},
+                     &NoiseVolumeBake::pixel_type},
+    NoiseVolumeField{{.key = "layout",
+                      .kind = Kind::choice,
+                      .choices = layout_choices,
+                      .fallback = R"("stack")",
+                      .documentation = "where the slices lie in the EXR file"},
+                     &NoiseVolumeBake::layout},
+    NoiseVolumeField{{.key = "columns",
+                      .kind = Kind::integer,
+                      .range = column_range,
+                      .documentation = "slices in a row of the atlas; left out: near to a square",
+                      .selector = "layout",
+                      .selected_by = atlas},
+                     &NoiseVolumeBake::columns},
+    NoiseVolumeField{{.key = "mips",
+                      .kind = Kind::levels,
+                      .range = level_range,
+                      .fallback = "1",
+                      .documentation = "levels of detail, the volume itself among them",
+                      .hint = "\"all\" goes down to one voxel"},
+                     &NoiseVolumeBake::mips},
+    NoiseVolumeField{compression_field, &NoiseVolumeBake::compression},
+    NoiseVolumeField{{.key = "vdb_compression",
+                      .kind = Kind::choice,
+                      .choices = vdb_compression_choices,
+                      .fallback = R"("blosc")",
+                      .documentation = "of the VDB file, always lossless"},
+                     &NoiseVolumeBake::vdb_compression},
+};
+
+}  // namespace
+
+std::span<const NoiseField> noise_fields() { return noise_table; }
+
+std::span<const NoiseChannelField> noise_channel_fields() { return channel_table; }
+
+std::span<const NoiseVolumeField> noise_volume_fields() { return noise_volume_table; }
+
+}  // namespace skybake::config

@@ -1,0 +1,88 @@
+#include "config/noise_preset_merge.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/config/noises.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::only_diagnostic;
+using testing::parse;
+using testing::valid;
+
+Noise noise_of(const std::string& text, const std::vector<std::string>& settings = {}) {
+    const Recipe recipe = valid(text, settings);
+    return recipe.parameters.noises.empty() ? Noise{} : recipe.parameters.noises[0];
+}
+
+TEST(NoisePresetMerge, TheSectionOverridesItsPreset) {
+    const Noise plain = noise_of("[noise.n]\npreset = 'nubis_shape'\n");
+    const Noise changed = noise_of(
+        "[noise.n]\npreset = 'nubis_shape'\nsize = [64, 64, 64]\n"
+        "[noise.n.channels.G]\noctaves = 1\ngain = 1\n[noise.n.channels.A]\ntype = "
+        "'constant'\nvalue = 1\n");
+    ASSERT_EQ(changed.channels.size(), 4u);
+    EXPECT_EQ(testing::spell(changed.channels[0]), testing::spell(plain.channels[0]));
+    EXPECT_EQ(testing::spell(changed.channels[2]), testing::spell(plain.channels[2]));
+    EXPECT_EQ(changed.size[0], 64);
+    EXPECT_EQ(changed.channels[1].octaves.frequencies.size(), 1u);
+    EXPECT_EQ(changed.channels[1].value_form, WorleyValue::one_minus_distance_squared);
+    EXPECT_EQ(changed.channels[3].type, NoiseType::constant);
+    EXPECT_EQ(changed.channels[3].value, 1);
+}
+
+TEST(NoisePresetMerge, ASettingMayNameThePreset) {
+    const Noise noise =
+        noise_of("[noise.n]\npreset = 'nubis_shape'\n", {"noise.n.preset=nubis_detail"});
+    EXPECT_EQ(noise.channels.size(), 3u);
+    EXPECT_EQ(noise_of("", {"noise.n.preset=nubis_detail"}).size[0], 32);
+}
+
+TEST(NoisePresetMerge, EachNoiseHasItsOwn) {
+    const Recipe recipe = valid(
+        "[noise.b]\npreset = 'nubis_shape'\n[noise.a]\npreset = 'nubis_shape'\nseed = 3\n"
+        "[noise.c.channels.Y]\ntype = 'curl'\n");
+    ASSERT_EQ(recipe.parameters.noises.size(), 3u);
+    EXPECT_EQ(recipe.parameters.noises[0].name, "a");
+    EXPECT_EQ(recipe.parameters.noises[0].seed, 3u);
+    EXPECT_EQ(recipe.parameters.noises[1].seed, 0u);
+    EXPECT_EQ(recipe.parameters.noises[2].channels.size(), 1u);
+}
+
+TEST(NoisePresetMerge, UnknownPresetsAreOneError) {
+    const Diagnostic slip = only_diagnostic(
+        "[noise.n]\npreset = 'nubis_shap'\n[noise.n.channels.G]\nseed = 1\n"
+        "[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n");
+    EXPECT_EQ(slip.code, "E0115");
+    EXPECT_EQ(slip.label, "did you mean `nubis_shape`?");
+    EXPECT_EQ(slip.where.line, 2);
+    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
+              "there are: nubis_detail, nubis_shape, takram_detail, takram_shape, thesis");
+    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
+}
+
+TEST(NoisePresetMerge, PresetsOfTheOtherKindAreSentHome) {
+    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'earth'\n").label,
+              "it is a preset of an atmosphere: preset = \"earth\" at the top level");
+    const Diagnostic diagnostic = only_diagnostic("preset = 'nubis_shape'\n");
+    EXPECT_EQ(diagnostic.code, "E0115");
+    EXPECT_EQ(diagnostic.label, "a preset of noises: it stands below [noise.NAME]");
+}
+
+// Places of what the user adds to a preset are the user's.
+TEST(NoisePresetMerge, FaultsStandWhereTheUserMadeThem) {
+    const Diagnostic extra = only_diagnostic(
+        "[noise.n]\npreset = 'nubis_shape'\n[noise.n.channels.Y]\ntype = 'perlin'\n");
+    EXPECT_EQ(extra.code, "E0129");
+    EXPECT_EQ(extra.where.source, "test.toml");
+    EXPECT_EQ(extra.where.line, 3);
+    const Diagnostic gains =
+        only_diagnostic("[noise.n]\npreset = 'nubis_shape'\nchannels.G.octaves = 5\n");
+    EXPECT_EQ(gains.code, "E0108");
+    EXPECT_EQ(gains.where.source, "test.toml");
+    EXPECT_EQ(gains.where.line, 3);
+}
+
+}  // namespace
+}  // namespace skybake::config

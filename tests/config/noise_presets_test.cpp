@@ -1,0 +1,136 @@
+// The noise presets, number by number.
+#include <gtest/gtest.h>
+
+#include "config/octave_sampling.h"
+#include "config/presets.h"
+#include "tests/config/noises.h"
+
+namespace skybake::config {
+namespace {
+
+Noise preset(const std::string& name) {
+    const Recipe recipe = testing::valid("[noise.n]\npreset = '" + name + "'\n");
+    return recipe.parameters.noises.empty() ? Noise{} : recipe.parameters.noises[0];
+}
+
+NoiseOctaves octaves(std::vector<int> frequencies, std::vector<double> gains) {
+    NoiseOctaves result{{}, std::move(gains)};
+    for (const int f : frequencies) result.frequencies.push_back({f, f, f});
+    return result;
+}
+
+void expect_octaves(const NoiseOctaves& found, const NoiseOctaves& expected) {
+    EXPECT_EQ(testing::spell(found), testing::spell(expected));
+}
+
+void expect_worley(const NoiseChannel& channel, const NoiseOctaves& expected, WorleyValue form) {
+    EXPECT_EQ(channel.type, NoiseType::worley) << channel.name;
+    EXPECT_EQ(channel.feature, WorleyFeature::f1) << channel.name;
+    EXPECT_EQ(channel.value_form, form) << channel.name;
+    expect_octaves(channel.octaves, expected);
+}
+
+const std::vector<double> cloud_gains = {0.625, 0.25, 0.125};
+const std::vector<double> half_gains = {1, 0.5, 0.25, 0.125, 0.0625};
+constexpr WorleyValue squared = WorleyValue::one_minus_distance_squared;
+constexpr WorleyValue over_sqrt3 = WorleyValue::one_minus_distance_over_sqrt3;
+using Size = std::array<int, 3>;
+
+TEST(NoisePresets, NubisShape) {
+    const Noise noise = preset("nubis_shape");
+    EXPECT_EQ(noise.size, (Size{128, 128, 128}));
+    EXPECT_EQ(noise.sampling, NoiseSampling::centers);
+    EXPECT_EQ(noise.pack, NoisePacking::none);
+    ASSERT_EQ(noise.channels.size(), 4u);
+    const NoiseChannel& red = noise.channels[0];
+    EXPECT_EQ(red.type, NoiseType::perlin_worley);
+    EXPECT_EQ(red.fractal, NoiseFractal::fbm);
+    EXPECT_EQ(red.value_form, squared);
+    expect_octaves(red.octaves, octaves({8, 16, 32}, {1, 0.5, 0.25}));
+    expect_octaves(red.worley_octaves, octaves({4, 8, 16}, cloud_gains));
+    expect_worley(noise.channels[1], octaves({4, 8, 16}, cloud_gains), squared);
+    expect_worley(noise.channels[2], octaves({8, 16, 32}, cloud_gains), squared);
+    expect_worley(noise.channels[3], octaves({16, 32}, {0.75, 0.25}), squared);
+}
+
+TEST(NoisePresets, NubisDetail) {
+    const Noise noise = preset("nubis_detail");
+    EXPECT_EQ(noise.size, (Size{32, 32, 32}));
+    EXPECT_EQ(noise.sampling, NoiseSampling::centers);
+    ASSERT_EQ(noise.channels.size(), 3u);
+    expect_worley(noise.channels[0], octaves({2, 4, 8}, cloud_gains), squared);
+    expect_worley(noise.channels[1], octaves({4, 8}, {0.75, 0.25}), squared);
+    expect_worley(noise.channels[2], octaves({8}, {1}), squared);
+}
+
+TEST(NoisePresets, TakramShape) {
+    const Noise noise = preset("takram_shape");
+    EXPECT_EQ(noise.size, (Size{128, 128, 128}));
+    EXPECT_EQ(noise.sampling, NoiseSampling::slices_at_corners);
+    EXPECT_EQ(noise.pack, NoisePacking::shape);
+    ASSERT_EQ(noise.channels.size(), 4u);
+    const NoiseChannel& red = noise.channels[0];
+    EXPECT_EQ(red.type, NoiseType::perlin_worley);
+    EXPECT_EQ(red.fractal, NoiseFractal::rectified);
+    EXPECT_EQ(red.value_form, squared);
+    expect_octaves(red.octaves, octaves({8, 16, 32}, {1, 0.5, 0.25}));
+    expect_octaves(red.worley_octaves, octaves({8, 32, 56}, cloud_gains));
+    expect_worley(noise.channels[1], octaves({8, 16, 32}, cloud_gains), squared);
+    expect_worley(noise.channels[2], octaves({16, 32, 64}, cloud_gains), squared);
+    expect_worley(noise.channels[3], octaves({32, 64}, {0.75, 0.25}), squared);
+}
+
+TEST(NoisePresets, TakramDetail) {
+    const Noise noise = preset("takram_detail");
+    EXPECT_EQ(noise.size, (Size{32, 32, 32}));
+    EXPECT_EQ(noise.sampling, NoiseSampling::slices_at_corners);
+    EXPECT_EQ(noise.pack, NoisePacking::detail);
+    ASSERT_EQ(noise.channels.size(), 3u);
+    expect_worley(noise.channels[0], octaves({2, 4, 8}, cloud_gains), squared);
+    expect_worley(noise.channels[1], octaves({4, 8, 16}, cloud_gains), squared);
+    expect_worley(noise.channels[2], octaves({8, 16}, {0.75, 0.25}), squared);
+}
+
+TEST(NoisePresets, Thesis) {
+    const Noise noise = preset("thesis");
+    EXPECT_EQ(noise.size, (Size{128, 128, 128}));
+    EXPECT_EQ(noise.sampling, NoiseSampling::corners);
+    ASSERT_EQ(noise.channels.size(), 4u);
+    expect_worley(noise.channels[0], octaves({4, 8, 16, 32, 64}, half_gains), over_sqrt3);
+    EXPECT_EQ(noise.channels[1].type, NoiseType::perlin);
+    EXPECT_EQ(noise.channels[1].fractal, NoiseFractal::fbm);
+    expect_octaves(noise.channels[1].octaves, octaves({4, 8, 16, 32, 64}, half_gains));
+    expect_worley(noise.channels[2], octaves({16, 32, 64, 128, 256}, half_gains), over_sqrt3);
+    expect_worley(noise.channels[3], octaves({128, 256, 512, 1024, 2048}, half_gains), over_sqrt3);
+}
+
+TEST(NoisePresets, TheExampleIsWithoutFault) {
+    const auto outcome = load_recipe(SKYBAKE_EXAMPLES "/clouds_noise.toml");
+    EXPECT_TRUE(outcome.diagnostics.empty());
+    ASSERT_TRUE(outcome.value);
+    const Parameters& parameters = outcome.value->parameters;
+    ASSERT_EQ(parameters.bakes.size(), 2u);
+    const auto& shape = std::get<NoiseVolumeBake>(parameters.bakes[0].asset);
+    const auto& detail = std::get<NoiseVolumeBake>(parameters.bakes[1].asset);
+    EXPECT_EQ(testing::spell(shape), "shape [128, 128, 128] 1 0 0 1 1 2 0");
+    EXPECT_EQ(testing::spell(detail), "detail [32, 32, 32] 1 0 0 1 1 2 0");
+}
+
+// Those that copy a source which aliases say so; none has an octave of nothing.
+TEST(NoisePresets, BakeAtTheirSize) {
+    for (const Preset& entry : noise_presets()) {
+        const auto outcome = testing::parse("[noise.n]\npreset = '" + std::string(entry.name) +
+                                            "'\n[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n");
+        ASSERT_TRUE(outcome.value) << entry.name;
+        const auto& bake = std::get<NoiseVolumeBake>(outcome.value->parameters.bakes.at(0).asset);
+        EXPECT_EQ(bake.size, outcome.value->parameters.noises.at(0).size);
+        const std::size_t warnings = entry.name == "takram_shape"    ? 3
+                                     : entry.name == "takram_detail" ? 2
+                                     : entry.name == "thesis"        ? 4
+                                                                     : 0;
+        EXPECT_EQ(outcome.diagnostics.size(), warnings) << entry.name;
+    }
+}
+
+}  // namespace
+}  // namespace skybake::config

@@ -1,0 +1,178 @@
+#include "config/noise_volume_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/config/noises.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::only_diagnostic;
+using testing::parse;
+using testing::valid;
+using testing::volume_recipe;
+
+NoiseVolumeBake volume(const std::string& keys, const std::string& noise = "") {
+    const Recipe recipe =
+        valid(volume_recipe(keys, "type = 'worley'\nfrequency = 1") + "[noise.n]\n" + noise + "\n");
+    if (recipe.parameters.bakes.size() != 1) return {};
+    return std::get<NoiseVolumeBake>(recipe.parameters.bakes[0].asset);
+}
+
+Diagnostic fault(const std::string& keys) {
+    return only_diagnostic(volume_recipe(keys, "type = 'worley'\nfrequency = 1"));
+}
+
+using Size = std::array<int, 3>;
+using Formats = std::vector<VolumeFormat>;
+
+TEST(NoiseVolumeDecoder, HasTheDefaultsOfTheIssue) {
+    const NoiseVolumeBake bake = volume("", "size = [32, 16, 8]");
+    EXPECT_EQ(bake.noise, "n");
+    EXPECT_EQ(bake.size, (Size{32, 16, 8})) << "the noise's";
+    EXPECT_EQ(bake.formats, Formats{VolumeFormat::exr});
+    EXPECT_EQ(bake.pixel_type, PixelType::half);
+    EXPECT_EQ(bake.layout, VolumeLayout::stack);
+    EXPECT_EQ(bake.columns, 0);
+    EXPECT_EQ(bake.mips, 1);
+    EXPECT_EQ(bake.compression, Compression::zip);
+    EXPECT_EQ(bake.vdb_compression, VdbCompression::blosc);
+}
+
+TEST(NoiseVolumeDecoder, ReadsEveryKey) {
+    const NoiseVolumeBake bake = volume(
+        "size = [64, 32, 16]\nformats = ['vdb', 'exr']\npixel_type = 'float'\nlayout = 'atlas'\n"
+        "columns = 4\nmips = 3\ncompression = 'piz'\nvdb_compression = 'none'");
+    EXPECT_EQ(testing::spell(bake), "n [64, 32, 16] 0 1 4 3 3 0 1 0");
+    EXPECT_EQ(volume("formats = 'bin'\npixel_type = 'unorm8'").formats, Formats{VolumeFormat::bin});
+    EXPECT_EQ(volume("formats = ['bin']\npixel_type = 'unorm16'").pixel_type, PixelType::unorm16);
+}
+
+TEST(NoiseVolumeDecoder, AllLevelsGoDownToOneVoxel) {
+    EXPECT_EQ(volume("mips = 'all'").mips, 8);
+    EXPECT_EQ(volume("mips = 'all'\nsize = [1, 1, 1]").mips, 1);
+    EXPECT_EQ(volume("mips = 'all'\nsize = [5, 300, 7]").mips, 9);
+    EXPECT_EQ(volume("mips = 'all'\nsize = [16384, 4, 1]", "").mips, 15);
+    EXPECT_EQ(volume("mips = 8").mips, 8);
+    EXPECT_EQ(fault("mips = 9").code, "E0110");
+    EXPECT_EQ(fault("mips = 9").label, "128x128x128 has 8 levels down to one voxel");
+    EXPECT_EQ(fault("mips = 0").code, "E0110");
+    EXPECT_EQ(fault("mips = 16").code, "E0110");
+    EXPECT_EQ(fault("mips = 'some'").code, "E0103");
+    EXPECT_EQ(fault("mips = 1.5").code, "E0103");
+}
+
+TEST(NoiseVolumeDecoder, SizesHaveRanges) {
+    for (const char* size : {"[0, 1, 1]", "[-1, 1, 1]", "[1, 1, 2147483648]", "[16385, 1, 1]"}) {
+        EXPECT_EQ(fault(std::string("size = ") + size).code, "E0110") << size;
+    }
+    EXPECT_EQ(fault("size = [1, 1]").code, "E0108");
+    EXPECT_EQ(fault("size = 64").code, "E0103");
+    EXPECT_EQ(fault("size = [1.0, 1, 1]").code, "E0103");
+}
+
+TEST(NoiseVolumeDecoder, LargeVolumesSayWhatTheyWouldNeed) {
+    const Diagnostic diagnostic = fault("size = [10000, 10000, 10000]");
+    EXPECT_EQ(diagnostic.code, "E0126");
+    EXPECT_EQ(diagnostic.message,
+              "[bake.n] has 1000000000000 voxels (10000x10000x10000) and would need 2000000000000 "
+              "bytes (1.82 TiB)");
+    EXPECT_EQ(diagnostic.where.line, 4);
+    EXPECT_TRUE(fault("size = [16384, 16384, 16384]\npixel_type = 'float'")
+                    .message.find("17592186044416 bytes (16 TiB)") != std::string::npos);
+    EXPECT_EQ(fault("size = [4096, 4096, 4097]").code, "E0126");
+    EXPECT_EQ(volume("size = [4096, 4096, 4096]").size[0], 4096) << "2^36 voxels are allowed";
+}
+
+// A packed noise has one channel; four channels need four times as much.
+TEST(NoiseVolumeDecoder, BytesCountTheChannelsOfTheFile) {
+    const auto message = [](const std::string& preset) {
+        return only_diagnostic("[noise.n]\npreset = '" + preset +
+                               "'\n[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n"
+                               "size = [16384, 16384, 16384]\n")
+            .message;
+    };
+    EXPECT_NE(message("nubis_shape").find("need 35184372088832 bytes"), std::string::npos);
+    EXPECT_NE(message("takram_shape").find("need 8796093022208 bytes"), std::string::npos);
+}
+
+TEST(NoiseVolumeDecoder, FormatsAreASet) {
+    EXPECT_EQ(fault("formats = []").code, "E0108");
+    EXPECT_EQ(fault("formats = ['exr', 'exr']").code, "E0108");
+    EXPECT_EQ(fault("formats = ['exr', 'vbd']").label, "did you mean `vdb`?");
+    EXPECT_EQ(fault("formats = 3").code, "E0103");
+}
+
+TEST(NoiseVolumeDecoder, FormatsHaveTheirPixelTypes) {
+    const Diagnostic diagnostic = fault("formats = ['exr', 'bin', 'vdb']\npixel_type = 'unorm16'");
+    EXPECT_EQ(diagnostic.code, "E0131");
+    EXPECT_EQ(diagnostic.message, "`bake.n.pixel_type` is unorm16, which exr and vdb has not");
+    EXPECT_EQ(diagnostic.where.line, 5);
+    EXPECT_EQ(fault("pixel_type = 'unorm8'").code, "E0131");
+}
+
+TEST(NoiseVolumeDecoder, ColumnsAreOfAnAtlas) {
+    EXPECT_EQ(fault("columns = 4").code, "E0111");
+    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 0").code, "E0110");
+    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 129").label, "there are 128 slices");
+    EXPECT_EQ(volume("layout = 'atlas'\ncolumns = 128").columns, 128);
+    EXPECT_EQ(volume("layout = 'atlas'").columns, 0);
+}
+
+TEST(NoiseVolumeDecoder, ItsNoiseIsThere) {
+    const Diagnostic missing = only_diagnostic(
+        "[noise.wisps.channels.Y]\ntype = 'worley'\n[bake.n]\nasset = 'noise_volume'\n");
+    EXPECT_EQ(missing.code, "E0105");
+    const Diagnostic slip = only_diagnostic(
+        "[noise.wisps.channels.Y]\ntype = 'worley'\n[bake.n]\nasset = 'noise_volume'\n"
+        "noise = 'wips'\n");
+    EXPECT_EQ(slip.code, "E0130");
+    EXPECT_EQ(slip.label, "did you mean `wisps`?");
+    EXPECT_EQ(slip.where.line, 5);
+    EXPECT_EQ(only_diagnostic("[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n").label,
+              "the recipe has no [noise.NAME]");
+    EXPECT_EQ(
+        only_diagnostic("[noise]\nn = 3\n[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n").code,
+        "E0103");
+}
+
+TEST(NoiseVolumeDecoder, WarnsOnceAChannelOfAliasing) {
+    const auto outcome = parse(
+        "[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\nsize = [32, 32, 32]\n"
+        "[noise.n.channels.R]\ntype = 'perlin_worley'\nfrequency = 2\noctaves = 4\n"
+        "worley_frequencies = [[8, 8, 9], 64]\n"
+        "[noise.n.channels.G]\ntype = 'worley'\nfrequencies = [64, 2]\ngains = [0, 1]\n"
+        "[noise.n.channels.B]\ntype = 'worley'\nfrequencies = [[1, 1, 9]]\n");
+    ASSERT_TRUE(outcome.value);
+    ASSERT_EQ(outcome.diagnostics.size(), 2u);
+    EXPECT_EQ(outcome.diagnostics[0].code, "W0203");
+    EXPECT_EQ(outcome.diagnostics[0].severity, Severity::warning);
+    EXPECT_EQ(outcome.diagnostics[0].message,
+              "octave 4 of channel R of noise `n` (frequency 16) has fewer than 4 voxels a cell at "
+              "size 32x32x32");
+    EXPECT_EQ(outcome.diagnostics[0].where.line, 4);
+    EXPECT_NE(outcome.diagnostics[1].message.find("channel B of noise `n` (frequency [1, 1, 9])"),
+              std::string::npos);
+}
+
+TEST(NoiseVolumeDecoder, RefusesOctavesOfNothing) {
+    const auto code = [](const std::string& noise, const std::string& channel) {
+        const auto diagnostics =
+            parse(volume_recipe("size = [32, 32, 32]", channel) + "[noise.n]\n" + noise)
+                .diagnostics;
+        return diagnostics.empty() ? "none" : diagnostics[0].code;
+    };
+    EXPECT_EQ(code("", "type = 'perlin'\nfrequency = 64"), "E0127");
+    EXPECT_EQ(code("", "type = 'perlin'\nfrequency = 2\noctaves = 6"), "E0127");
+    EXPECT_EQ(code("", "type = 'perlin_worley'\nfrequency = 64\nfractal = 'ridged'"), "E0127");
+    EXPECT_EQ(code("sampling = 'corners'", "type = 'perlin'\nfrequency = 32"), "E0127");
+    EXPECT_EQ(code("", "type = 'perlin'\nfrequency = 32"), "W0203");
+    EXPECT_EQ(code("", "type = 'perlin'\nfrequency = [64, 64, 63]"), "W0203");
+    EXPECT_EQ(code("", "type = 'worley'\nfrequency = 64"), "W0203");
+    // The gradients themselves, which curl noise is made of, do not vanish on the lattice.
+    EXPECT_EQ(code("", "type = 'curl'\nfrequency = 64"), "W0203");
+    EXPECT_EQ(code("", "type = 'perlin'\nfrequencies = [2, 64]\ngains = [1, 0]"), "none");
+}
+
+}  // namespace
+}  // namespace skybake::config

@@ -1,0 +1,47 @@
+// A volume whose tree would take 2 GiB, within a quarter of that.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "tests/io/files.h"
+#include "tests/io/vdb_samples.h"
+
+namespace skybake {
+namespace {
+
+double peak_memory_mib() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+// Cheap values: the test is of what the writer and reader need.
+class Ramp : public VoxelSource {
+  public:
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        float* out = channels[0];
+        for (int z = 0; z < box.size[2]; ++z) {
+            for (int y = 0; y < box.size[1]; ++y) {
+                for (int x = 0; x < box.size[0]; ++x) {
+                    *out++ = static_cast<float>((x + y + z) % 1024) / 1024;
+                }
+            }
+        }
+    }
+};
+
+TEST(VdbMemory, DoesNotGrowWithTheVolume) {
+    const testing::TemporaryFolder folder;
+    BakedVolume volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
+    volume.levels[0].voxels = std::make_shared<Ramp>();
+    ASSERT_TRUE(testing::write_sample(volume, folder / "v.vdb").value.has_value());
+    const double written = peak_memory_mib();
+    const auto read = read_vdb_voxels(folder / "v.vdb", [](const VdbSlab&) { return true; });
+    ASSERT_TRUE(read.value.has_value());
+    fmt::print("peak memory: {:.0f} MiB after writing, {:.0f} MiB after reading\n", written,
+               peak_memory_mib());
+    EXPECT_LT(peak_memory_mib(), 256);
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,300 @@
+// Files of write_vdb against OpenVDB's own reader, and against trees that OpenVDB built and wrote.
+#include "bakers/io/vdb_volume.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "tests/io/files.h"
+#include "tests/io/vdb_samples.h"
+
+namespace skybake {
+namespace {
+
+using config::PixelType;
+using config::VdbCompression;
+using openvdb::Coord;
+using openvdb::FloatGrid;
+using testing::stored_voxel;
+using testing::TemporaryFolder;
+using testing::vdb_sample;
+using testing::write_sample;
+
+struct Case {
+    std::array<int, 3> size;
+    int channels;
+    PixelType type;
+    VdbCompression compression;
+};
+
+std::string name_of(const ::testing::TestParamInfo<Case>& info) {
+    const Case& tested = info.param;
+    const char* compressions[] = {"none", "zip", "blosc"};
+    return fmt::format("{}x{}x{}_{}_{}_{}", tested.size[0], tested.size[1], tested.size[2],
+                       tested.channels, tested.type == PixelType::half ? "half" : "float",
+                       compressions[static_cast<int>(tested.compression)]);
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    const std::array<std::array<int, 3>, 5> sizes = {
+        {{1, 1, 1}, {7, 13, 5}, {8, 8, 8}, {130, 9, 129}, {9, 136, 40}}};
+    for (const auto& size : sizes) {
+        for (const int channels : {1, 2, 4}) {
+            for (const PixelType type : {PixelType::half, PixelType::float32}) {
+                for (const VdbCompression compression :
+                     {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
+                    all.push_back({size, channels, type, compression});
+                }
+            }
+        }
+    }
+    all.push_back({{200, 200, 200}, 1, PixelType::half, VdbCompression::blosc});
+    all.push_back({{200, 200, 200}, 1, PixelType::float32, VdbCompression::none});
+    all.push_back({{4100, 3, 2}, 1, PixelType::half, VdbCompression::zip});  // two root children
+    all.push_back({{2, 3, 4100}, 2, PixelType::float32, VdbCompression::blosc});
+    return all;
+}
+
+// The plain way: all of the tree in memory.
+FloatGrid::Ptr dense_grid(const BakedVolume& volume, int channel) {
+    const auto& size = volume.levels[0].size;
+    FloatGrid::Ptr grid = FloatGrid::create(0.0F);
+    grid->denseFill(openvdb::CoordBBox(Coord(0), Coord(size[0] - 1, size[1] - 1, size[2] - 1)),
+                    0.0F, true);
+    FloatGrid::Accessor values = grid->getAccessor();
+    for (int x = 0; x < size[0]; ++x) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int z = 0; z < size[2]; ++z) {
+                values.setValueOn(Coord(x, y, z), stored_voxel(volume, x, y, z, channel));
+            }
+        }
+    }
+    return grid;
+}
+
+// The bytes that OpenVDB makes of a tree.
+std::string tree_bytes(const FloatGrid& grid, const Case& tested) {
+    const std::map<VdbCompression, std::uint32_t> flags = {
+        {VdbCompression::none, openvdb::io::COMPRESS_ACTIVE_MASK},
+        {VdbCompression::zip, openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_ZIP},
+        {VdbCompression::blosc, openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_BLOSC}};
+    std::ostringstream out;
+    openvdb::io::setDataCompression(out, flags.at(tested.compression));
+    const bool half = tested.type == PixelType::half;
+    grid.tree().writeTopology(out, half);
+    grid.tree().writeBuffers(out, half);
+    return out.str();
+}
+
+std::string grid_name(const Case& tested, int channel) {
+    const char* names[] = {"R", "G", "B", "A"};
+    return tested.channels == 1 ? "density" : names[channel];
+}
+
+class VdbVolume : public ::testing::TestWithParam<Case> {
+  protected:
+    static void SetUpTestSuite() { openvdb::initialize(); }
+
+    void SetUp() override {
+        const Case& tested = GetParam();
+        volume_ = vdb_sample(tested.size, tested.channels, tested.type, tested.compression);
+        const auto written = write_sample(volume_, path_);
+        ASSERT_TRUE(written.value.has_value()) << written.diagnostics.at(0).message;
+        ASSERT_TRUE(*written.value);
+    }
+
+    TemporaryFolder folder_;
+    const std::filesystem::path path_ = folder_ / "shape.vdb";
+    BakedVolume volume_;
+};
+INSTANTIATE_TEST_SUITE_P(Sizes, VdbVolume, ::testing::ValuesIn(cases()), name_of);
+
+// Topology and values, bit by bit.
+TEST_P(VdbVolume, OpenVdbReadsTheDenseGrid) {
+    openvdb::io::File file(path_.string());
+    file.open();
+    for (int channel = 0; channel < GetParam().channels; ++channel) {
+        const auto grid =
+            openvdb::gridPtrCast<FloatGrid>(file.readGrid(grid_name(GetParam(), channel)));
+        const FloatGrid::Ptr wanted = dense_grid(volume_, channel);
+        ASSERT_TRUE(grid->tree().hasSameTopology(wanted->tree()));
+        auto value = grid->cbeginValueAll();
+        for (auto other = wanted->cbeginValueAll(); other; ++other, ++value) {
+            ASSERT_TRUE(value);
+            ASSERT_EQ(value.getCoord(), other.getCoord());
+            ASSERT_EQ(*value, *other) << value.getCoord();
+            ASSERT_EQ(value.isValueOn(), other.isValueOn()) << value.getCoord();
+        }
+        EXPECT_FALSE(value);
+    }
+}
+
+// The file ends with what OpenVDB writes for the last grid's tree.
+TEST_P(VdbVolume, TheTreeHasTheBytesThatOpenVdbWrites) {
+    const FloatGrid::Ptr grid = dense_grid(volume_, GetParam().channels - 1);
+    const std::string wanted = tree_bytes(*grid, GetParam());
+    const std::string bytes = testing::read_bytes(path_);
+    ASSERT_GT(bytes.size(), wanted.size());
+    EXPECT_TRUE(std::string_view(bytes).substr(bytes.size() - wanted.size()) == wanted);
+}
+
+TEST_P(VdbVolume, GridsSayWhatTheyAre) {
+    const auto& size = GetParam().size;
+    openvdb::io::File file(path_.string());
+    file.open();
+    EXPECT_EQ(file.readAllGridMetadata()->size(), static_cast<std::size_t>(GetParam().channels));
+    for (int channel = 0; channel < GetParam().channels; ++channel) {
+        const auto grid = file.readGrid(grid_name(GetParam(), channel));
+        EXPECT_TRUE(grid->isType<FloatGrid>());
+        EXPECT_EQ(grid->getGridClass(), openvdb::GRID_FOG_VOLUME);
+        EXPECT_EQ(openvdb::gridPtrCast<FloatGrid>(grid)->background(), 0.0F);
+        EXPECT_EQ(grid->saveFloatAsHalf(), GetParam().type == PixelType::half);
+        const openvdb::CoordBBox bounds = grid->evalActiveVoxelBoundingBox();
+        EXPECT_EQ(bounds.min(), Coord(0));
+        EXPECT_EQ(bounds.max(), Coord(size[0] - 1, size[1] - 1, size[2] - 1));
+        const std::int64_t count = VoxelBox{{}, size}.count();
+        EXPECT_EQ(grid->activeVoxelCount(), static_cast<openvdb::Index64>(count));
+        // What readers take instead of counting.
+        EXPECT_EQ(grid->metaValue<openvdb::Int64>("file_voxel_count"), count);
+        EXPECT_EQ(grid->metaValue<openvdb::Vec3i>("file_bbox_max"), bounds.max().asVec3i());
+        EXPECT_EQ(grid->metaValue<openvdb::Vec3i>("file_bbox_min"), openvdb::Vec3i(0));
+        EXPECT_EQ(grid->metaValue<std::string>("units"), "metres");
+        EXPECT_EQ(grid->metaValue<std::string>("up_axis"), "+z");
+        EXPECT_TRUE(grid->transform().isLinear());
+        EXPECT_TRUE(grid->hasUniformVoxels());
+        EXPECT_EQ(grid->indexToWorld(Coord(0)), openvdb::Vec3d(-87.5, 12.75, 10012.5));
+        EXPECT_EQ(grid->indexToWorld(Coord(1, 2, 3)), openvdb::Vec3d(-62.5, 62.75, 10087.5));
+    }
+    EXPECT_EQ(file.getMetadata()->metaValue<std::string>("skybake/kind"), "noise_volume");
+}
+
+TEST_P(VdbVolume, SlabsHoldTheVoxels) {
+    const auto& size = GetParam().size;
+    int next = 0;
+    long differing = 0;
+    const auto read = read_vdb_voxels(path_, [&](const VdbSlab& slab) {
+        EXPECT_EQ(slab.first_z, next);
+        EXPECT_EQ(slab.size, size);
+        next += slab.depth;
+        const float* value = slab.voxels.data();
+        for (int z = slab.first_z; z < next; ++z) {
+            for (int y = 0; y < size[1]; ++y) {
+                for (int x = 0; x < size[0]; ++x) {
+                    for (int channel = 0; channel < GetParam().channels; ++channel) {
+                        differing += *value++ != stored_voxel(volume_, x, y, z, channel);
+                    }
+                }
+            }
+        }
+        EXPECT_EQ(value, slab.voxels.data() + slab.voxels.size());
+        return true;
+    });
+    EXPECT_TRUE(read.value.has_value() && *read.value) << read.diagnostics.at(0).message;
+    EXPECT_EQ(next, size[2]);
+    EXPECT_EQ(differing, 0);
+}
+
+TEST(VdbVolumeBytes, DependOnNeitherThreadsNorRuns) {
+    const TemporaryFolder folder;
+    for (const VdbCompression compression : {VdbCompression::none, VdbCompression::blosc}) {
+        const BakedVolume volume = vdb_sample({140, 150, 133}, 2, PixelType::half, compression);
+        std::vector<std::string> files;
+        for (const int threads : {1, 2, 5, 1}) {
+            ASSERT_TRUE(write_sample(volume, folder / "v.vdb", threads).value.has_value());
+            files.push_back(testing::read_bytes(folder / "v.vdb"));
+        }
+        for (const std::string& file : files) EXPECT_TRUE(file == files[0]);
+    }
+}
+
+TEST(VdbVolumeBytes, TheUuidIsMadeOfTheContentHash) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_sample(vdb_sample({4, 4, 4}, 1, PixelType::half), folder / "v.vdb").value);
+    EXPECT_EQ(testing::read_bytes(folder / "v.vdb").substr(21, 36),
+              "01234567-89ab-cdef-0123-456789abcdef");
+}
+
+TEST(VdbVolumeBytes, ALongerOldFileLeavesNothingBehind) {
+    const TemporaryFolder folder;
+    const BakedVolume volume = vdb_sample({4, 4, 4}, 1, PixelType::half);
+    ASSERT_TRUE(write_sample(volume, folder / "new.vdb").value);
+    testing::write_bytes(folder / "old.vdb", std::string(1 << 20, 'x'));
+    ASSERT_TRUE(write_sample(volume, folder / "old.vdb").value);
+    EXPECT_TRUE(testing::read_bytes(folder / "old.vdb") == testing::read_bytes(folder / "new.vdb"));
+}
+
+TEST(VdbVolumeHalf, IsRoundedToNearestEven) {
+    // Every half and half of a unit in its last place, a little less and a little more.
+    const auto value = [](int x, int y, int z, int) {
+        const float exact = std::ldexp(static_cast<float>(1024 + x), y - 20);
+        const float ulp = std::ldexp(1.0F, y - 20);
+        const float halfway = exact + ulp / 2;
+        return z == 0   ? std::nextafter(halfway, 0.0F)
+               : z == 1 ? halfway
+                        : std::nextafter(halfway, INFINITY);
+    };
+    BakedVolume volume = vdb_sample({64, 12, 3}, 1, PixelType::half);
+    volume.levels[0].voxels = std::make_shared<testing::FunctionVoxels>(value);
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
+    const auto read = read_vdb_voxels(folder / "v.vdb", [&](const VdbSlab& slab) {
+        const float* stored = slab.voxels.data();
+        for (int z = 0; z < 3; ++z) {
+            for (int y = 0; y < 12; ++y) {
+                for (int x = 0; x < 64; ++x) {
+                    const int even = x % 2 == 0 ? x : x + 1;
+                    const int wanted = z == 0 ? x : z == 1 ? even : x + 1;
+                    EXPECT_EQ(*stored++, std::ldexp(static_cast<float>(1024 + wanted), y - 20));
+                }
+            }
+        }
+        return true;
+    });
+    EXPECT_TRUE(read.value.has_value());
+}
+
+TEST(VdbVolumeLevels, LieInTheSameBoxAsTheVolume) {
+    BakedVolume volume = vdb_sample({16, 16, 1}, 1, PixelType::float32);
+    volume.levels.push_back(volume.levels[0]);
+    volume.levels[1].size = {8, 8, 1};
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "v.vdb", "");
+    ASSERT_TRUE(write_vdb(volume, 1, {}, 1, nullptr, folder / "v.vdb").value);
+    const auto file = read_vdb(folder / "v.vdb");
+    ASSERT_TRUE(file.value.has_value());
+    EXPECT_EQ(file.value->grids[0].voxel_size, (std::array{50.0, 50.0, 25.0}));
+    EXPECT_EQ(file.value->grids[0].first_centre, (std::array{-75.0, 25.25, 10012.5}));
+}
+
+TEST(VdbVolumeInfo, SaysWhatTheFileHolds) {
+    const TemporaryFolder folder;
+    const BakedVolume volume = vdb_sample({9, 8, 7}, 4, PixelType::half, VdbCompression::zip);
+    ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
+    const auto file = read_vdb(folder / "v.vdb");
+    ASSERT_TRUE(file.value.has_value()) << file.diagnostics.at(0).message;
+    EXPECT_EQ(file.value->uuid, "01234567-89ab-cdef-0123-456789abcdef");
+    EXPECT_EQ(file.value->attributes,
+              (Attributes{{"skybake/kind", "noise_volume"}, {"skybake/release", "1"}}));
+    ASSERT_EQ(file.value->grids.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const VdbGrid& grid = file.value->grids[i];
+        EXPECT_EQ(grid.name, volume.channel_names[i]);
+        EXPECT_EQ(grid.type, "Tree_float_5_4_3");
+        EXPECT_EQ(grid.grid_class, "fog volume");
+        EXPECT_EQ(grid.compression, "zip + active values");
+        EXPECT_EQ(grid.voxel_size, (std::array{25.0, 25.0, 25.0}));
+        EXPECT_EQ(grid.first_centre, (std::array{-87.5, 12.75, 10012.5}));
+        EXPECT_EQ(grid.last_active, (std::array<std::int64_t, 3>{8, 7, 6}));
+        EXPECT_EQ(grid.active_voxels, 9 * 8 * 7);
+        EXPECT_TRUE(grid.half);
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,146 @@
+#include "bakers/io/verify_volume.h"
+
+#include <set>
+
+#include "bakers/core/hash.h"
+#include "bakers/io/verify.h"
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+using config::PixelType;
+using config::VolumeFormat;
+using testing::sample_volume;
+using testing::TemporaryFolder;
+using Checks = std::multiset<std::string>;
+
+Checks failed_checks(const std::filesystem::path& folder) {
+    const auto report = verify_bake(folder);
+    EXPECT_TRUE(report.value.has_value());
+    Checks checks;
+    for (const VerifyFailure& failure : report.value->failures) checks.insert(failure.check);
+    return checks;
+}
+
+void save(const std::filesystem::path& folder, const Manifest& manifest) {
+    ASSERT_TRUE(write_file_atomically(folder / manifest_name, manifest_json(manifest)).value);
+}
+
+// Replaces a file and what the manifest says of its bytes.
+void replace_file(const std::filesystem::path& folder, Manifest& manifest, std::size_t index,
+                  const std::string& bytes) {
+    ManifestFile& file = manifest.assets[0].files[index];
+    testing::write_bytes(folder / file.path, bytes);
+    file.bytes = bytes.size();
+    file.xxh3 = xxh3_hex(bytes);
+    save(folder, manifest);
+}
+
+TEST(VerifyVolume, AcceptsWhatWasWritten) {
+    for (const auto layout : {config::VolumeLayout::stack, config::VolumeLayout::atlas}) {
+        for (const int channels : {1, 3, 4}) {
+            const TemporaryFolder folder;
+            BakedVolume volume = sample_volume({13, 6, 7}, channels, PixelType::half,
+                                               {VolumeFormat::exr, VolumeFormat::bin}, 3);
+            volume.layout = layout;
+            testing::write_sample_volume(folder.path(), volume);
+            const auto report = verify_bake(folder.path());
+            ASSERT_TRUE(report.value.has_value());
+            for (const auto& failure : report.value->failures) {
+                ADD_FAILURE() << failure.file << " " << failure.check << " " << failure.message;
+            }
+            EXPECT_EQ(report.value->files, 6);
+            EXPECT_GT(report.value->checks, 6 * 16);
+            EXPECT_EQ(verify_bake(folder / "manifest.json").value->checks, report.value->checks);
+        }
+    }
+}
+
+TEST(VerifyVolume, AcceptsEachPixelTypeOfBareVoxels) {
+    for (const PixelType type :
+         {PixelType::float32, PixelType::half, PixelType::unorm8, PixelType::unorm16}) {
+        const TemporaryFolder folder;
+        testing::write_sample_volume(folder.path(),
+                                     sample_volume({64, 96, 80}, 4, type, {VolumeFormat::bin}));
+        EXPECT_EQ(failed_checks(folder.path()), Checks{});
+    }
+}
+
+TEST(VerifyVolume, AcceptsOpenVdb) {
+    for (const int channels : {1, 4}) {
+        const TemporaryFolder folder;
+        testing::write_sample_volume(
+            folder.path(),
+            sample_volume({17, 9, 21}, channels, PixelType::half, {VolumeFormat::vdb}, 2));
+        EXPECT_EQ(failed_checks(folder.path()), Checks{});
+    }
+}
+
+TEST(VerifyVolume, FindsSlicesInAnotherOrder) {
+    const TemporaryFolder folder;
+    const BakedVolume volume =
+        sample_volume({12, 10, 7}, 3, PixelType::half, {VolumeFormat::exr, VolumeFormat::bin});
+    Manifest manifest = testing::write_sample_volume(folder.path(), volume);
+    ExrImage image = *read_exr(folder / "shape.exr").value;
+    const Image2<float> old = image.pixels;
+    for (int z = 0; z < 7; ++z) {
+        std::copy_n(old.texel(0, 10 * z), 12 * 10 * 3, image.pixels.texel(0, 10 * (6 - z)));
+    }
+    replace_file(folder.path(), manifest, 0, *encode_exr(image).value);
+    const Checks failed = failed_checks(folder.path());
+    EXPECT_EQ(failed.count("content_hash"), 1U);
+    EXPECT_GT(failed.count("probe"), 8U);
+    EXPECT_EQ(failed.count("statistics"), 0U);
+    EXPECT_EQ(failed.count("metadata"), 0U);
+}
+
+TEST(VerifyVolume, FindsAChangedVoxel) {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_volume(
+        folder.path(), sample_volume({12, 10, 7}, 1, PixelType::half, {VolumeFormat::bin}));
+    std::string bytes = testing::read_bytes(folder / "shape.bin");
+    bytes[1001] = '\x44';  // the upper byte of voxel 500, now above 4
+    replace_file(folder.path(), manifest, 0, bytes);
+    const Checks failed = failed_checks(folder.path());
+    EXPECT_EQ(failed.count("content_hash"), 1U);
+    EXPECT_EQ(failed.count("statistics"), 1U);
+    bytes[1001] = '\x7e';  // not a number
+    replace_file(folder.path(), manifest, 0, bytes);
+    EXPECT_EQ(failed_checks(folder.path()).count("finite"), 1U);
+    replace_file(folder.path(), manifest, 0, bytes.substr(2));
+    EXPECT_EQ(failed_checks(folder.path()), Checks{"size"});
+}
+
+TEST(VerifyVolume, ComparesWhatTheManifestSays) {
+    const TemporaryFolder folder;
+    const BakedVolume volume = sample_volume({12, 10, 7}, 3, PixelType::half, {VolumeFormat::exr});
+    Manifest manifest = testing::write_sample_volume(folder.path(), volume);
+    manifest.assets[0].files[0].layout = SliceLayout{config::VolumeLayout::atlas, 2, 4};
+    save(folder.path(), manifest);
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"metadata", "size"}));
+    manifest = testing::write_sample_volume(folder.path(), volume);
+    manifest.assets[0].levels[0].probes[3].value[1] += 1e-6;
+    manifest.assets[0].levels[0].probes[4].tolerance.pop_back();
+    manifest.assets[0].files[0].compression = "piz";
+    save(folder.path(), manifest);
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"compression", "probe", "probe"}));
+    manifest = testing::write_sample_volume(folder.path(), volume);
+    manifest.assets[0].levels[0].statistics[2].max += 1e-3;
+    manifest.assets[0].seam_error = 0.5;
+    save(folder.path(), manifest);
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"metadata", "metadata", "statistics"}));
+}
+
+TEST(VerifyVolume, ReportsMissingAndDamagedFiles) {
+    const TemporaryFolder folder;
+    testing::write_sample_volume(
+        folder.path(),
+        sample_volume({12, 10, 7}, 3, PixelType::half, {VolumeFormat::exr, VolumeFormat::bin}));
+    std::filesystem::remove(folder / "shape.bin");
+    std::filesystem::resize_file(folder / "shape.exr", 3000);
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"bytes", "file", "format", "xxh3"}));
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,77 @@
+// Volumes for tests of what is done with voxels: values are simple functions of the indices.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/core/volume.h"
+
+namespace skybake::testing {
+
+// Calls a function of (x, y, z, channel) for each voxel.
+class FunctionVoxels : public VoxelSource {
+  public:
+    using Function = std::function<float(int x, int y, int z, int channel)>;
+    explicit FunctionVoxels(Function function) : function_(std::move(function)) {}
+
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            if (channels[c] == nullptr) continue;
+            float* out = channels[c];
+            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                    for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x) {
+                        *out++ = function_(x, y, z, static_cast<int>(c));
+                    }
+                }
+            }
+        }
+    }
+
+  private:
+    Function function_;
+};
+
+// In [0, 1], different for neighbours and channels, no half and no unorm.
+inline float sample_voxel(int x, int y, int z, int channel) {
+    const unsigned mixed =
+        static_cast<unsigned>(x) * 2654435761U + static_cast<unsigned>(y) * 2246822519U +
+        static_cast<unsigned>(z) * 3266489917U + static_cast<unsigned>(channel) * 668265263U;
+    return static_cast<float>(mixed >> 8) / 16777215.0F;
+}
+
+inline std::vector<std::string> channel_names(int channels) {
+    if (channels == 1) return {"Y"};
+    if (channels == 3) return {"R", "G", "B"};
+    return {"R", "G", "B", "A"};
+}
+
+// A volume of one level that has not been surveyed.
+inline BakedVolume plain_volume(const std::array<int, 3>& size, int channels,
+                                config::PixelType type,
+                                FunctionVoxels::Function function = sample_voxel) {
+    BakedVolume volume;
+    volume.name = "shape";
+    volume.kind = "noise_volume";
+    volume.content = "noise, without unit";
+    volume.mapping = "tile, voxel centres";
+    volume.axes[0] = {"x", "u = x", "voxel centres at (i + 1/2) / N", 0, 1};
+    volume.axes[1] = {"y", "v = y", "voxel centres at (i + 1/2) / N", 0, 1};
+    volume.axes[2] = {"z", "w = z", "voxel centres at (i + 1/2) / N", 0, 1};
+    volume.channel_names = channel_names(channels);
+    volume.pixel_type = type;
+    volume.formats = {config::VolumeFormat::exr};
+    volume.voxel_size_m = 25;
+    volume.up_axis = "+z";
+    volume.levels.resize(1);
+    volume.levels[0].size = size;
+    volume.levels[0].voxels = std::make_shared<FunctionVoxels>(std::move(function));
+    volume.parameters = "[noise.shape]\nseed = 7\n";
+    volume.details = {{"baker_version", "1"}};
+    return volume;
+}
+
+}  // namespace skybake::testing
