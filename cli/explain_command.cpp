@@ -47,7 +47,7 @@ Command explain_command() {
                        .required = false}},
         .examples = {{"skybake explain atmosphere.layers.mie.g", "unit, range, default, source"},
                      {"skybake explain scale_height", "the same by the key alone"},
-                     {"skybake explain noise", "all keys of noises and their channels"},
+                     {"skybake explain noise.shape.channels", "the keys of a noise's channels"},
                      {"skybake explain E0102", "an error, and how to put it right"}},
         .run = run};
 }

@@ -1,10 +1,13 @@
 #include "cli/report_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <array>
 #include <string_view>
 
 #include "bakers/io/spelling.h"
+#include "bakers/report/sweep.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
@@ -26,9 +29,11 @@ std::string error_text(const ErrorFigures& figures) {
 }
 
 std::string front_text(const ReportRow& row) {
-    if (row.on_lookup_front && row.on_texel_front) return "lookup, texel";
-    if (row.on_lookup_front) return "lookup";
-    return row.on_texel_front ? "texel" : "";
+    std::vector<std::string_view> fronts;
+    if (row.on_lookup_front) fronts.emplace_back("lookup");
+    if (row.on_texel_front) fronts.emplace_back("texel");
+    if (row.volume_file && row.volume_file->on_bytes_front) fronts.emplace_back("bytes");
+    return fmt::format("{}", fmt::join(fronts, ", "));
 }
 
 std::string remark_of(const ReportRow& row) {
@@ -37,21 +42,62 @@ std::string remark_of(const ReportRow& row) {
     return fmt::format("{}{}baseline: {}", own, own.empty() ? "" : ", ", row.baseline);
 }
 
-std::string rows_text(const std::vector<ReportRow>& rows) {
-    TextTable table({Align::left, Align::left, Align::right, Align::left, Align::right,
-                     Align::right, Align::right, Align::right, Align::left, Align::left});
-    table.add_row({"family", "variant", "size", "type", "file", "time", "texel error max / rms",
-                   "lookup error max / rms", "front", ""});
+// A column of the table; those of volumes alone are left out of other tables.
+struct Column {
+    std::string_view title;
+    Align align;
+    std::string (*cell)(const ReportRow& row);
+    bool of_volumes = false;
+};
+
+constexpr std::array<Column, 10> kColumns = {{
+    {"variant", Align::left, [](const ReportRow& row) { return row.variant; }},
+    {"size", Align::right, [](const ReportRow& row) { return size_text(row.size); }},
+    {"type", Align::left, [](const ReportRow& row) { return std::string(spell(row.pixel_type)); }},
+    {"file", Align::right, [](const ReportRow& row) { return bytes_text(row.file_bytes); }},
+    {"time", Align::right, [](const ReportRow& row) { return time_text(row.time_ms); }},
+    {"write", Align::right,
+     [](const ReportRow& row) { return time_text(row.volume_file->write_ms); }, true},
+    {"texel error max / rms", Align::right,
+     [](const ReportRow& row) { return error_text(row.texel); }},
+    {"lookup error max / rms", Align::right,
+     [](const ReportRow& row) { return error_text(row.lookup); }},
+    {"front", Align::left, front_text},
+    {"", Align::left, remark_of},
+}};
+
+std::string rows_text(const AssetReport& asset) {
+    std::vector<Align> alignment = {Align::left};
+    std::vector<std::string> heading = {"family"};
+    std::vector<const Column*> columns;
+    for (const Column& column : kColumns) {
+        if (column.of_volumes && !asset.volume) continue;
+        columns.push_back(&column);
+        alignment.push_back(column.align);
+        heading.emplace_back(column.title);
+    }
+    TextTable table(alignment);
+    table.add_row(heading);
     std::string family;
-    for (const ReportRow& row : rows) {
-        table.add_row({row.family == family ? "" : row.family, row.variant,
-                       fmt::format("{}x{}", row.size[0], row.size[1]),
-                       std::string(spell(row.pixel_type)), bytes_text(row.file_bytes),
-                       time_text(row.time_ms), error_text(row.texel), error_text(row.lookup),
-                       front_text(row), remark_of(row)});
+    for (const ReportRow& row : asset.rows) {
+        std::vector<std::string> cells = {row.family == family ? "" : row.family};
+        for (const Column* column : columns) cells.push_back(column->cell(row));
+        table.add_row(std::move(cells));
         family = row.family;
     }
     return table.text();
+}
+
+std::string volume_text(const VolumeFacts& volume) {
+    const int count = volume.write_repetitions;
+    std::string text = fmt::format("  write: processor time of a file in memory, one thread, {}\n",
+                                   count == 1 ? "once" : fmt::format("median of {}", count));
+    for (std::size_t c = 0; c < volume.channels.size(); ++c) {
+        const ValueStatistics& channel = volume.statistics[c];
+        text += fmt::format("  {}: {:.4f} to {:.4f}, mean {:.4f}\n", volume.channels[c],
+                            channel.min, channel.max, channel.mean);
+    }
+    return text + fmt::format("  seam: {:.2g}\n", volume.seam_error);
 }
 
 std::string asset_text(const AssetReport& asset) {
@@ -59,11 +105,14 @@ std::string asset_text(const AssetReport& asset) {
         "{}\n"
         "  error: {}, against {} ({} lookups, up to {} texels)\n"
         "  time: {}, median of {}\n"
+        "{}"
         "  front: no variant is closer in as little time (within 5 %), in lookups or in texels at "
-        "one size\n\n",
-        asset.kind == asset.name ? asset.name : asset.name + " (" + asset.kind + ")", asset.scale,
-        asset.reference, asset.lookup_points, asset.texel_points, asset.timing, asset.repetitions);
-    text += rows_text(asset.rows);
+        "one size{}\n\n",
+        asset.kind == asset.name ? asset.name : fmt::format("{} ({})", asset.name, asset.kind),
+        asset.scale, asset.reference, asset.lookup_points, asset.texel_points, asset.timing,
+        asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
+        asset.volume ? "; errors to two digits; bytes: none is closer in as few" : "");
+    text += rows_text(asset);
     for (const std::string& note : asset.notes) text += fmt::format("  {}\n", note);
     return text;
 }

@@ -16,7 +16,8 @@ constexpr Range bias_range{0.001, 0.999};  // beyond, single precision divides b
 constexpr Range level_range{1, 15};
 constexpr Range column_range{1, 16384};
 
-constexpr std::string_view perlin_2002 = "Perlin 2002, Improving Noise";
+constexpr std::string_view perlin_and_worley =
+    "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function";
 constexpr std::string_view worley_1996 = "Worley 1996, A Cellular Texture Basis Function";
 constexpr std::string_view schneider_2015 =
     "Schneider and Vos 2015, The Real-Time Volumetric Cloudscapes of Horizon: Zero Dawn";
@@ -139,7 +140,8 @@ const std::array channel_table = {
                        .kind = Kind::choice,
                        .choices = type_choices,
                        .required = true,
-                       .documentation = "kind of noise"},
+                       .documentation = "kind of noise",
+                       .citation = perlin_and_worley},
                       &NoiseChannel::type},
     NoiseChannelField{{.key = "value",
                        .kind = Kind::number,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <variant>
 
 #include "bakers/io/read_file.h"
 #include "bakers/io/release.h"
@@ -13,6 +14,12 @@ Manifest new_manifest(const config::Recipe& recipe) {
     manifest.tool_name = tool_name();
     manifest.tool_version = release();
     manifest.parameters = parameters_json(recipe.values);
+    // A recipe of volumes alone has wavelengths too, which mean nothing for them.
+    const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
+    const bool has_tables = std::any_of(bakes.begin(), bakes.end(), [](const config::Bake& bake) {
+        return !std::holds_alternative<config::NoiseVolumeBake>(bake.asset);
+    });
+    if (!has_tables) return manifest;
     for (const config::Length& wavelength : recipe.parameters.wavelengths) {
         manifest.wavelengths_nm.push_back(wavelength.meters * 1e9);
     }

@@ -5,7 +5,8 @@
 // `R`, `G`, `B`, `A`. Grids are FloatGrids of class fog volume with background 0. *Every* voxel of
 // the volume is active, those of value 0 too: the active voxels are the volume, voxels (0, 0, 0) to
 // size - 1. Values are half or float; halves are rounded to nearest even. Voxel i is centred on
-// minimum_m + (i + 1/2) h in metres, without rotation, h being the uniform edge of a voxel.
+// minimum_m + (i + 1/2) h in metres, without rotation; h is volume.voxel_size_m along each axis,
+// and so much more in a level as it has fewer voxels along that axis.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ namespace skybake {
 // UUID is made of the level's content hash). True when the file is complete, false once
 // progress->cancelled(); the file is then incomplete, as it is after an error.
 // E0301: it cannot be written; the message has the system's reason.
-// E0401: a voxel is NaN or infinite. E0402: a voxel is beyond ±65504 in a half file.
+// E0401: a voxel is NaN or infinite. E0402: a voxel rounds to an infinite half.
 // E0500: a level, pixel type, hash or shape that VDB files do not have (a mistake of the program).
 config::Outcome<bool> write_vdb(const BakedVolume& volume, int level, const Attributes& attributes,
                                 int threads, Progress* progress, const std::filesystem::path& path);
@@ -67,10 +68,10 @@ struct VdbSlab {
 };
 
 // Hands the voxels of a file as write_vdb makes them to `visit`, slab after slab from z = 0 on, of
-// at most 8 planes. Memory does not grow with the depth. The channels are in the order R, G, B, A.
-// Ends early, with false, once visit returns false.
-// E0300: it cannot be read. E0304: it is damaged, or is not such a file (grids of another type,
-// different extents, a bounding box that does not begin at the origin, inactive voxels, tiles).
+// at most 8 planes. Memory is a slab and 8 bytes per leaf. The channels are in the order R,
+// G, B, A. Ends early, with false, once visit returns false. E0300: it cannot be read. E0304: it is
+// damaged, or is not such a file (grids of another type, different extents, a bounding box that
+// does not begin at the origin, inactive voxels, tiles).
 config::Outcome<bool> read_vdb_voxels(const std::filesystem::path& path,
                                       const std::function<bool(const VdbSlab& slab)>& visit);
 

@@ -396,6 +396,10 @@ void fill_blocks(const CellField& field, const BlockShape& shape, CellLattice& l
         block.box.origin[2] = chunk.origin[2] + z;
         block.box.size[2] = std::min(shape.depth, chunk.size[2] - z);
         block.extent[2] = extent(2, block);
+        const auto fill = block.box.size[2] > 4   ? fill_block<8, kSecond>
+                          : block.box.size[2] > 2 ? fill_block<4, kSecond>
+                          : block.box.size[2] > 1 ? fill_block<2, kSecond>
+                                                  : fill_block<1, kSecond>;
         for (int y = 0; y < chunk.size[1]; y += shape.rows) {
             block.box.origin[1] = chunk.origin[1] + y;
             block.box.size[1] = std::min(shape.rows, chunk.size[1] - y);
@@ -404,11 +408,7 @@ void fill_blocks(const CellField& field, const BlockShape& shape, CellLattice& l
                 block.box.origin[0] = chunk.origin[0] + x;
                 block.box.size[0] = std::min(across, chunk.size[0] - x);
                 block.extent[0] = extent(0, block);
-                if (block.box.size[2] > 4) {
-                    fill_block<8, kSecond>(field, block, shape, lattice, candidates, target);
-                } else {
-                    fill_block<4, kSecond>(field, block, shape, lattice, candidates, target);
-                }
+                fill(field, block, shape, lattice, candidates, target);
             }
         }
     }

@@ -10,15 +10,12 @@
 #include <vector>
 
 #include "bakers/io/write_table.h"
-#include "bakers/report/pareto_front.h"
+#include "bakers/report/row_fronts.h"
 #include "bakers/report/thread_time.h"
 
 namespace skybake {
 
 namespace {
-
-// Medians of equal work have been seen to differ by so much.
-constexpr double kTimingNoise = 0.05;
 
 // Texels that variants share: the pixel type does not change them.
 struct Texels {
@@ -105,23 +102,9 @@ ReportRow describe(const Variant& variant, const BakedTable& baked) {
     row.baseline = variant.baseline;
     row.of_recipe = variant.of_recipe;
     row.in_quadrature_sweep = variant.in_quadrature_sweep;
-    row.size = variant.size;
+    row.size.assign(variant.size.begin(), variant.size.end());
     row.pixel_type = variant.pixel_type;
     return row;
-}
-
-// Marks the rows that `takes_part` accepts and that no other of them beats.
-void mark_front(std::vector<ReportRow>& rows, bool ReportRow::*mark, ErrorFigures ReportRow::*error,
-                const std::function<bool(const ReportRow&)>& takes_part) {
-    std::vector<CostAndError> choices;
-    std::vector<ReportRow*> taking_part;
-    for (ReportRow& row : rows) {
-        if (!takes_part(row)) continue;
-        choices.push_back({row.time_ms, (row.*error).rms});
-        taking_part.push_back(&row);
-    }
-    const std::vector<bool> front = pareto_front(choices, kTimingNoise);
-    for (std::size_t i = 0; i < front.size(); ++i) taking_part[i]->*mark = front[i];
 }
 
 }  // namespace
@@ -160,10 +143,7 @@ std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const BakedTable&
         row.texel = measure_lookups(*variant.truth, table.image, centres).figures;
         measured.rows.push_back(std::move(row));
     }
-    mark_front(measured.rows, &ReportRow::on_lookup_front, &ReportRow::lookup,
-               [](const ReportRow&) { return true; });
-    mark_front(measured.rows, &ReportRow::on_texel_front, &ReportRow::texel,
-               [](const ReportRow& row) { return row.in_quadrature_sweep; });
+    mark_time_fronts(measured.rows, [](double rms) { return rms; });
     return measured;
 }
 

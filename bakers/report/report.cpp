@@ -12,6 +12,7 @@
 #include "bakers/registry.h"
 #include "bakers/report/measure_sweep.h"
 #include "bakers/report/multiple_scattering_sweep.h"
+#include "bakers/report/noise_volume_report.h"
 #include "bakers/report/transmittance_sweep.h"
 
 namespace skybake {
@@ -72,10 +73,8 @@ Sweep sweep_of(const Bake& bake, const Medium& medium, const BakedTable& baked,
                                      level, options.quick, options.threads);
 }
 
-}  // namespace
-
-Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake,
-                                  const ReportOptions& options) {
+Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake& bake,
+                                        const ReportOptions& options) {
     Outcome<AssetReport> outcome;
     const BakeOptions bake_options{.threads = options.threads, .progress = options.progress};
     AssetReport report;
@@ -107,6 +106,16 @@ Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake
     report.notes.insert(report.notes.end(), measured->notes.begin(), measured->notes.end());
     outcome.value = std::move(report);
     return outcome;
+}
+
+}  // namespace
+
+Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake,
+                                  const ReportOptions& options) {
+    if (std::holds_alternative<config::NoiseVolumeBake>(bake.asset)) {
+        return report_noise_volume(recipe, bake, options);
+    }
+    return report_table_asset(recipe, bake, options);
 }
 
 }  // namespace skybake

@@ -2,46 +2,67 @@
 // its error and its bytes, beside the baselines of the papers.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bakers/core/baked_table.h"
 #include "bakers/core/progress.h"
+#include "bakers/core/volume.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 
 namespace skybake {
 
-// One variant of an asset.
+// What is measured of a volume's file and not of a table's.
+struct VolumeFile {
+    config::VolumeFormat format = config::VolumeFormat::exr;
+    std::string compression;  // "zip", "blosc", "none"
+    double write_ms = 0;      // processor time of encoding and writing it to memory on one thread
+    bool on_bytes_front = false;  // Pareto: file_bytes against lookup.rms, among all rows
+};
+
+// One variant of an asset. On the fronts, errors of a volume count to two digits.
 struct ReportRow {
-    std::string asset;                 // NAME of [bake.NAME]
-    std::string family;                // what it shares with others: "exact, half", "midpoint rule"
-    std::string variant;               // what it differs in: "256x64", "40 steps", "level 3"
-    std::string baseline;              // the name of a baseline, or empty
-    bool of_recipe = false;            // the one that `bake` makes of the recipe
-    bool in_quadrature_sweep = false;  // same size, mapping and pixel type as others of that sweep
-    std::array<int, 2> size{};
+    std::string asset;    // NAME of [bake.NAME]
+    std::string family;   // what it shares with others: "exact, half", "midpoint rule", "bin, half"
+    std::string variant;  // what it differs in: "256x64", "40 steps", "level 3", "exr zip"
+    std::string baseline;    // the name of a baseline, or empty
+    bool of_recipe = false;  // the one that `bake` makes of the recipe
+    // Same size, mapping and pixel type as others of that sweep, which differ in what they sum:
+    // steps, directions, octaves.
+    bool in_quadrature_sweep = false;
+    std::vector<int> size;  // texels along u, v; voxels along x, y, z
     config::PixelType pixel_type = config::PixelType::float32;
     std::uint64_t file_bytes = 0;
-    double time_ms = 0;  // processor time of making the texels on one thread
+    double time_ms = 0;  // processor time of making the texels or voxels on one thread
     ErrorFigures texel;
     ErrorFigures lookup;
     bool on_lookup_front = false;  // Pareto: time against lookup.rms, among all rows of the asset
     bool on_texel_front = false;   // Pareto: time against texel.rms, within the quadrature sweep
+    std::optional<VolumeFile> volume_file;  // none of a table
+};
+
+// What is said of a volume and not of a table.
+struct VolumeFacts {
+    std::vector<std::string> channels;
+    std::vector<ValueStatistics> statistics;  // of the recipe's volume as stored, one per channel
+    double seam_error = 0;
+    int write_repetitions = 0;  // write times are medians of so many
 };
 
 struct AssetReport {
     std::string name;
-    std::string kind;       // "transmittance", "multiple_scattering"
+    std::string kind;       // "transmittance", "multiple_scattering", "noise_volume"
     std::string reference;  // what errors were measured against
     std::string scale;      // what an error of 1 means
     std::string timing;     // what the times are
     int texel_points = 0;   // at most so many texels were compared
     int lookup_points = 0;
-    int repetitions = 0;             // times are medians of so many
-    std::vector<std::string> notes;  // what was left out, and why
+    int repetitions = 0;                // times are medians of so many
+    std::vector<std::string> notes;     // what was left out, and why
+    std::optional<VolumeFacts> volume;  // none of a table
     std::vector<ReportRow> rows;
 };
 
@@ -52,7 +73,7 @@ struct ReportOptions {
 };
 
 // Sweeps and measures one section of a recipe. Errors are pure functions of the parameters; times
-// are not. No value and no diagnostics: the user has interrupted. Diagnostics as of bake_table.
+// are not. No value and no diagnostics: the user has interrupted. Diagnostics as of bake_asset.
 config::Outcome<AssetReport> report_asset(const config::Recipe& recipe, const config::Bake& bake,
                                           const ReportOptions& options);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bakers/report/svg_plot.h"
+#include "bakers/report/sweep.h"
 
 namespace skybake {
 
@@ -31,9 +32,9 @@ std::string tooltip_of(const ReportRow& row) {
         row.family, row.variant, row.time_ms, row.lookup.rms, row.lookup.max, row.texel.rms);
 }
 
-PlotPoint point_of(const ReportRow& row, int family, double error, bool on_front) {
+PlotPoint point_of(const ReportRow& row, int family, double cost, double error, bool on_front) {
     PlotPoint point;
-    point.x = row.time_ms;
+    point.x = cost;
     point.y = error;
     point.family = family;
     point.label = label_of(row, on_front);
@@ -59,15 +60,28 @@ std::string report_svg(const AssetReport& asset) {
     PlotPanel texels;
     texels.x_title = lookups.x_title;
     texels.y_title = "texel error, RMS";
+    PlotPanel bytes;
+    bytes.title = "Lookups between texels: bytes";
+    bytes.x_title = "file (KiB)";
+    bytes.y_title = lookups.y_title;
     for (const ReportRow& row : asset.rows) {
         const int family = family_index(plot.families, row.family);
-        lookups.points.push_back(point_of(row, family, row.lookup.rms, row.on_lookup_front));
+        lookups.points.push_back(
+            point_of(row, family, row.time_ms, row.lookup.rms, row.on_lookup_front));
         if (row.in_quadrature_sweep) {
-            texels.title = fmt::format("Texels: quadratures at {}x{}", row.size[0], row.size[1]);
-            texels.points.push_back(point_of(row, family, row.texel.rms, row.on_texel_front));
+            texels.title =
+                fmt::format("Texels: {} at {}", row.volume_file ? "octaves" : "quadratures",
+                            size_text(row.size));
+            texels.points.push_back(
+                point_of(row, family, row.time_ms, row.texel.rms, row.on_texel_front));
+        }
+        if (row.volume_file) {
+            bytes.points.push_back(point_of(row, family, static_cast<double>(row.file_bytes) / 1024,
+                                            row.lookup.rms, row.volume_file->on_bytes_front));
         }
     }
     plot.panels = {std::move(lookups), std::move(texels)};
+    if (asset.volume) plot.panels.push_back(std::move(bytes));
     return svg_of(plot);
 }
 

@@ -1,5 +1,5 @@
 // The picture of an asset's report: time against lookup error, and against texel error for the
-// quadrature sweep.
+// quadrature sweep; of volumes, bytes against lookup error too.
 #pragma once
 
 #include <string>

@@ -16,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// One list of columns for both forms.
+// One list of columns for both forms, and one of those that volumes alone have: empty cells of a
+// table's rows.
 struct Column {
     std::string_view name;
     std::function<Json(const ReportRow&)> value;
@@ -45,6 +46,18 @@ const std::vector<Column>& columns() {
     return all;
 }
 
+const std::vector<Column>& volume_columns() {
+    static const std::vector<Column> all = {
+        {"depth", [](const ReportRow& row) { return Json(row.size[2]); }},
+        {"format", [](const ReportRow& row) { return Json(spell(row.volume_file->format)); }},
+        {"compression", [](const ReportRow& row) { return Json(row.volume_file->compression); }},
+        {"write_ms", [](const ReportRow& row) { return Json(row.volume_file->write_ms); }},
+        {"on_bytes_front",
+         [](const ReportRow& row) { return Json(row.volume_file->on_bytes_front); }},
+    };
+    return all;
+}
+
 std::string dump(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
@@ -62,31 +75,57 @@ std::string csv_cell(const Json& value) {
     return quoted + '"';
 }
 
+Json to_json(const ReportRow& row) {
+    Json entry = Json::object();
+    for (const Column& column : columns()) entry[std::string(column.name)] = column.value(row);
+    if (!row.volume_file) return entry;
+    for (const Column& column : volume_columns()) {
+        entry[std::string(column.name)] = column.value(row);
+    }
+    return entry;
+}
+
+Json statistics_json(const VolumeFacts& volume) {
+    Json list = Json::array();
+    for (std::size_t c = 0; c < volume.channels.size(); ++c) {
+        const ValueStatistics& channel = volume.statistics[c];
+        list.push_back({{"channel", volume.channels[c]},
+                        {"min", channel.min},
+                        {"max", channel.max},
+                        {"mean", channel.mean}});
+    }
+    return list;
+}
+
 Json to_json(const AssetReport& asset) {
     Json rows = Json::array();
-    for (const ReportRow& row : asset.rows) {
-        Json entry = Json::object();
-        for (const Column& column : columns()) entry[std::string(column.name)] = column.value(row);
-        rows.push_back(std::move(entry));
+    for (const ReportRow& row : asset.rows) rows.push_back(to_json(row));
+    Json json = {{"name", asset.name},
+                 {"kind", asset.kind},
+                 {"reference", asset.reference},
+                 {"scale", asset.scale},
+                 {"timing", asset.timing},
+                 {"repetitions", asset.repetitions},
+                 {"texel_points", asset.texel_points},
+                 {"lookup_points", asset.lookup_points},
+                 {"notes", asset.notes}};
+    if (asset.volume) {
+        json["write_repetitions"] = asset.volume->write_repetitions;
+        json["statistics"] = statistics_json(*asset.volume);
+        json["seam_error"] = asset.volume->seam_error;
     }
-    return {{"name", asset.name},
-            {"kind", asset.kind},
-            {"reference", asset.reference},
-            {"scale", asset.scale},
-            {"timing", asset.timing},
-            {"repetitions", asset.repetitions},
-            {"texel_points", asset.texel_points},
-            {"lookup_points", asset.lookup_points},
-            {"notes", asset.notes},
-            {"rows", std::move(rows)}};
+    json["rows"] = std::move(rows);
+    return json;
 }
 
 }  // namespace
 
 std::string report_csv(const std::vector<AssetReport>& assets) {
     std::string text;
-    for (const Column& column : columns()) {
-        text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+    for (const auto* list : {&columns(), &volume_columns()}) {
+        for (const Column& column : *list) {
+            text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+        }
     }
     text += '\n';
     for (const AssetReport& asset : assets) {
@@ -95,6 +134,10 @@ std::string report_csv(const std::vector<AssetReport>& assets) {
             for (const Column& column : columns()) {
                 if (&column != &columns().front()) line += ',';
                 line += csv_cell(column.value(row));
+            }
+            for (const Column& column : volume_columns()) {
+                line += ',';
+                if (row.volume_file) line += csv_cell(column.value(row));
             }
             text += line + '\n';
         }

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,17 +39,20 @@ struct Sweep {
     std::vector<Variant> variants;
 };
 
-// Sizes that are the given one times the factors, at least 2 texels an axis unless the size
-// itself has 1, without those of more
-// than `max_texels` and without duplicates.
-std::vector<std::array<int, 2>> sizes_around(std::array<int, 2> size,
-                                             const std::vector<std::array<double, 2>>& factors,
-                                             long max_texels);
+// Sizes of tables (2 axes) and volumes (3) that are the given one times the factors, at least 2
+// texels an axis unless the size itself has 1, without those of more than `max_texels` and without
+// duplicates.
+template <std::size_t Axes>
+std::vector<std::array<int, Axes>> sizes_around(
+    std::array<int, Axes> size, const std::vector<std::array<double, Axes>>& factors,
+    std::int64_t max_texels);
 
-// The size halved on both axes until it has no more than `max_texels` (at least 4).
-std::array<int, 2> size_within(std::array<int, 2> size, long max_texels);
+// The size halved on all axes until it has no more than `max_texels` (at least 2 to the number of
+// axes).
+template <std::size_t Axes>
+std::array<int, Axes> size_within(std::array<int, Axes> size, std::int64_t max_texels);
 
 // "256x64"
-std::string size_text(std::array<int, 2> size);
+std::string size_text(std::span<const int> size);
 
 }  // namespace skybake

@@ -21,13 +21,14 @@ forbid '(bakers|cli)/' config "$none"
 forbid 'cli/' 'config bakers' "$none"
 forbid 'toml\+\+' 'config bakers cli' 'config/toml_source\.cpp'
 forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
-forbid '(OpenEXR|Imf)' 'config bakers cli' 'bakers/io/exr\.cpp'
+forbid '(OpenEXR|Imf)' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp|bakers/io/exr_library\.h'
+forbid 'bakers/io/exr_library\.h' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp'
 forbid 'openvdb/' 'config bakers cli' 'bakers/io/vdb_(decoder|encoder)\.cpp|bakers/io/vdb_library\.h'
-forbid 'Imath' 'config bakers cli' '(bakers/io/exr|bakers/core/pixel_type)\.cpp'
+forbid 'Imath' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp'
 forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/core/parallel_tbb\.cpp'
-forbid 'xxh' 'config bakers cli' 'bakers/io/hash\.cpp'
+forbid 'xxh' 'config bakers cli' 'bakers/core/hash\.cpp'
 forbid '(thread|mutex|OpenEXR)' config "$none"
 # The reading and writing of files, and the console, are not a baker's business.
-forbid '(iostream|fstream|bakers/io/)' 'bakers/core bakers/atmosphere' "$none"
+forbid '(iostream|fstream|bakers/io/)' 'bakers/core bakers/atmosphere bakers/noise' "$none"
 
 exit "$failures"

@@ -237,7 +237,7 @@ TEST(ExplainCommand, ExplainsKeysAndCodes) {
     EXPECT_TRUE(contains(run_words({"explain", "layers.*.g"}).out, "typical haze 0.76"));
     EXPECT_TRUE(contains(run_words({"explain", "E0102"}).out, "E0102: unknown key"));
     EXPECT_TRUE(contains(run_words({"explain"}).out, "[atmosphere.layers.*]"));
-    EXPECT_TRUE(contains(run_words({"explain", "noise"}).out, "worley_gains"));
+    EXPECT_TRUE(contains(run_words({"explain", "noise.shape.channels"}).out, "worley_gains"));
     EXPECT_TRUE(contains(run_words({"explain", "W0203"}).out, "four voxels a cell"));
     const Result unknown = run_words({"explain", "scale_hieght"});
     EXPECT_EQ(unknown.code, 2);

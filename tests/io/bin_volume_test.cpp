@@ -77,7 +77,7 @@ TEST(BinVolume, ReadsBackAndDoesNotDependOnThreads) {
                 return true;
             };
             EXPECT_EQ(read_bin_volume(folder / "a.bin", size, 4, type, visit).value, true);
-            EXPECT_EQ(next, VoxelBox({}, size).count());
+            EXPECT_EQ(next, (VoxelBox{{}, size}.count()));
             EXPECT_EQ(wrong, 0);
         }
     }

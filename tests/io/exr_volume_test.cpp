@@ -1,5 +1,7 @@
 #include "bakers/io/exr_volume.h"
 
+#include <fmt/format.h>
+
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -144,7 +146,7 @@ TEST(ExrVolume, ReadsBackInTheOrderOfTheVoxels) {
         };
         const SliceLayout layout = volume_layout(shape.size, shape.layout, shape.columns);
         EXPECT_EQ(read_exr_volume(*image.value, shape.size, layout, visit).value, true);
-        EXPECT_EQ(next, VoxelBox({}, shape.size).count());
+        EXPECT_EQ(next, (VoxelBox{{}, shape.size}.count()));
         EXPECT_EQ(wrong, 0);
     }
 }

@@ -139,7 +139,7 @@ TEST(VerifyVolume, ReportsMissingAndDamagedFiles) {
         sample_volume({12, 10, 7}, 3, PixelType::half, {VolumeFormat::exr, VolumeFormat::bin}));
     std::filesystem::remove(folder / "shape.bin");
     std::filesystem::resize_file(folder / "shape.exr", 3000);
-    EXPECT_EQ(failed_checks(folder.path()), (Checks{"bytes", "file", "format", "xxh3"}));
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"bytes", "file", "voxels", "xxh3"}));
 }
 
 }  // namespace

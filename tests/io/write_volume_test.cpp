@@ -1,5 +1,7 @@
 #include "bakers/io/write_volume.h"
 
+#include <fmt/format.h>
+
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -11,6 +13,7 @@
 #include <csignal>
 #include <functional>
 
+#include "bakers/core/hash.h"
 #include "bakers/io/exr_rows.h"
 #include "bakers/io/file_names.h"
 #include "bakers/io/metadata.h"

@@ -23,7 +23,9 @@ void on_every_target(const Check& check) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-inline int target_count() { return std::popcount(static_cast<std::uint64_t>(hwy::SupportedTargets())); }
+inline int target_count() {
+    return std::popcount(static_cast<std::uint64_t>(hwy::SupportedTargets()));
+}
 
 // Values that differ in a bit, and words on the first of them.
 struct Mismatches {

@@ -44,12 +44,9 @@ inline config::NoiseChannel perlin(const std::vector<Frequency>& frequencies,
     return channel;
 }
 
-// Octaves as they are, neither halved nor shifted as fbm is, for frequencies of one octave:
-// billow's |n| and ridged's 1 - |n| have lost the sign, rectified all that is negative.
-inline config::NoiseChannel worley(
-    const std::vector<Frequency>& frequencies,
-    config::WorleyFeature feature = config::WorleyFeature::f1,
-    config::WorleyValue value_form = config::WorleyValue::distance) {
+inline config::NoiseChannel worley(const std::vector<Frequency>& frequencies,
+                                   config::WorleyFeature feature = config::WorleyFeature::f1,
+                                   config::WorleyValue value_form = config::WorleyValue::distance) {
     config::NoiseChannel channel = channel_of(config::NoiseType::worley, frequencies);
     channel.feature = feature;
     channel.value_form = value_form;
@@ -71,20 +68,21 @@ inline config::Noise noise_of(std::vector<config::NoiseChannel> channels, std::u
     return noise;
 }
 
-// A channel of every kind, in one noise. Four fit in a file, but a plan takes any number.
-inline config::Noise noise_of_all_kinds(const std::vector<Frequency>& frequencies,
-                                        std::uint64_t seed = 7) {
+// Noises that have all kinds of channels between them.
+inline std::vector<config::Noise> noises_of_all_kinds(const std::vector<Frequency>& frequencies,
+                                                      std::uint64_t seed = 7) {
     using config::WorleyFeature;
     using config::WorleyValue;
-    return noise_of({perlin(frequencies), perlin(frequencies, config::NoiseFractal::ridged),
-                     worley(frequencies),
-                     worley(frequencies, WorleyFeature::f2, WorleyValue::one_minus_distance),
-                     worley(frequencies, WorleyFeature::f2_minus_f1,
-                            WorleyValue::one_minus_distance_squared),
-                     channel_of(config::NoiseType::perlin_worley, frequencies),
-                     curl(frequencies, config::CurlComponent::x),
-                     curl(frequencies, config::CurlComponent::y)},
-                    seed);
+    return {noise_of({perlin(frequencies), perlin(frequencies, config::NoiseFractal::ridged),
+                      channel_of(config::NoiseType::perlin_worley, frequencies),
+                      curl(frequencies, config::CurlComponent::x)},
+                     seed),
+            noise_of({worley(frequencies),
+                      worley(frequencies, WorleyFeature::f2, WorleyValue::one_minus_distance),
+                      worley(frequencies, WorleyFeature::f2_minus_f1,
+                             WorleyValue::one_minus_distance_squared),
+                      curl(frequencies, config::CurlComponent::y)},
+                     seed)};
 }
 
 // The place of a voxel in the tile, of any integer, as the reference takes it.

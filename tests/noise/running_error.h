@@ -131,7 +131,7 @@ inline Uncertain unshaped(config::Noise noise, config::NoiseChannel channel,
     channel.bias = 0.5;
     noise.pack = config::NoisePacking::none;
     noise.channels = {channel};
-    const double value = noise_reference(noise, place)[0];
+    const double value = noise::noise_reference(noise, place)[0];
     switch (channel.type) {
         case NoiseType::constant:
             return cast(channel.value);

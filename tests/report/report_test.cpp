@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "config/recipe.h"
+#include "tests/report/cancelled_at.h"
 
 namespace skybake {
 namespace {
@@ -43,7 +44,10 @@ void expect_sound(const AssetReport& report) {
     EXPECT_FALSE(report.scale.empty());
     EXPECT_GE(report.repetitions, 3);
     EXPECT_GT(report.lookup_points, 0);
+    EXPECT_FALSE(report.volume);
     for (const ReportRow& row : report.rows) {
+        EXPECT_EQ(row.size.size(), 2u) << row.variant;
+        EXPECT_FALSE(row.volume_file) << row.variant;
         EXPECT_GT(row.time_ms, 0) << row.variant;
         EXPECT_GT(row.file_bytes, 0u) << row.variant;
         EXPECT_GE(row.texel.max, row.texel.rms) << row.variant;
@@ -151,26 +155,10 @@ TEST(Report, AnUnreachableMaxErrorIsDiagnosed) {
     EXPECT_EQ(report.diagnostics[0].code, "E0403");
 }
 
-// An interruption while texels are being timed, or while references are made.
-class CancelledAt : public Progress {
-  public:
-    explicit CancelledAt(std::string_view step) : step_(step) {}
-    void advance(std::string_view step, double) override {
-        timing_ = timing_ || step == "timing";
-        if (timing_ && step == step_) cancelled_ = true;
-    }
-    bool cancelled() const override { return cancelled_; }
-
-  private:
-    std::string_view step_;
-    bool timing_ = false;  // the recipe's own table, which comes first, is made
-    bool cancelled_ = false;
-};
-
 TEST(Report, AnInterruptionLeavesNeitherValueNorDiagnostics) {
     const config::Recipe recipe = recipe_of("[bake.transmittance]\nsize = [8, 4]\n");
     for (const std::string_view step : {"timing", "reference"}) {
-        CancelledAt progress(step);
+        testing::CancelledAt progress(step);
         const auto report = report_asset(recipe, recipe.parameters.bakes.at(0),
                                          {.threads = 1, .quick = true, .progress = &progress});
         EXPECT_TRUE(progress.cancelled()) << step;

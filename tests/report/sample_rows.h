@@ -39,4 +39,17 @@ inline AssetReport sample_report() {
     return report;
 }
 
+inline AssetReport sample_volume_report() {
+    AssetReport report = sample_report();
+    report.name = "shape";
+    report.kind = "noise_volume";
+    report.volume = VolumeFacts{{"Y"}, {ValueStatistics{0.25, 0.75, 0.5, {}, {}}}, 0.125, 3};
+    for (ReportRow& row : report.rows) {
+        row.asset = "shape";
+        row.size = {64, 32, 16};
+        row.volume_file = VolumeFile{config::VolumeFormat::vdb, "blosc", 7.5, row.of_recipe};
+    }
+    return report;
+}
+
 }  // namespace skybake::testing

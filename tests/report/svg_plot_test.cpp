@@ -59,6 +59,14 @@ TEST(SvgPlot, ShowsTitlesUnitsAndLabels) {
     }
 }
 
+TEST(SvgPlot, ShowsBytesOfVolumesAlone) {
+    const std::string volume = report_svg(testing::sample_volume_report());
+    EXPECT_TRUE(is_balanced(volume)) << volume;
+    EXPECT_NE(volume.find("file (KiB)"), std::string::npos);
+    EXPECT_NE(volume.find("Texels: octaves at 64x32x16"), std::string::npos);
+    EXPECT_EQ(report_svg(testing::sample_report()).find("file (KiB)"), std::string::npos);
+}
+
 TEST(SvgPlot, TakesAnyNumbers) {
     const double infinity = std::numeric_limits<double>::infinity();
     const double nan = std::numeric_limits<double>::quiet_NaN();

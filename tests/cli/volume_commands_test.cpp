@@ -1,0 +1,221 @@
+// Bakes of volumes, and what info, diff and verify say of them.
+#include <sys/resource.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+using namespace skybake::cli::testing;
+using nlohmann::json;
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+class VolumeBake : public ::testing::Test {
+  protected:
+    VolumeBake() { write("formats = [\"exr\", \"bin\"]\nmips = 2\nlayout = \"atlas\"\n"); }
+    void write(const std::string& keys, const std::string& size = "[24, 20, 12]") {
+        write_bytes(recipe_,
+                    "[noise.wisps]\nseed = 7\n"
+                    "[noise.wisps.channels.R]\ntype = \"perlin\"\nfrequency = 2\noctaves = 1\n"
+                    "[noise.wisps.channels.G]\ntype = \"worley\"\nfrequency = 3\noctaves = 1\n"
+                    "[noise.wisps.channels.B]\ntype = \"constant\"\nvalue = 0.25\n"
+                    "[bake.wisps]\nasset = \"noise_volume\"\nnoise = \"wisps\"\nsize = " +
+                        size + "\n" + keys);
+    }
+    std::vector<std::string> words(std::vector<std::string> more = {}) const {
+        std::vector<std::string> all = {"bake", recipe_, "-o", out_};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    Result bake(std::vector<std::string> more = {}) const { return run_words(words(more)); }
+    Names files() const {
+        Names names;
+        if (!fs::exists(out_)) return names;
+        for (const auto& entry : fs::directory_iterator(out_)) {
+            names.push_back(entry.path().filename().string());
+        }
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+    std::string file(const std::string& name) const { return out_ + "/" + name; }
+
+    TemporaryFolder folder_;
+    std::string recipe_ = (folder_ / "recipe.toml").string();
+    std::string out_ = (folder_ / "out").string();
+    const Names all_ = {"manifest.json", "wisps.bin", "wisps.exr", "wisps.mip1.bin",
+                        "wisps.mip1.exr"};
+};
+
+TEST_F(VolumeBake, WritesEachFormatAndLevel) {
+    const Result result = bake();
+    ASSERT_EQ(result.code, 0) << result.error;
+    EXPECT_EQ(result.out, file("wisps.exr") + "\n" + file("wisps.mip1.exr") + "\n" +
+                              file("wisps.bin") + "\n" + file("wisps.mip1.bin") + "\n" +
+                              file("manifest.json") + "\n");
+    EXPECT_TRUE(contains(result.error, "24x20x12  RGB  wisps.exr")) << result.error;
+    EXPECT_TRUE(contains(result.error, "12x10x6"));
+    EXPECT_EQ(files(), all_);
+    EXPECT_EQ(fs::file_size(file("wisps.bin")), 24U * 20 * 12 * 3 * 2);
+    EXPECT_EQ(fs::file_size(file("wisps.mip1.bin")), 12U * 10 * 6 * 3 * 2);
+}
+
+TEST_F(VolumeBake, DoesNotDependOnThreads) {
+    write("formats = [\"exr\", \"bin\"]\n", "[97, 131, 61]");
+    ASSERT_EQ(bake({"-j", "1"}).code, 0);
+    const std::string image = read_bytes(file("wisps.exr"));
+    const std::string voxels = read_bytes(file("wisps.bin"));
+    fs::remove_all(out_);
+    ASSERT_EQ(bake({"-j", "3"}).code, 0);
+    EXPECT_TRUE(read_bytes(file("wisps.exr")) == image);
+    EXPECT_TRUE(read_bytes(file("wisps.bin")) == voxels);
+}
+
+TEST_F(VolumeBake, LeavesUnchangedFilesAlone) {
+    ASSERT_EQ(bake().code, 0);
+    const auto before = fs::last_write_time(file("wisps.exr"));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    ASSERT_EQ(bake().code, 0);
+    EXPECT_EQ(fs::last_write_time(file("wisps.exr")), before);
+    ASSERT_EQ(bake({"--set", "noise.wisps.seed=8"}).code, 0);
+    EXPECT_NE(fs::last_write_time(file("wisps.exr")), before);
+}
+
+TEST_F(VolumeBake, EventsNameEachFile) {
+    const Result result = bake({"--json"});
+    ASSERT_EQ(result.code, 0) << result.error;
+    std::vector<json> events;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) events.push_back(json::parse(line));
+    ASSERT_EQ(events.size(), 6U);
+    EXPECT_EQ(events[0]["assets"][0]["size"], json::parse("[24, 20, 12]"));
+    EXPECT_GT(events[0]["assets"][0]["disk_mib"], 0);
+    EXPECT_EQ(events[2]["path"], file("wisps.mip1.exr"));
+    EXPECT_EQ(events[2]["size"], json::parse("[12, 10, 6]"));
+    EXPECT_EQ(events[2]["level"], 1);
+    EXPECT_EQ(events[3]["format"], "bin");
+    EXPECT_EQ(events[5]["assets"], 1);
+}
+
+TEST_F(VolumeBake, VerifyTakesFolderAndManifest) {
+    ASSERT_EQ(bake().code, 0);
+    const Result folder = run_words({"verify", out_});
+    EXPECT_EQ(folder.code, 0) << folder.out;
+    EXPECT_TRUE(contains(folder.out, "4 files, ")) << folder.out;
+    EXPECT_EQ(run_words({"verify", file("manifest.json")}).out, folder.out);
+    std::string bytes = read_bytes(file("wisps.bin"));
+    bytes[1001] = static_cast<char>(bytes[1001] ^ 1);
+    write_bytes(file("wisps.bin"), bytes);
+    const Result damaged = run_words({"verify", file("manifest.json")});
+    EXPECT_EQ(damaged.code, 1);
+    EXPECT_TRUE(contains(damaged.out, "wisps.bin: xxh3: ")) << damaged.out;
+    EXPECT_TRUE(contains(damaged.out, "wisps.bin: content_hash: ")) << damaged.out;
+}
+
+TEST_F(VolumeBake, InfoShowsWhatFilesSay) {
+    ASSERT_EQ(bake().code, 0);
+    const Result image = run_words({"info", file("wisps.exr")});
+    EXPECT_EQ(image.code, 0) << image.error;
+    EXPECT_TRUE(contains(image.out, "skybake/layout")) << image.out;
+    EXPECT_TRUE(contains(image.out, "cells of 24 x 20 texels, 12 slices")) << image.out;
+    const Result folder = run_words({"info", out_});
+    EXPECT_TRUE(contains(folder.out, "24x20x12")) << folder.out;
+    EXPECT_TRUE(contains(folder.out, "12x10x6")) << folder.out;
+    EXPECT_FALSE(contains(folder.out, "wavelengths")) << folder.out;
+    const Result voxels = run_words({"info", file("wisps.bin")});
+    EXPECT_EQ(voxels.code, 3);
+    EXPECT_TRUE(contains(voxels.error, "manifest.json")) << voxels.error;
+    EXPECT_EQ(run_words({"info", file("absent.bin")}).code, 3);
+}
+
+TEST_F(VolumeBake, DiffComparesVoxels) {
+    ASSERT_EQ(bake().code, 0);
+    const std::string other = (folder_ / "other").string();
+    ASSERT_EQ(run_words({"bake", recipe_, "-o", other, "--set", "noise.wisps.seed=8"}).code, 0);
+    EXPECT_EQ(run_words({"diff", out_, out_}).code, 0);
+    const Result result = run_words({"diff", out_, other});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.out, "wisps.exr: differs")) << result.out;
+    EXPECT_TRUE(contains(result.out, "wisps.bin: differs\n  the bytes differ")) << result.out;
+    EXPECT_EQ(run_words({"diff", file("wisps.bin"), other + "/wisps.mip1.bin"}).code, 1);
+}
+
+TEST_F(VolumeBake, OpenVdbIsVerifiedAndShown) {
+    write("formats = [\"vdb\"]\n");
+    ASSERT_EQ(run_program(words()).code, 0);
+    EXPECT_EQ(run_program({"verify", out_}).code, 0);
+    const Result info = run_program({"info", file("wisps.vdb")});
+    EXPECT_EQ(info.code, 0) << info.error;
+    EXPECT_TRUE(contains(info.out, "24 x 20 x 12")) << info.out;
+    EXPECT_TRUE(contains(info.out, "skybake/statistics")) << info.out;
+    const Result machine = run_program({"info", file("wisps.vdb"), "--json"});
+    EXPECT_EQ(json::parse(machine.out)["grids"].size(), 3U);
+}
+
+TEST_F(VolumeBake, RefusesToOverwriteAnyOfItsFiles) {
+    fs::create_directory(out_);
+    write_bytes(file("wisps.mip1.bin"), "mine");
+    const Result result = bake();
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "wisps.mip1.bin")) << result.error;
+    EXPECT_EQ(files(), Names{"wisps.mip1.bin"});
+    EXPECT_EQ(bake({"--force"}).code, 0);
+    EXPECT_EQ(files(), all_);
+}
+
+TEST_F(VolumeBake, ValuesThatNoFileHoldsAreRefused) {
+    write("formats = [\"bin\"]\npixel_type = \"unorm8\"\n");
+    const Result result = bake({"--set", "noise.wisps.channels.B.value=1.5"});
+    EXPECT_EQ(result.code, 4) << result.error;
+    EXPECT_TRUE(contains(result.error, "E0402")) << result.error;
+    EXPECT_TRUE(contains(result.error, "voxel (0, 0, 0), channel B")) << result.error;
+    EXPECT_EQ(files(), Names{});
+}
+
+TEST_F(VolumeBake, ADiskThatFillsUpLosesNothing) {
+    ASSERT_EQ(bake().code, 0);
+    const std::string old = read_bytes(file("wisps.exr"));
+    const auto small_files = [] {
+        const rlimit limit = {16384, 16384};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    };
+    const Result result = run_program(words({"--set", "noise.wisps.seed=8"}), small_files);
+    EXPECT_EQ(result.code, 3) << result.error;
+    EXPECT_TRUE(contains(result.error, "File too large")) << result.error;
+    EXPECT_FALSE(contains(result.error, ".tmp")) << result.error;
+    EXPECT_EQ(read_bytes(file("wisps.exr")), old);
+    EXPECT_EQ(files(), all_);
+}
+
+TEST_F(VolumeBake, AnInterruptLeavesNoPartialFile) {
+    write("formats = [\"exr\", \"bin\", \"vdb\"]\n", "[512, 512, 512]");
+    for (const int delay_ms : {50, 400, 1500, 3000}) {
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const int null = ::open("/dev/null", O_WRONLY);
+            ::dup2(null, STDOUT_FILENO);
+            ::dup2(null, STDERR_FILENO);
+            ::execl(SKYBAKE_PROGRAM, SKYBAKE_PROGRAM, "bake", recipe_.c_str(), "-o", out_.c_str(),
+                    "--certify", "off", static_cast<char*>(nullptr));
+            ::_exit(126);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
+        ::kill(child, SIGINT);
+        const auto sent = std::chrono::steady_clock::now();
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        ASSERT_TRUE(WIFEXITED(status));
+        EXPECT_EQ(WEXITSTATUS(status), 130) << delay_ms;
+        EXPECT_EQ(files(), Names{}) << delay_ms;
+        EXPECT_LT(std::chrono::steady_clock::now() - sent, std::chrono::seconds(20));
+    }
+}
+
+}  // namespace
+}  // namespace skybake::cli

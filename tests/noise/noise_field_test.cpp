@@ -1,0 +1,188 @@
+// NoiseField and the kernels below it: boxes, channels and paths, each equal to the specification.
+#include "bakers/noise/noise_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bakers/core/low_discrepancy.h"
+#include "bakers/noise/cell_kernel.h"
+#include "bakers/noise/gradient_kernel.h"
+#include "bakers/noise/noise_reference.h"
+#include "bakers/noise/pointwise_kernel.h"
+#include "tests/noise/every_target.h"
+#include "tests/noise/running_error.h"
+
+namespace skybake::noise {
+namespace {
+
+using config::NoiseFractal;
+using config::WorleyFeature;
+using test::unlike_specification;
+
+void expect_specified(const config::Noise& noise, const std::array<int, 3>& size,
+                      const VoxelBox& box) {
+    const test::Mismatches mismatches = unlike_specification(make_noise_plan(noise, size), box);
+    EXPECT_EQ(mismatches.count, 0) << mismatches.first;
+}
+
+TEST(NoiseField, EqualsTheSpecificationOnEveryTarget) {
+    EXPECT_GE(test::target_count(), 2);
+    for (const config::Noise& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 7}})) {
+        expect_specified(noise, {33, 20, 11}, {{}, {33, 20, 11}});
+    }
+}
+
+// Rows of whole vectors go straight to the caller.
+TEST(NoiseField, EqualsTheSpecificationWhereRowsAreWholeVectors) {
+    expect_specified(test::noise_of({test::perlin({{4, 4, 4}, {16, 16, 16}}),
+                                     test::perlin({{8, 3, 5}}, NoiseFractal::billow),
+                                     test::curl({{4, 4, 4}}, config::CurlComponent::z)}),
+                     {32, 32, 32}, {{0, 3, 5}, {32, 17, 11}});
+}
+
+TEST(NoiseField, EqualsTheSpecificationInASmallBox) {
+    for (const config::Noise& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 7}})) {
+        expect_specified(noise, {33, 20, 11}, {{29, 1, 6}, {4, 5, 3}});
+    }
+}
+
+// From the widest cells, of 64 voxels, to cells of one voxel, whose blocks differ in shape.
+TEST(NoiseField, EqualsTheSpecificationForCellsOfAnyWidth) {
+    for (const int voxels : {1, 2, 3, 5, 6, 8, 12, 16, 24, 31, 64}) {
+        const int frequency = std::max(1, 64 / voxels);
+        const std::array<int, 3> size = {64, 64, 64};
+        const test::Frequency all = {frequency, frequency, frequency};
+        expect_specified(
+            test::noise_of(
+                {test::worley({all}), test::worley({all}, WorleyFeature::f2), test::perlin({all})}),
+            size, {{37, 11, 50}, {21, 9, 5}});
+        // Wide along one axis, narrow along the others.
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            test::Frequency mixed = {2, 2, 2};
+            mixed[axis] = frequency;
+            expect_specified(test::noise_of({test::worley({mixed}, WorleyFeature::f2_minus_f1),
+                                             test::perlin({mixed})}),
+                             size, {{3, 44, 9}, {18, 6, 9}});
+        }
+    }
+}
+
+TEST(NoiseField, FillsOnlyWhatIsWanted) {
+    const NoisePlan plan = make_noise_plan(test::noises_of_all_kinds({{3, 4, 5}})[0], {24, 24, 24});
+    const NoiseField field(plan);
+    const VoxelBox box{{1, 2, 3}, {23, 11, 9}};
+    const test::Planes all = test::filled(field, box, plan.output_channels());
+    for (std::size_t wanted = 0; wanted < all.size(); ++wanted) {
+        std::vector<float*> targets(all.size(), nullptr);
+        std::vector<float> plane(all[wanted].size());
+        targets[wanted] = plane.data();
+        field.fill(box, targets);
+        EXPECT_EQ(plane, all[wanted]) << wanted;
+    }
+}
+
+TEST(NoiseField, PacksFourChannelsOrThreeIntoOne) {
+    config::Noise noise = test::noise_of(
+        {test::channel_of(config::NoiseType::perlin_worley, {{2, 2, 2}}), test::worley({{3, 3, 3}}),
+         test::worley({{5, 5, 5}}), test::worley({{7, 7, 7}})});
+    noise.pack = config::NoisePacking::shape;
+    expect_specified(noise, {20, 20, 20}, {{1, 1, 1}, {19, 7, 10}});
+    noise.channels.pop_back();
+    noise.pack = config::NoisePacking::detail;
+    expect_specified(noise, {20, 20, 20}, {{1, 1, 1}, {19, 7, 10}});
+    EXPECT_EQ(make_noise_plan(noise, {4, 4, 4}).output_channels(), 1);
+}
+
+// Both ways to a row of voxels, whichever NoiseField takes.
+TEST(PointwiseKernel, EqualsTheSpecificationOnEveryTarget) {
+    const config::Noise noise =
+        test::noise_of({test::perlin({{5, 3, 4}}), test::worley({{5, 3, 4}}, WorleyFeature::f2),
+                        test::worley({{1, 2, 40}})});
+    const NoisePlan plan = make_noise_plan(noise, {37, 9, 9});
+    const VoxelBox chunk{{5, 2, 1}, {32, 7, 8}};
+    constexpr std::size_t kStride = 32;
+    std::vector<float> out(kStride * 7 * 8);
+    const auto worst = [&](const auto& specification) {
+        std::int64_t ulps = 0;
+        for (int z = 0; z < 8; ++z) {
+            for (int y = 0; y < 7; ++y) {
+                for (int x = 0; x < 32; ++x) {
+                    const float made = out[static_cast<std::size_t>((z * 7 + y) * 32 + x)];
+                    ulps = std::max(
+                        ulps, test::ulps_between(made, specification(Voxel{5 + x, 2 + y, 1 + z})));
+                }
+            }
+        }
+        return ulps;
+    };
+    test::on_every_target([&](const char* name) {
+        const GradientOctave& octave = plan.channels[0].gradient.octaves[0];
+        fill_gradient_octave_pointwise(octave, chunk, kStride, out.data());
+        EXPECT_EQ(worst([&](const Voxel& v) { return gradient_octave_at(plan.axes, octave, v); }),
+                  0)
+            << name;
+        for (const CellField& field : plan.fields) {
+            fill_cell_field_pointwise(field, chunk, kStride, out.data());
+            EXPECT_EQ(worst([&](const Voxel& v) { return cell_field_at(plan.axes, field, v); }), 0)
+                << name;
+        }
+    });
+}
+
+TEST(NoiseSpecification, PerlinIsZeroAtLatticePoints) {
+    config::Noise noise = test::noise_of({test::perlin({{4, 4, 4}}, NoiseFractal::billow)});
+    noise.sampling = config::NoiseSampling::corners;
+    const NoisePlan plan = make_noise_plan(noise, {16, 8, 4});
+    for (int x = 0; x < 16; x += 4) {
+        for (int y = 0; y < 8; y += 2) {
+            for (int z = 0; z < 4; ++z) EXPECT_EQ(noise_at(plan, {x, y, z})[0], 0);
+        }
+    }
+    EXPECT_NE(noise_at(plan, {1, 1, 1})[0], 0);
+}
+
+TEST(NoiseSpecification, FbmOfOneOctaveIsTheOctave) {
+    const NoisePlan plan =
+        make_noise_plan(test::noise_of({test::perlin({{4, 4, 4}})}), {16, 16, 16});
+    const GradientOctave& octave = plan.channels[0].gradient.octaves[0];
+    EXPECT_EQ(octave.amplitude, 1);
+    for (int i = 0; i < 16; ++i) {
+        const Voxel voxel = {i, 15 - i, 3};
+        EXPECT_EQ(noise_at(plan, voxel)[0],
+                  gradient_octave_at(plan.axes, octave, voxel) * 0.5f + 0.5f);
+    }
+}
+
+// Second-order central differences of the kernels' voxels: h^2 / 6 of third derivatives, which for
+// 64 voxels a cell is about a percent of first ones, remains.
+TEST(NoiseField, CurlOfVoxelsHasNoDivergence) {
+    using config::CurlComponent;
+    constexpr int kSize = 256;
+    const NoisePlan plan =
+        make_noise_plan(test::noise_of({test::curl({{4, 4, 4}}, CurlComponent::x),
+                                        test::curl({{4, 4, 4}}, CurlComponent::y),
+                                        test::curl({{4, 4, 4}}, CurlComponent::z)}),
+                        {kSize, kSize, kSize});
+    const VoxelBox box{{0, 64, 100}, {kSize, 64, 3}};
+    const test::Planes curl = test::filled(NoiseField(plan), box, 3);
+    const auto at = [&](std::size_t component, int x, int y, int z) {
+        return double{curl[component][static_cast<std::size_t>((z * 64 + y) * kSize + x)]};
+    };
+    double divergence = 0;
+    double slopes = 0;
+    for (int y = 1; y < 63; ++y) {
+        for (int x = 1; x < kSize - 1; ++x) {
+            const double dx = at(0, x + 1, y, 1) - at(0, x - 1, y, 1);
+            const double dy = at(1, x, y + 1, 1) - at(1, x, y - 1, 1);
+            const double dz = at(2, x, y, 2) - at(2, x, y, 0);
+            divergence += (dx + dy + dz) * (dx + dy + dz);
+            slopes += dx * dx + dy * dy + dz * dz;
+        }
+    }
+    EXPECT_GT(slopes, 0);
+    EXPECT_LT(std::sqrt(divergence / slopes), 0.01);
+}
+
+}  // namespace
+}  // namespace skybake::noise

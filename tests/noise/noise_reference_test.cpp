@@ -1,0 +1,353 @@
+// The double-precision reference against textbook formulas written once more, and by identities.
+#include "bakers/noise/noise_reference.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bakers/core/low_discrepancy.h"
+#include "bakers/noise/lattice_hash.h"
+#include "tests/noise/noises.h"
+
+namespace skybake::noise {
+namespace {
+
+using config::CurlComponent;
+using config::NoiseChannel;
+using config::NoiseFractal;
+using config::NoiseType;
+using config::WorleyFeature;
+using config::WorleyValue;
+using test::noise_of;
+using test::perlin;
+using test::worley;
+using Place = std::array<double, 3>;
+
+constexpr int kPoints = 2000;
+
+// A place of the tile and of those about it.
+Place place_at(int index) {
+    Place place = low_discrepancy_point(index);
+    for (double& p : place) p = 3 * p - 1;
+    return place;
+}
+
+// --- Perlin 2002, "Improving Noise", as in its appendix -----------------------------------------
+
+double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+double lerp(double t, double a, double b) { return a + t * (b - a); }
+
+// The appendix' twelve directions to the middles of a cube's edges, by the low bits of a hash.
+double grad(int hash, double x, double y, double z) {
+    const int h = hash & 15;
+    const double u = h < 8 ? x : y;
+    const double v = h < 4 ? y : h == 12 || h == 14 ? x : z;
+    return ((h & 1) == 0 ? u : -u) + ((h & 2) == 0 ? v : -v);
+}
+
+// That of grad's sixteen which is this lattice point's gradient.
+int direction_of(const Gradient& gradient) {
+    for (int h = 0; h < 12; ++h) {
+        if (grad(h, 1, 0, 0) == gradient.x && grad(h, 0, 1, 0) == gradient.y &&
+            grad(h, 0, 0, 1) == gradient.z) {
+            return h;
+        }
+    }
+    ADD_FAILURE() << "no edge: " << gradient.x << ' ' << gradient.y << ' ' << gradient.z;
+    return 0;
+}
+
+double perlin_2002(std::uint64_t key, const std::array<int, 3>& period, const Place& place) {
+    const double px = place[0] * period[0];
+    const double py = place[1] * period[1];
+    const double pz = place[2] * period[2];
+    const auto X = static_cast<std::int64_t>(std::floor(px));
+    const auto Y = static_cast<std::int64_t>(std::floor(py));
+    const auto Z = static_cast<std::int64_t>(std::floor(pz));
+    const double x = px - std::floor(px);
+    const double y = py - std::floor(py);
+    const double z = pz - std::floor(pz);
+    const double u = fade(x);
+    const double v = fade(y);
+    const double w = fade(z);
+    const auto hash = [&](int i, int j, int k) {
+        const auto wrap = [](std::int64_t cell, int p) {
+            return static_cast<std::uint32_t>(((cell % p) + p) % p);
+        };
+        return direction_of(lattice_gradient(
+            row_key(key, wrap(Y + j, period[1]), wrap(Z + k, period[2])), wrap(X + i, period[0])));
+    };
+    return lerp(
+        w,
+        lerp(v, lerp(u, grad(hash(0, 0, 0), x, y, z), grad(hash(1, 0, 0), x - 1, y, z)),
+             lerp(u, grad(hash(0, 1, 0), x, y - 1, z), grad(hash(1, 1, 0), x - 1, y - 1, z))),
+        lerp(v, lerp(u, grad(hash(0, 0, 1), x, y, z - 1), grad(hash(1, 0, 1), x - 1, y, z - 1)),
+             lerp(u, grad(hash(0, 1, 1), x, y - 1, z - 1),
+                  grad(hash(1, 1, 1), x - 1, y - 1, z - 1))));
+}
+
+TEST(NoiseReference, IsPerlinsImprovedNoise) {
+    for (const test::Frequency frequency :
+         {test::Frequency{1, 1, 1}, {4, 4, 4}, {3, 5, 7}, {300, 1, 17}}) {
+        const config::Noise noise = noise_of({perlin({frequency})}, 99);
+        const std::uint64_t key = octave_key(99, 0, Purpose::gradient, frequency);
+        for (int i = 0; i < kPoints; ++i) {
+            const Place place = place_at(i);
+            EXPECT_NEAR(noise_reference(noise, place)[0],
+                        0.5 + 0.5 * perlin_2002(key, frequency, place), 1e-14)
+                << i;
+        }
+    }
+}
+
+TEST(NoiseReference, PerlinIsZeroAtLatticePoints) {
+    const config::Noise noise = noise_of({perlin({{8, 4, 16}}, NoiseFractal::billow)});
+    for (int z = -3; z < 19; ++z) {
+        for (int y = -1; y < 5; ++y) {
+            for (int x = -2; x < 10; ++x) {
+                EXPECT_EQ(noise_reference(noise, {x / 8.0, y / 4.0, z / 16.0})[0], 0);
+            }
+        }
+    }
+}
+
+// 12 gradients of length sqrt(2) reach 1.0363538 at the most (at a cell's middle 1), by adversary
+// search over gradients and places; a sample of this size comes near.
+TEST(NoiseReference, PerlinKeepsItsRangeAndItsRms) {
+    const config::Noise noise = noise_of({perlin({{64, 64, 64}})});
+    double largest = 0;
+    double squares = 0;
+    constexpr int kMany = 100000;
+    for (int i = 0; i < kMany; ++i) {
+        const double n = 2 * noise_reference(noise, low_discrepancy_point(i))[0] - 1;
+        largest = std::max(largest, std::fabs(n));
+        squares += n * n;
+    }
+    EXPECT_LE(largest, 1.0363539);
+    EXPECT_GE(largest, 0.85);
+    EXPECT_NEAR(std::sqrt(squares / kMany), 0.27, 0.01);
+}
+
+// --- Fractals, by hand from single octaves ------------------------------------------------------
+
+double single(const test::Frequency& frequency, const Place& place) {
+    return 2 * noise_reference(noise_of({perlin({frequency})}), place)[0] - 1;
+}
+
+TEST(NoiseReference, FractalsAreTheirDefinitions) {
+    const test::Frequency first = {3, 4, 5};
+    const test::Frequency second = {6, 8, 10};
+    const auto of = [&](NoiseFractal fractal, const Place& place) {
+        NoiseChannel channel = perlin({first, second}, fractal);
+        channel.octaves.gains = {3, 1};
+        return noise_reference(noise_of({channel}), place)[0];
+    };
+    bool negative = false;
+    for (int i = 0; i < kPoints; ++i) {
+        const Place place = place_at(i);
+        const double a = single(first, place);
+        const double b = single(second, place);
+        const double sum = 0.75 * a + 0.25 * b;
+        negative = negative || sum < 0;
+        EXPECT_NEAR(of(NoiseFractal::fbm, place), 0.5 + 0.5 * sum, 1e-14);
+        EXPECT_NEAR(of(NoiseFractal::rectified, place), sum > 0 ? sum : 0, 1e-14);
+        EXPECT_NEAR(of(NoiseFractal::billow, place), 0.75 * std::fabs(a) + 0.25 * std::fabs(b),
+                    1e-14);
+        EXPECT_NEAR(of(NoiseFractal::ridged, place),
+                    0.75 * (1 - std::fabs(a)) + 0.25 * (1 - std::fabs(b)), 1e-14);
+    }
+    EXPECT_TRUE(negative);
+}
+
+TEST(NoiseReference, FbmOfOneOctaveIsTheOctaveWhateverItsGain) {
+    NoiseChannel channel = perlin({{5, 5, 5}});
+    channel.octaves.gains = {0.3};
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_NEAR(noise_reference(noise_of({channel}), place_at(i))[0],
+                    0.5 + 0.5 * single({5, 5, 5}, place_at(i)), 1e-15);
+    }
+}
+
+TEST(NoiseReference, PerlinWorleyRemapsPerlinOntoWorley) {
+    NoiseChannel both = test::channel_of(NoiseType::perlin_worley, {{3, 3, 3}, {6, 6, 6}});
+    both.worley_octaves = test::octaves_of({{4, 4, 4}, {9, 9, 9}});
+    NoiseChannel cells = worley({{4, 4, 4}, {9, 9, 9}}, both.feature, both.value_form);
+    const NoiseChannel gradient = perlin({{3, 3, 3}, {6, 6, 6}});
+    for (int i = 0; i < kPoints; ++i) {
+        const Place place = place_at(i);
+        const double p = noise_reference(noise_of({gradient}), place)[0];
+        const double w = noise_reference(noise_of({cells}), place)[0];
+        // remap(p, 0, 1, w, 1)
+        EXPECT_NEAR(noise_reference(noise_of({both}), place)[0], w + (p - 0) / (1 - 0) * (1 - w),
+                    1e-14);
+    }
+}
+
+// --- Cellular noise -----------------------------------------------------------------------------
+
+TEST(NoiseReference, ValueFormsAreTheirFormulas) {
+    for (const WorleyFeature feature :
+         {WorleyFeature::f1, WorleyFeature::f2, WorleyFeature::f2_minus_f1}) {
+        const auto of = [&](WorleyValue form, const Place& place) {
+            return noise_reference(noise_of({worley({{4, 5, 3}}, feature, form)}), place)[0];
+        };
+        for (int i = 0; i < 500; ++i) {
+            const Place place = place_at(i);
+            const double d = of(WorleyValue::distance, place);
+            EXPECT_NEAR(of(WorleyValue::one_minus_distance, place), d < 1 ? 1 - d : 0, 1e-15);
+            EXPECT_NEAR(of(WorleyValue::one_minus_distance_over_sqrt3, place), 1 - d / std::sqrt(3),
+                        1e-15);
+            EXPECT_NEAR(of(WorleyValue::one_minus_distance_squared, place), d < 1 ? 1 - d * d : 0,
+                        1e-15);
+        }
+    }
+}
+
+TEST(NoiseReference, FeaturesAreOrderedAndBounded) {
+    const auto of = [](WorleyFeature feature, const Place& place) {
+        return noise_reference(noise_of({worley({{32, 32, 32}}, feature)}), place)[0];
+    };
+    for (int i = 0; i < kPoints; ++i) {
+        const Place place = place_at(i);
+        const double f1 = of(WorleyFeature::f1, place);
+        const double f2 = of(WorleyFeature::f2, place);
+        EXPECT_GE(f1, 0);
+        EXPECT_GE(f2, f1);
+        EXPECT_LE(f2, std::sqrt(3.0));
+        EXPECT_NEAR(of(WorleyFeature::f2_minus_f1, place), f2 - f1, 1e-15);
+    }
+}
+
+// A lattice of one cell: all points are copies of one, the nearest a lattice's nearest point.
+TEST(NoiseReference, OneCellIsACubicLatticeOfPoints) {
+    const config::Noise noise = noise_of({worley({{1, 1, 1}})}, 5);
+    const CellPoint point =
+        cell_point(row_key(octave_key(5, 0, Purpose::cells, {1, 1, 1}), 0, 0), 0);
+    for (int i = 0; i < 500; ++i) {
+        const Place place = place_at(i);
+        const auto apart = [](double a, double b) { return a - b - std::round(a - b); };
+        EXPECT_NEAR(noise_reference(noise, place)[0],
+                    std::hypot(apart(place[0], point.x), apart(place[1], point.y),
+                               apart(place[2], point.z)),
+                    1e-14);
+    }
+}
+
+// --- Curl ---------------------------------------------------------------------------------------
+
+Place curl_at(const std::vector<test::Frequency>& frequencies, const Place& place) {
+    return {noise_reference(noise_of({test::curl(frequencies, CurlComponent::x)}), place)[0],
+            noise_reference(noise_of({test::curl(frequencies, CurlComponent::y)}), place)[0],
+            noise_reference(noise_of({test::curl(frequencies, CurlComponent::z)}), place)[0]};
+}
+
+// Fourth-order central differences, of error h^4 times fifth derivatives, cells being 1/f wide.
+TEST(NoiseReference, CurlHasNoDivergence) {
+    for (const auto& frequencies : {std::vector<test::Frequency>{{4, 4, 4}, {8, 8, 8}},
+                                    std::vector<test::Frequency>{{3, 5, 2}, {9, 5, 4}}}) {
+        constexpr double kStep = 1e-4;
+        double mean_slope = 0;
+        for (int i = 0; i < 300; ++i) {
+            const Place place = place_at(i);
+            double divergence = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const auto at = [&](int steps) {
+                    Place moved = place;
+                    moved[axis] += steps * kStep;
+                    return curl_at(frequencies, moved)[axis];
+                };
+                const double slope = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * kStep);
+                divergence += slope;
+                mean_slope += std::fabs(slope) / 900;
+            }
+            // At lattice planes the third derivative jumps: h^2 remains.
+            EXPECT_NEAR(divergence, 0, 1e-3) << i;
+        }
+        EXPECT_GE(mean_slope, 1);  // there was something to cancel
+    }
+}
+
+// Against the definition, by differences of the potentials. Purposes name the potentials; a
+// channel of gradient noise whose key is a potential's needs its own lattice, so they are made of
+// perlin_2002 above.
+TEST(NoiseReference, CurlIsTheCurlOfItsPotentials) {
+    const test::Frequency frequency = {4, 6, 3};
+    const auto potential = [&](Purpose purpose, const Place& place) {
+        return perlin_2002(octave_key(7, 0, purpose, frequency), frequency, place);
+    };
+    const auto slope = [&](Purpose purpose, std::size_t axis, const Place& place) {
+        constexpr double kStep = 1e-5;
+        Place up = place;
+        Place down = place;
+        up[axis] += kStep;
+        down[axis] -= kStep;
+        return (potential(purpose, up) - potential(purpose, down)) / (2 * kStep);
+    };
+    for (int i = 0; i < 300; ++i) {
+        const Place place = place_at(i);
+        const Place curl = curl_at({frequency}, place);
+        using enum Purpose;
+        // Over the greatest frequency, 6.
+        EXPECT_NEAR(curl[0], (slope(potential_z, 1, place) - slope(potential_y, 2, place)) / 6,
+                    1e-6);
+        EXPECT_NEAR(curl[1], (slope(potential_x, 2, place) - slope(potential_z, 0, place)) / 6,
+                    1e-6);
+        EXPECT_NEAR(curl[2], (slope(potential_y, 0, place) - slope(potential_x, 1, place)) / 6,
+                    1e-6);
+    }
+}
+
+// --- What becomes of values ---------------------------------------------------------------------
+
+TEST(NoiseReference, RemapsThenInvertsThenBiases) {
+    NoiseChannel channel = worley({{4, 4, 4}});
+    for (int i = 0; i < 100; ++i) {
+        channel.remap = {0, 1, 0, 1};
+        channel.invert = false;
+        channel.bias = 0.5;
+        const Place place = place_at(i);
+        const double v = noise_reference(noise_of({channel}), place)[0];
+        channel.remap = {0.25, 2.25, 1, 0};
+        channel.invert = true;
+        channel.bias = 0.2;
+        const double remapped = 1 - (v - 0.25) / 2;
+        const double inverted = 1 - remapped;
+        EXPECT_NEAR(noise_reference(noise_of({channel}), place)[0],
+                    inverted / ((1 / 0.2 - 2) * (1 - inverted) + 1), 1e-13);
+    }
+}
+
+TEST(NoiseReference, BiasIsTheValueAtOneHalf) {
+    NoiseChannel channel;
+    channel.type = NoiseType::constant;
+    channel.value = 0.5;
+    for (const double bias : {0.001, 0.3, 0.5, 0.7, 0.999}) {
+        channel.bias = bias;
+        EXPECT_NEAR(noise_reference(noise_of({channel}), {0.1, 0.2, 0.3})[0], bias, 1e-15);
+    }
+}
+
+TEST(NoiseReference, PacksByTheFormulas) {
+    std::vector<NoiseChannel> channels = {perlin({{2, 2, 2}}), worley({{3, 3, 3}}),
+                                          worley({{5, 5, 5}}), worley({{7, 7, 7}})};
+    config::Noise noise = noise_of(channels);
+    for (int i = 0; i < 100; ++i) {
+        const Place place = place_at(i);
+        noise.pack = config::NoisePacking::none;
+        const std::vector<double> v = noise_reference(noise, place);
+        ASSERT_EQ(v.size(), 4u);
+        noise.pack = config::NoisePacking::detail;
+        ASSERT_EQ(noise_reference(noise, place).size(), 1u);
+        EXPECT_NEAR(noise_reference(noise, place)[0], 0.625 * v[0] + 0.25 * v[1] + 0.125 * v[2],
+                    1e-15);
+        noise.pack = config::NoisePacking::shape;
+        ASSERT_EQ(noise_reference(noise, place).size(), 1u);
+        // remap(R, -(1 - w), 1, 0, 1)
+        const double low = -(1 - (0.625 * v[1] + 0.25 * v[2] + 0.125 * v[3]));
+        EXPECT_NEAR(noise_reference(noise, place)[0], (v[0] - low) / (1 - low), 1e-15);
+    }
+}
+
+}  // namespace
+}  // namespace skybake::noise
