@@ -24,11 +24,11 @@ float round_to_pixel_type(double value, PixelType type) {
     return single;
 }
 
-bool fits(float value, PixelType type) {
-    if (!std::isfinite(value)) return false;
-    if (type == PixelType::float32) return true;
-    if (type == PixelType::half) return std::fabs(value) <= kLargestHalf;
-    return value >= 0 && value <= 1;
+PixelRange range_of(PixelType type) {
+    constexpr float kLargest = std::numeric_limits<float>::max();
+    if (type == PixelType::float32) return {-kLargest, kLargest};
+    if (type == PixelType::half) return {-kLargestHalf, kLargestHalf};
+    return {0, 1};
 }
 
 const char* range_text(PixelType type) {

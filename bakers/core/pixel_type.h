@@ -9,13 +9,18 @@ namespace skybake {
 // The value as the pixel type stores it, by way of float, rounded to nearest: half to even on ties,
 // unorm8 and unorm16 to multiples of 1/255 and 1/65535 upwards on ties, as the nearest float.
 // Infinity where a half overflows. A unorm type wants values in [0, 1] and goes on beyond them:
-// whoever stores asks fits() first.
+// whoever stores asks range_of() first.
 float round_to_pixel_type(double value, config::PixelType type);
 
-// Whether the type holds the value: finite, within ±65504 for half, within [0, 1] for unorm.
-bool fits(float value, config::PixelType type);
+// What the type holds: a value fits that lies within these bounds, and is thereby finite.
+struct PixelRange {
+    float low = 0;
+    float high = 0;
+    bool contains(float value) const { return value >= low && value <= high; }
+};
+PixelRange range_of(config::PixelType type);
 
-// What fits() asks for, in words: "[0, 1]".
+// The same in words: "[0, 1]".
 const char* range_text(config::PixelType type);
 
 // The bytes that a value takes.

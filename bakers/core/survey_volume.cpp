@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "bakers/core/aligned_floats.h"
-#include "bakers/core/half_conversion.h"
 #include "bakers/core/hash.h"
 #include "bakers/core/parallel.h"
 #include "bakers/core/pixel_type.h"
@@ -50,30 +49,39 @@ struct Slot {
 
 std::optional<BadValue> first_bad(const std::vector<const float*>& channels, std::size_t count,
                                   PixelType type) {
+    const PixelRange range = range_of(type);
     std::optional<BadValue> bad;
     for (std::size_t c = 0; c < channels.size(); ++c) {
         // Look for whether before where: the usual box has none.
-        bool all = true;
-        for (std::size_t i = 0; i < count; ++i) all = all & fits(channels[c][i], type);
-        if (all) continue;
+        int outside = 0;
+        for (std::size_t i = 0; i < count; ++i) outside |= range.contains(channels[c][i]) ? 0 : 1;
+        if (outside == 0) continue;
         for (std::size_t i = 0; i < count && (!bad || i < bad->index); ++i) {
-            if (!fits(channels[c][i], type)) bad = BadValue{i, c, channels[c][i]};
+            if (!range.contains(channels[c][i])) bad = BadValue{i, c, channels[c][i]};
         }
     }
     return bad;
 }
 
-// Rounds in place and counts the values that lose digits.
-long round_values(float* values, std::size_t count, PixelType type) {
-    const auto smallest = static_cast<float>(smallest_normal(type));
-    long below = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        below += values[i] != 0 && std::fabs(values[i]) < smallest ? 1 : 0;
+// Rounds in place, by way of what a file would hold.
+void round_values(float* values, std::size_t count, PixelType type) {
+    if (type == PixelType::float32) return;
+    constexpr std::size_t kPiece = 4096;
+    std::array<char, kPiece * 2> stored;
+    for (std::size_t i = 0; i < count; i += kPiece) {
+        const std::size_t piece = std::min(kPiece, count - i);
+        store_values(values + i, piece, type, stored.data());
+        load_values(stored.data(), piece, type, values + i);
     }
-    if (type == PixelType::half) {
-        for (std::size_t i = 0; i < count; ++i) values[i] = float_of_half(half_of_float(values[i]));
-    } else if (type != PixelType::float32) {
-        for (std::size_t i = 0; i < count; ++i) values[i] = round_to_pixel_type(values[i], type);
+}
+
+// Of values before they are rounded.
+int count_below_normal(const float* values, std::size_t count, PixelType type) {
+    const auto smallest = static_cast<float>(smallest_normal(type));
+    int below = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        below +=
+            static_cast<int>(values[i] != 0) & static_cast<int>(std::fabs(values[i]) < smallest);
     }
     return below;
 }
@@ -110,11 +118,18 @@ void add_extremes_and_sum(const float* values, std::size_t count, Summary& summa
 void add_histogram(const float* values, std::size_t count, std::array<double, 2> range,
                    Summary& summary) {
     const double scale = kHistogramBins / (range[1] - range[0]);
+    // Two counters a bin: neighbours are alike, and the second need not wait for the first. The
+    // last bin is for values outside.
+    std::array<std::array<int, kHistogramBins + 1>, 2> counts{};
     for (std::size_t i = 0; i < count; ++i) {
         const double value = values[i];
-        if (!(value >= range[0] && value <= range[1])) continue;
-        const int bin = static_cast<int>((value - range[0]) * scale);
-        ++summary.histogram[static_cast<std::size_t>(std::min(bin, kHistogramBins - 1))];
+        const bool inside = value >= range[0] && value <= range[1];
+        const int bin = std::min(static_cast<int>((inside ? value - range[0] : 0.0) * scale),
+                                 kHistogramBins - 1);
+        ++counts[i % 2][static_cast<std::size_t>(inside ? bin : kHistogramBins)];
+    }
+    for (std::size_t bin = 0; bin < kHistogramBins; ++bin) {
+        summary.histogram[bin] += counts[0][bin] + counts[1][bin];
     }
 }
 
@@ -196,7 +211,8 @@ class Survey {
         slot.channels.assign(channels, {});
         for (std::size_t c = 0; c < channels; ++c) {
             Summary& summary = slot.channels[c];
-            summary.below_normal = round_values(planes[c], count, volume_.pixel_type);
+            summary.below_normal = count_below_normal(planes[c], count, volume_.pixel_type);
+            round_values(planes[c], count, volume_.pixel_type);
             add_extremes_and_sum(planes[c], count, summary);
             add_histogram(planes[c], count, ranges_[c], summary);
         }

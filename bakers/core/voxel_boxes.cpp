@@ -15,14 +15,18 @@ std::int64_t divided_up(std::int64_t count, std::int64_t by) { return (count + b
 BoxSequence::BoxSequence(std::array<int, 3> size, int channels, int columns) : size_(size) {
     const std::int64_t row = std::int64_t{size[0]} * channels * columns;
     const std::int64_t group = row * size[1];
+    // Sixteen boxes or more, for threads to share; none so small that its set-up would tell.
+    constexpr std::int64_t kFewestFloats = 1 << 18;
+    const std::int64_t floats = row / columns * size[1] * size[2];
+    const std::int64_t budget = std::clamp(floats / 16, kFewestFloats, kFloats);
     depth_ = columns;
     rows_ = size[1];
-    if (group <= kFloats) {
-        const std::int64_t wanted = kFloats / group * columns;
+    if (group <= budget) {
+        const std::int64_t wanted = budget / group * columns;
         depth_ = static_cast<int>(
             std::min<std::int64_t>(wanted, divided_up(size[2], columns) * columns));
     } else {
-        rows_ = static_cast<int>(std::max<std::int64_t>(1, kFloats / row));
+        rows_ = static_cast<int>(std::max<std::int64_t>(1, budget / row));
     }
     groups_ = static_cast<int>(divided_up(size[2], depth_));
     parts_ = static_cast<int>(divided_up(size[1], rows_));
@@ -39,7 +43,7 @@ std::int64_t BoxSequence::largest_count() const {
 }
 
 int box_slots(int threads) {
-    constexpr int kMost = 40;
+    constexpr int kMost = 24;
     return std::min(thread_count(threads) + 2, kMost);
 }
 

@@ -46,11 +46,13 @@ class VoxelCheck {
 
     void add(std::int64_t first, std::int64_t count, const float* values) {
         const auto total = static_cast<std::size_t>(count) * channels_;
-        for (std::size_t i = 0; i < total; ++i) {
-            const double value = values[i];
-            not_finite_ += std::isfinite(value) ? 0 : 1;
-            min_[i % channels_] = std::min(min_[i % channels_], value);
-            max_[i % channels_] = std::max(max_[i % channels_], value);
+        for (std::size_t c = 0; c < channels_; ++c) {
+            for (std::size_t i = c; i < total; i += channels_) {
+                const double value = values[i];
+                not_finite_ += std::isfinite(value) ? 0 : 1;
+                min_[c] = std::min(min_[c], value);
+                max_[c] = std::max(max_[c], value);
+            }
         }
         bytes_.resize(total * static_cast<std::size_t>(bytes_per_value(type_)));
         store_values(values, total, type_, bytes_.data());

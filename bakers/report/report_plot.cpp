@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/report/svg_plot.h"
@@ -44,6 +46,14 @@ PlotPoint point_of(const ReportRow& row, int family, double cost, double error, 
     return point;
 }
 
+bool is_named_by_its_file(const ReportRow& row) {
+    return row.volume_file && row.volume_file->format != config::VolumeFormat::bin;
+}
+
+PlotPanel empty_panel(std::string title, std::string x_title, std::string y_title) {
+    return {std::move(title), std::move(x_title), std::move(y_title), {}};
+}
+
 }  // namespace
 
 std::string report_svg(const AssetReport& asset) {
@@ -53,21 +63,18 @@ std::string report_svg(const AssetReport& asset) {
                                   asset.lookup_points, asset.scale),
                       fmt::format("time: {}, median of {}", asset.timing, asset.repetitions)};
     plot.front_name = "Pareto front";
-    PlotPanel lookups;
-    lookups.title = "Lookups between texels: all variants";
-    lookups.x_title = "time (ms)";
-    lookups.y_title = "lookup error, RMS";
-    PlotPanel texels;
-    texels.x_title = lookups.x_title;
-    texels.y_title = "texel error, RMS";
-    PlotPanel bytes;
-    bytes.title = "Lookups between texels: bytes";
-    bytes.x_title = "file (KiB)";
-    bytes.y_title = lookups.y_title;
+    PlotPanel lookups =
+        empty_panel("Lookups between texels: all variants", "time (ms)", "lookup error, RMS");
+    PlotPanel texels = empty_panel("", "time (ms)", "texel error, RMS");
+    PlotPanel bytes =
+        empty_panel("Lookups between texels: bytes", "file (KiB)", "lookup error, RMS");
     for (const ReportRow& row : asset.rows) {
         const int family = family_index(plot.families, row.family);
-        lookups.points.push_back(
-            point_of(row, family, row.time_ms, row.lookup.rms, row.on_lookup_front));
+        PlotPoint lookup = point_of(row, family, row.time_ms, row.lookup.rms, row.on_lookup_front);
+        // Files of the same voxels stand in one place, where those named by their size speak for
+        // all.
+        if (is_named_by_its_file(row) && !lookup.emphasised) lookup.label.clear();
+        lookups.points.push_back(std::move(lookup));
         if (row.in_quadrature_sweep) {
             texels.title =
                 fmt::format("Texels: {} at {}", row.volume_file ? "octaves" : "quadratures",

@@ -199,7 +199,7 @@ TEST(SurveyVolume, AnInterruptionFillsNothing) {
     EXPECT_TRUE(survey_level(volume, 0, {{0, 1}}, {2, Certification::off, &progress}).empty());
     EXPECT_TRUE(volume.levels[0].content_hash.empty());
     EXPECT_TRUE(volume.levels[0].statistics.empty());
-    EXPECT_LT(asked, 8 << 20);
+    EXPECT_LT(asked, 32 << 20);
 }
 
 }  // namespace

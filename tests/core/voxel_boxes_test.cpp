@@ -52,7 +52,7 @@ TEST(VoxelBoxes, HardSizes) {
 TEST(VoxelBoxes, AreEnoughForThreadsToShare) {
     EXPECT_GE(BoxSequence({128, 128, 128}, 4).count(), 8);
     EXPECT_GE(box_slots(2), 3);
-    EXPECT_LE(box_slots(1024) * BoxSequence::kFloats * 6, std::int64_t{256} << 20);
+    EXPECT_LE(box_slots(1024) * BoxSequence::kFloats * 6, std::int64_t{640} << 20);
 }
 
 }  // namespace

@@ -173,9 +173,9 @@ inline HoleCount look_into_holes(std::int64_t unsure) {
     HoleCount total;
     for (std::uint64_t seed = 1; total.unsure < unsure; ++seed) {
         const Frequency frequency = {kHoleCells, kHoleCells, kHoleCells};
-        const noise::NoiseField field(make_noise_plan(noise_of({worley({frequency})}, seed),
-                                                      {kHoleSize, kHoleSize, kHoleSize}));
-        const std::uint64_t key = octave_key(seed, 0, noise::Purpose::cells, frequency);
+        const noise::NoiseField field(noise::make_noise_plan(noise_of({worley({frequency})}, seed),
+                                                             {kHoleSize, kHoleSize, kHoleSize}));
+        const std::uint64_t key = noise::octave_key(seed, 0, noise::Purpose::cells, frequency);
         std::vector<noise::CellPoint> below = plane_of_points(key, 0);
         for (int z = 1; z < kHoleCells && total.unsure < unsure; ++z) {
             std::vector<noise::CellPoint> above =

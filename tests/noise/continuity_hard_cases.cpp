@@ -115,9 +115,9 @@ TEST(NoiseHardCase, NoiseIsTwiceContinuous) {
         jumps_of(test::perlin({{1, 1, 1}}), test::gradient_octave_error(kCells, false));
     const char* names[] = {"value", "first derivative", "second derivative"};
     for (std::size_t k = 0; k < 3; ++k) {
-        hold(fmt::format("noise C2: jump of the {} at planes", names[k]),
-             fmt::format("0; rounding explains {:.1g}", jumps.explained[k]), jumps.jump[k],
-             jumps.explained[k]);
+        hold(fmt::format("noise C2 at planes, {}", names[k]),
+             fmt::format("equal from both sides; rounding explains {:.1g}", jumps.explained[k]),
+             jumps.jump[k], jumps.explained[k]);
     }
     EXPECT_LT(jumps.explained[2], 0.05);  // of second derivatives of about 10
     EXPECT_GT(jumps.jump[3], 10 * jumps.explained[3]);
@@ -126,12 +126,12 @@ TEST(NoiseHardCase, NoiseIsTwiceContinuous) {
 TEST(NoiseHardCase, CurlIsOnceContinuous) {
     config::NoiseChannel channel = test::curl({{1, 1, 1}}, config::CurlComponent::y);
     const Jumps jumps = jumps_of(channel, 2 * test::gradient_octave_error(kCells, true));
-    hold("curl C1: jump of the value at planes",
-         fmt::format("0; rounding explains {:.1g}", jumps.explained[0]), jumps.jump[0],
-         jumps.explained[0]);
-    hold("curl C1: jump of the first derivative",
-         fmt::format("0; rounding explains {:.1g}", jumps.explained[1]), jumps.jump[1],
-         jumps.explained[1]);
+    hold("curl C1 at planes, value",
+         fmt::format("equal from both sides; rounding explains {:.1g}", jumps.explained[0]),
+         jumps.jump[0], jumps.explained[0]);
+    hold("curl C1 at planes, first derivative",
+         fmt::format("equal from both sides; rounding explains {:.1g}", jumps.explained[1]),
+         jumps.jump[1], jumps.explained[1]);
     EXPECT_GT(jumps.jump[2], 10 * jumps.explained[2]);
 }
 

@@ -1,0 +1,210 @@
+#include "bakers/core/certify_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "bakers/core/pixel_type.h"
+#include "bakers/core/survey_volume.h"
+#include "tests/support/volumes.h"
+
+namespace skybake {
+namespace {
+
+using config::PixelType;
+using testing::FunctionVoxels;
+using testing::plain_volume;
+using testing::sample_voxel;
+using Place = std::array<double, 3>;
+
+// The level of a volume whose statistics are known.
+VolumeLevel level_of(const std::array<int, 3>& size, int channels, PixelType type,
+                     FunctionVoxels::Function function) {
+    BakedVolume volume = plain_volume(size, channels, type, std::move(function));
+    const std::vector<std::array<double, 2>> ranges(static_cast<std::size_t>(channels), {0, 1});
+    EXPECT_TRUE(survey_level(volume, 0, ranges, {}).empty());
+    return volume.levels[0];
+}
+
+// A lookup of voxels as stored, from the definition: hat functions about voxel centres.
+double lookup(const FunctionVoxels::Function& voxel, const std::array<int, 3>& size, PixelType type,
+              int channel, const Place& uvw) {
+    const auto weight = [&](std::size_t axis, int i) {
+        double sum = 0;  // of all copies of the voxel
+        for (int copy = -2; copy <= 2; ++copy) {
+            const double apart = uvw[axis] * size[axis] - (i + 0.5 + copy * size[axis]);
+            sum += std::max(0.0, 1 - std::fabs(apart));
+        }
+        return sum;
+    };
+    double sum = 0;
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x) {
+                const double w = weight(0, x) * weight(1, y) * weight(2, z);
+                if (w != 0) sum += w * double{round_to_pixel_type(voxel(x, y, z, channel), type)};
+            }
+        }
+    }
+    return sum;
+}
+
+TEST(CertifyVolume, ConstantsAreExact) {
+    for (const PixelType type : {PixelType::float32, PixelType::half, PixelType::unorm8}) {
+        const float value = round_to_pixel_type(0.4, type);
+        const VolumeLevel level =
+            level_of({7, 5, 1}, 1, type, [=](int, int, int, int) { return value; });
+        const auto reference = [=](const Place&) { return std::vector<double>{double{value}}; };
+        EXPECT_LT(measure_lookups(level, type, reference, 200, {}).figures.max, 1e-15);
+        EXPECT_EQ(measure_voxels(level, type, reference, 200, {}).points, 200);
+        EXPECT_LT(measure_voxels(level, type, reference, 200, {}).figures.max, 1e-15);
+        // Without a range, the difference itself.
+        const auto other = [=](const Place&) { return std::vector<double>{double{value} + 0.25}; };
+        EXPECT_NEAR(measure_lookups(level, type, other, 50, {}).figures.max, 0.25, 1e-12);
+        EXPECT_NEAR(measure_lookups(level, type, other, 50, {}).figures.rms, 0.25, 1e-12);
+    }
+}
+
+// A bump a t (1 - t) between voxels along x, and nothing at them, is what a trilinear lookup
+// misses: a / 4 at most, sqrt(1/30) a of root mean square.
+TEST(CertifyVolume, FindsAKnownErrorBetweenVoxels) {
+    const std::array<int, 3> size = {8, 6, 4};
+    const VolumeLevel level = level_of(size, 1, PixelType::float32, sample_voxel);
+    const double range = level.statistics[0].max - level.statistics[0].min;
+    const double a = 0.01;
+    const auto reference = [&](const Place& uvw) {
+        const double position = uvw[0] * size[0] - 0.5;
+        const double t = position - std::floor(position);
+        return std::vector<double>{lookup(sample_voxel, size, PixelType::float32, 0, uvw) +
+                                   a * t * (1 - t)};
+    };
+    const VolumeErrors errors = measure_lookups(level, PixelType::float32, reference, 2000, {});
+    EXPECT_EQ(errors.points, 2000);
+    EXPECT_NEAR(errors.figures.max, a / 4 / range, 1e-6);
+    EXPECT_NEAR(errors.figures.rms, a / std::sqrt(30.0) / range, 0.01 * a / range);
+    // The worst is in the middle between two voxels.
+    const double position = errors.worst[0] * size[0] - 0.5;
+    EXPECT_NEAR(position - std::floor(position), 0.5, 0.01);
+    // At voxels there is none of it.
+    EXPECT_LT(measure_voxels(level, PixelType::float32, reference, 192, {}).figures.max, 1e-12);
+}
+
+TEST(CertifyVolume, CountsRoundingAtVoxels) {
+    const std::array<int, 3> size = {16, 16, 16};
+    for (const PixelType type : {PixelType::half, PixelType::unorm8, PixelType::unorm16}) {
+        const VolumeLevel level = level_of(size, 3, type, sample_voxel);
+        const auto exact = [&](const Place& uvw) {
+            std::vector<double> values;
+            for (int c = 0; c < 3; ++c) {
+                values.push_back(double{sample_voxel(static_cast<int>(uvw[0] * 16),
+                                                     static_cast<int>(uvw[1] * 16),
+                                                     static_cast<int>(uvw[2] * 16), c)});
+            }
+            return values;
+        };
+        const double range = level.statistics[0].max - level.statistics[0].min;
+        const VolumeErrors errors = measure_voxels(level, type, exact, 3000, {});
+        // Half a step at values near 1: 2^-12 of halves.
+        const double half_step = type == PixelType::half ? 0x1p-12 : rounding_error(type);
+        EXPECT_LE(errors.figures.max, half_step / range * 1.01);
+        EXPECT_GE(errors.figures.max, half_step * 0.98);
+        EXPECT_LT(errors.figures.rms, errors.figures.max);
+    }
+}
+
+TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTexturesCoordinates) {
+    const std::array<int, 3> size = {5, 7, 9};
+    const VolumeLevel level = level_of(size, 2, PixelType::half, sample_voxel);
+    const auto reference = [](const Place& uvw) {
+        return std::vector<double>{uvw[0] + uvw[1] * uvw[2], uvw[2]};
+    };
+    BakeOptions two_threads;
+    two_threads.threads = 2;
+    const VolumeErrors errors =
+        measure_lookups(level, PixelType::half, reference, 500, two_threads);
+    double worst = 0;
+    for (int c = 0; c < 2; ++c) {
+        const auto channel = static_cast<std::size_t>(c);
+        const double range = level.statistics[channel].max - level.statistics[channel].min;
+        const double found = lookup(sample_voxel, size, PixelType::half, c, errors.worst);
+        worst = std::max(worst, std::fabs(found - reference(errors.worst)[channel]) / range);
+    }
+    EXPECT_NEAR(errors.figures.max, worst, 1e-12);
+    BakeOptions one_thread;
+    one_thread.threads = 1;
+    const VolumeErrors again = measure_lookups(level, PixelType::half, reference, 500, one_thread);
+    EXPECT_EQ(again.figures.max, errors.figures.max);
+    EXPECT_EQ(again.figures.rms, errors.figures.rms);
+    EXPECT_EQ(again.worst, errors.worst);
+}
+
+TEST(VolumeProbes, AreTheStoredVoxelsLookedUpDirectly) {
+    for (const std::array<int, 3>& size :
+         {std::array<int, 3>{8, 6, 10}, {1, 1, 1}, {3, 1, 2}, {16, 16, 16}}) {
+        for (const PixelType type : {PixelType::float32, PixelType::half, PixelType::unorm8}) {
+            const VolumeLevel level = level_of(size, 3, type, sample_voxel);
+            const std::vector<VolumeProbe> probes = make_volume_probes(level, type);
+            EXPECT_GE(probes.size(), 16u);
+            for (const VolumeProbe& probe : probes) {
+                ASSERT_EQ(probe.value.size(), 3u);
+                ASSERT_EQ(probe.tolerance.size(), 3u);
+                for (const double u : probe.uvw) EXPECT_TRUE(u >= 0 && u < 1) << u;
+                for (int c = 0; c < 3; ++c) {
+                    EXPECT_NEAR(probe.value[static_cast<std::size_t>(c)],
+                                lookup(sample_voxel, size, type, c, probe.uvw), 1e-12);
+                }
+            }
+        }
+    }
+}
+
+// A runtime that gets an axis backwards, swaps two, is half a voxel off or clamps at the seam must
+// fail: on each axis some probes are apart from what it finds by more than they tolerate.
+TEST(VolumeProbes, CatchWrongLookups) {
+    const std::array<int, 3> size = {16, 16, 16};
+    const VolumeLevel level = level_of(size, 1, PixelType::half, sample_voxel);
+    const std::vector<VolumeProbe> probes = make_volume_probes(level, PixelType::half);
+    const auto caught = [&](const auto& change) {
+        int count = 0;
+        for (const VolumeProbe& probe : probes) {
+            const double found = lookup(sample_voxel, size, PixelType::half, 0, change(probe.uvw));
+            count += std::fabs(found - probe.value[0]) > probe.tolerance[0] ? 1 : 0;
+        }
+        return count;
+    };
+    EXPECT_EQ(caught([](const Place& p) { return p; }), 0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto moved = [axis](Place p, double by) {
+            p[axis] += by;
+            return p;
+        };
+        EXPECT_GE(caught([&](Place p) {
+                      p[axis] = 1 - p[axis];
+                      return p;
+                  }),
+                  8);
+        EXPECT_GE(caught([&](const Place& p) { return moved(p, 0.5 / 16); }), 8);
+        EXPECT_GE(caught([&](Place p) {
+                      std::swap(p[axis], p[(axis + 1) % 3]);
+                      return p;
+                  }),
+                  8);
+        EXPECT_GE(caught([&](Place p) {  // clamped
+                      p[axis] = std::min(std::max(p[axis], 0.5 / 16), 15.5 / 16);
+                      return p;
+                  }),
+                  2);
+        // Filtering in steps of 1/256 voxel, rounded either way, passes.
+        EXPECT_EQ(caught([&](Place p) {
+                      for (std::size_t k = 0; k < 3; ++k) {
+                          p[k] = std::floor(p[k] * 16 * 256 + (k == axis ? 0.9 : 0)) / (16 * 256);
+                      }
+                      return p;
+                  }),
+                  0);
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,231 @@
+#include "bakers/core/mip_source.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <memory>
+
+#include "bakers/core/stored_source.h"
+#include "tests/support/volumes.h"
+
+namespace skybake {
+namespace {
+
+using testing::FunctionVoxels;
+using testing::sample_voxel;
+using Size = std::array<int, 3>;
+using Centered = std::array<bool, 3>;
+
+std::vector<std::vector<float>> filled(const VoxelSource& source, const VoxelBox& box,
+                                       int channels = 1) {
+    std::vector<std::vector<float>> planes(static_cast<std::size_t>(channels));
+    std::vector<float*> targets;
+    for (auto& plane : planes) {
+        plane.resize(static_cast<std::size_t>(box.count()));
+        targets.push_back(plane.data());
+    }
+    source.fill(box, targets);
+    return planes;
+}
+
+double mean(const std::vector<float>& values) {
+    double sum = 0;
+    for (const float v : values) sum += v;
+    return sum / static_cast<double>(values.size());
+}
+
+// A coarse voxel by the header's words: the integral of the finer ones, each constant over its
+// width, over [i n/m, (i + 1) n/m), or half a coarse voxel less, in units of finer samples whose
+// intervals then also begin half a finer voxel earlier.
+double by_definition(const FunctionVoxels::Function& finer, const Size& n, const Size& m,
+                     const Centered& centered, const std::array<int, 3>& voxel) {
+    std::array<std::vector<std::pair<int, double>>, 3> weights;  // finer voxel, share
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double width = static_cast<double>(n[a]) / m[a];
+        const double begin = centered[a] ? voxel[a] * width : (voxel[a] - 0.5) * width;
+        const double shift = centered[a] ? 0 : -0.5;  // where finer voxel 0 begins
+        for (int i = -n[a] - 1; i <= 2 * n[a]; ++i) {
+            const double overlap =
+                std::min(begin + width, i + shift + 1) - std::max(begin, i + shift);
+            if (overlap > 1e-12)
+                weights[a].push_back({((i % n[a]) + n[a]) % n[a], overlap / width});
+        }
+    }
+    double sum = 0;
+    for (const auto& [z, wz] : weights[2]) {
+        for (const auto& [y, wy] : weights[1]) {
+            for (const auto& [x, wx] : weights[0]) sum += wx * wy * wz * double{finer(x, y, z, 0)};
+        }
+    }
+    return sum;
+}
+
+TEST(MipSource, HalvesSizesDownToOne) {
+    EXPECT_EQ(next_mip_size({8, 7, 1}), (Size{4, 3, 1}));
+    EXPECT_EQ(next_mip_size({16384, 3, 2}), (Size{8192, 1, 1}));
+    EXPECT_EQ(next_mip_size({1, 1, 1}), (Size{1, 1, 1}));
+}
+
+// 8^3 to 4^3 by hand: the value x + 10 y + 100 z at voxel centres.
+TEST(MipSource, IsTheMeanOfEightForEvenSizes) {
+    const auto finer = std::make_shared<FunctionVoxels>([](int x, int y, int z, int c) {
+        return static_cast<float>(x + 10 * y + 100 * z + 1000 * c);
+    });
+    const MipSource coarser(finer, {8, 8, 8}, {true, true, true});
+    const auto values = filled(coarser, {{}, {4, 4, 4}}, 2);
+    std::size_t at = 0;
+    for (int z = 0; z < 4; ++z) {
+        for (int y = 0; y < 4; ++y) {
+            for (int x = 0; x < 4; ++x, ++at) {
+                const auto wanted =
+                    static_cast<float>((2 * x + 0.5) + 10 * (2 * y + 0.5) + 100 * (2 * z + 0.5));
+                EXPECT_EQ(values[0][at], wanted);
+                EXPECT_EQ(values[1][at], wanted + 1000);
+            }
+        }
+    }
+}
+
+// At corners sample 0 covers a quarter of sample -1, which is sample 7 of the tile, half of its own
+// place's and a quarter of sample 1.
+TEST(MipSource, ReachesAcrossTheSeamAtCorners) {
+    const auto finer = std::make_shared<FunctionVoxels>([](int x, int, int, int) {
+        return x == 7 ? 64.0f : x == 0 ? 8.0f : static_cast<float>(x);
+    });
+    const MipSource coarser(finer, {8, 2, 2}, {false, false, false});
+    const auto values = filled(coarser, {{}, {4, 1, 1}});
+    EXPECT_EQ(values[0][0], 64 / 4.0f + 8 / 2.0f + 1 / 4.0f);
+    EXPECT_EQ(values[0][1], 2);
+    EXPECT_EQ(values[0][2], 4);
+    EXPECT_EQ(values[0][3], 5 / 4.0f + 6 / 2.0f + 64 / 4.0f);
+}
+
+// The three voxels of 3 to 1, and of 5 to 2: 1, 1, 1/2 | 1/2, 1, 1 of 5/2.
+TEST(MipSource, WeighsOddSizesByOverlap) {
+    const auto finer = std::make_shared<FunctionVoxels>([](int x, int y, int, int) {
+        return static_cast<float>(1 << (2 * x)) * (y == 1 ? 2.0f : 1.0f);
+    });
+    const MipSource coarser(finer, {5, 3, 1}, {true, true, true});
+    const auto values = filled(coarser, {{}, {2, 1, 1}});
+    const double y = 4.0 / 3;
+    EXPECT_FLOAT_EQ(values[0][0], static_cast<float>(y * (1 + 4 + 16 / 2.0) / 2.5));
+    EXPECT_FLOAT_EQ(values[0][1], static_cast<float>(y * (16 / 2.0 + 64 + 256) / 2.5));
+}
+
+TEST(MipSource, IsItsDefinitionAndKeepsTheMean) {
+    EXPECT_TRUE(rc::check([] {
+        const Size size = {*rc::gen::inRange(1, 14), *rc::gen::inRange(1, 14),
+                           *rc::gen::inRange(1, 14)};
+        const Centered centered = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(),
+                                   *rc::gen::arbitrary<bool>()};
+        const auto finer = std::make_shared<FunctionVoxels>(sample_voxel);
+        const MipSource coarser(finer, size, centered);
+        const Size half = next_mip_size(size);
+        const auto values = filled(coarser, {{}, half});
+        std::size_t at = 0;
+        for (int z = 0; z < half[2]; ++z) {
+            for (int y = 0; y < half[1]; ++y) {
+                for (int x = 0; x < half[0]; ++x, ++at) {
+                    const double wanted =
+                        by_definition(sample_voxel, size, half, centered, {x, y, z});
+                    RC_ASSERT(std::fabs(values[0][at] - wanted) < 1e-7);
+                }
+            }
+        }
+        RC_ASSERT(std::fabs(mean(values[0]) - mean(filled(*finer, {{}, size})[0])) < 0x1p-24);
+    }));
+}
+
+TEST(MipSource, BoxesEqualTheWhole) {
+    EXPECT_TRUE(rc::check([] {
+        const Size size = {*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 40),
+                           *rc::gen::inRange(1, 40)};
+        const Centered centered = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(),
+                                   *rc::gen::arbitrary<bool>()};
+        const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size, centered);
+        const Size half = next_mip_size(size);
+        VoxelBox box;
+        for (std::size_t a = 0; a < 3; ++a) {
+            box.origin[a] = *rc::gen::inRange(0, half[a]);
+            box.size[a] = *rc::gen::inRange(1, half[a] - box.origin[a] + 1);
+        }
+        const auto whole = filled(coarser, {{}, half}, 2);
+        const auto part = filled(coarser, box, 2);
+        std::size_t at = 0;
+        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x, ++at) {
+                    const auto from = static_cast<std::size_t>((z * half[1] + y) * half[0] + x);
+                    RC_ASSERT(part[0][at] == whole[0][from]);
+                    RC_ASSERT(part[1][at] == whole[1][from]);
+                }
+            }
+        }
+    }));
+}
+
+// So many channels and rows that finer slices come in several parts.
+TEST(MipSource, LargeBoxesInParts) {
+    const Size size = {256, 300, 40};
+    const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size,
+                            {true, false, false});
+    const Size half = next_mip_size(size);
+    const auto whole = filled(coarser, {{}, half}, 4);
+    for (const std::array<int, 3>& voxel : {Size{0, 0, 0}, Size{127, 149, 19}, Size{64, 75, 10}}) {
+        const auto one = filled(coarser, {voxel, {1, 1, 1}}, 4);
+        for (std::size_t c = 0; c < 4; ++c) {
+            EXPECT_EQ(one[c][0], whole[c][static_cast<std::size_t>(
+                                     (voxel[2] * half[1] + voxel[1]) * half[0] + voxel[0])]);
+        }
+    }
+    std::vector<float> second(whole[1].size());
+    coarser.fill({{}, half}, {nullptr, second.data(), nullptr, nullptr});
+    EXPECT_EQ(second, whole[1]);
+}
+
+// A chain keeps the mean down to its last voxel, which is the mean.
+TEST(MipSource, ChainsEndInTheMean) {
+    for (const Size& first : {Size{16, 16, 16}, Size{13, 6, 1}, Size{1, 9, 27}}) {
+        for (const Centered& centered : {Centered{true, true, true}, Centered{false, false, false},
+                                         Centered{true, true, false}}) {
+            std::shared_ptr<const VoxelSource> level =
+                std::make_shared<FunctionVoxels>(sample_voxel);
+            Size size = first;
+            const double wanted = mean(filled(*level, {{}, size})[0]);
+            int levels = 1;
+            while (size != Size{1, 1, 1}) {
+                level = std::make_shared<MipSource>(level, size, centered);
+                size = next_mip_size(size);
+                ++levels;
+                EXPECT_NEAR(mean(filled(*level, {{}, size})[0]), wanted, levels * 0x1p-24);
+            }
+            EXPECT_EQ(levels, first[0] == 16 ? 5 : first[0] == 13 ? 4 : 5);
+        }
+    }
+}
+
+// Where samples are corners a wave of the tile stays in phase: mips are centred on their samples.
+TEST(MipSource, KeepsThePhase) {
+    const int n = 32;
+    for (const bool centered : {true, false}) {
+        const double offset = centered ? 0.5 : 0;
+        const auto wave = [&](double i, int size) {
+            return std::cos(6.283185307179586 * (i + offset) / size);
+        };
+        const MipSource coarser(std::make_shared<FunctionVoxels>([&](int x, int, int, int) {
+                                    return static_cast<float>(wave(x, n));
+                                }),
+                                {n, 1, 1}, {centered, centered, centered});
+        const auto values = filled(coarser, {{}, {n / 2, 1, 1}});
+        // A box filter damps the wave and must not turn it: all ratios are the same.
+        const double damped = values[0][1] / wave(1, n / 2);
+        EXPECT_GT(damped, 0.98);
+        for (int i = 0; i < n / 2; ++i) {
+            EXPECT_NEAR(values[0][static_cast<std::size_t>(i)], damped * wave(i, n / 2), 1e-6);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skybake
