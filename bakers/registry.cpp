@@ -91,11 +91,10 @@ Estimate estimate_noise_volume(const Parameters& parameters, const Bake& bake) {
         result.seconds += bytes * seconds_per_byte(format, asset);
     }
     // Boxes on their way, as floats and as the file stores them.
-    const double boxes = std::min<double>(
-        box_slots(0),
-        static_cast<double>(BoxSequence(asset.size, static_cast<int>(channels)).count()));
-    result.memory_mib =
-        32 + boxes * BoxSequence::kFloats * (4.0 + bytes_per_value(asset.pixel_type)) / kMebibyte;
+    const BoxSequence boxes(asset.size, static_cast<int>(channels));
+    const double values = static_cast<double>(boxes.largest_count()) *
+                          static_cast<double>(channels) * std::min(box_slots(0), boxes.count());
+    result.memory_mib = 32 + values * (4.0 + bytes_per_value(asset.pixel_type)) / kMebibyte;
     result.disk_mib = bytes * static_cast<double>(asset.formats.size()) / kMebibyte;
     return result;
 }

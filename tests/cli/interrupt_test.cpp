@@ -19,9 +19,13 @@ class UntilInterrupted : public Progress {
 
 // Writes large files until it is stopped; -1 where it was killed.
 int stop_a_writer(const TemporaryFolder& folder, int signal, int times, bool obeys) {
+    int ready[2] = {-1, -1};
+    EXPECT_EQ(::pipe(ready), 0);
     const pid_t child = ::fork();
     if (child == 0) {
         install_signal_handlers();
+        ::close(ready[0]);
+        ::close(ready[1]);  // the parent waits for this: a signal any earlier would kill
         const UntilInterrupted progress;
         const std::string texts[2] = {std::string(3000000, 'a'), std::string(3000000, 'b')};
         for (int i = 0; !obeys || !interrupted(); ++i) {
@@ -29,6 +33,10 @@ int stop_a_writer(const TemporaryFolder& folder, int signal, int times, bool obe
         }
         ::_exit(static_cast<int>(ExitCode::interrupted));
     }
+    ::close(ready[1]);
+    char byte = 0;
+    EXPECT_EQ(::read(ready[0], &byte, 1), 0);
+    ::close(ready[0]);
     for (int i = 0; i < times; ++i) {
         std::this_thread::sleep_for(std::chrono::milliseconds(30));
         ::kill(child, signal);

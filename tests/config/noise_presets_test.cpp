@@ -44,7 +44,7 @@ TEST(NoisePresets, NubisShape) {
     ASSERT_EQ(noise.channels.size(), 4u);
     const NoiseChannel& red = noise.channels[0];
     EXPECT_EQ(red.type, NoiseType::perlin_worley);
-    EXPECT_EQ(red.fractal, NoiseFractal::fbm);
+    EXPECT_EQ(red.fractal, NoiseFractal::rectified);
     EXPECT_EQ(red.value_form, squared);
     expect_octaves(red.octaves, octaves({8, 16, 32}, {1, 0.5, 0.25}));
     expect_octaves(red.worley_octaves, octaves({4, 8, 16}, cloud_gains));

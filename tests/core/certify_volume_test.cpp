@@ -113,18 +113,18 @@ TEST(CertifyVolume, CountsRoundingAtVoxels) {
     }
 }
 
-TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTexturesCoordinates) {
+TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     const std::array<int, 3> size = {5, 7, 9};
-    const VolumeLevel level = level_of(size, 2, PixelType::half, sample_voxel);
+    const VolumeLevel level = level_of(size, 3, PixelType::half, sample_voxel);
     const auto reference = [](const Place& uvw) {
-        return std::vector<double>{uvw[0] + uvw[1] * uvw[2], uvw[2]};
+        return std::vector<double>{uvw[0] + uvw[1] * uvw[2], uvw[2], uvw[0]};
     };
     BakeOptions two_threads;
     two_threads.threads = 2;
     const VolumeErrors errors =
         measure_lookups(level, PixelType::half, reference, 500, two_threads);
     double worst = 0;
-    for (int c = 0; c < 2; ++c) {
+    for (int c = 0; c < 3; ++c) {
         const auto channel = static_cast<std::size_t>(c);
         const double range = level.statistics[channel].max - level.statistics[channel].min;
         const double found = lookup(sample_voxel, size, PixelType::half, c, errors.worst);

@@ -8,6 +8,7 @@
 
 #include "bakers/core/hash.h"
 #include "bakers/core/pixel_type.h"
+#include "bakers/core/voxel_boxes.h"
 #include "bakers/core/voxel_bytes.h"
 #include "tests/support/volumes.h"
 
