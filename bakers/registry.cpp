@@ -169,7 +169,9 @@ std::vector<std::string> multiple_scattering_parameters(const Bake&) {
 std::vector<std::string> noise_volume_parameters(const Bake& bake) {
     const std::string noise =
         config::join_path("noise", std::get<NoiseVolumeBake>(bake.asset).noise);
-    return {fmt::format("{}.*", noise), fmt::format("{}.channels.*.*", noise)};
+    // Not its `size`, which is but the default of the asset's own.
+    return {fmt::format("{}.seed", noise), fmt::format("{}.sampling", noise),
+            fmt::format("{}.pack", noise), fmt::format("{}.channels.*.*", noise)};
 }
 
 }  // namespace

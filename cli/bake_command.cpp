@@ -188,6 +188,7 @@ ExitCode bake(const BakeJob& job, bool force, Console& console) {
     if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
     if (const ExitCode code = write_all(job, *folder.value, *assets.value, console);
         code != ExitCode::done) {
+        remove_empty_folders(*made.value);
         return code;
     }
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;

@@ -221,9 +221,10 @@ constexpr std::array codes = {
                    "A baked value is infinite or not a number. Nothing is written.", "", "",
                    failed_check},
     DiagnosticCode{"E0402", "out of the pixel type's range",
-                   "A baked value is too large for the pixel type and would be stored as infinity. "
-                   "Choose pixel_type = \"float\", or content = \"transmittance\" in place of an "
-                   "optical depth. Nothing is written.",
+                   "A baked value is beyond what the pixel type holds: 65504 for half, [0, 1] for "
+                   "unorm8 and unorm16. Nothing is clamped and nothing is written. Choose "
+                   "pixel_type = \"float\", a `remap` for a noise, or content = "
+                   "\"transmittance\" in place of an optical depth.",
                    "pixel_type = \"half\"", "pixel_type = \"float\"", failed_check},
     DiagnosticCode{
         "E0403", "max_error cannot be reached",

@@ -81,14 +81,28 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
     return {std::move(result), {}};
 }
 
-config::Outcome<fs::path> create_output_folder(const fs::path& folder) {
+config::Outcome<std::vector<fs::path>> create_output_folder(const fs::path& folder) {
+    std::vector<fs::path> made;
     std::error_code error;
+    fs::path missing = fs::absolute(folder).lexically_normal();
+    while (!fs::exists(missing, error) && missing.has_relative_path()) {
+        if (missing.has_filename()) made.push_back(missing);
+        missing = missing.parent_path();
+    }
+    error.clear();
     fs::create_directories(folder, error);
     // A folder that another process made in the meantime is as good.
     std::error_code ignored;
     if (error && !fs::is_directory(folder, ignored))
         return {{}, {unwritable(folder, error.message())}};
-    return {folder, {}};
+    return {std::move(made), {}};
+}
+
+void remove_empty_folders(std::span<const fs::path> folders) {
+    for (const fs::path& folder : folders) {
+        std::error_code not_empty;
+        if (!fs::remove(folder, not_empty)) return;
+    }
 }
 
 }  // namespace skybake

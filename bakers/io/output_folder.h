@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "bakers/io/manifest.h"
 #include "config/diagnostic.h"
@@ -23,7 +24,12 @@ struct OutputFolder {
 config::Outcome<OutputFolder> inspect_output_folder(const std::filesystem::path& folder,
                                                     std::span<const std::string> files, bool force);
 
-// Makes the folder where it is missing. E0302.
-config::Outcome<std::filesystem::path> create_output_folder(const std::filesystem::path& folder);
+// Makes the folder where it is missing, and those above it; the folders made, the deepest first.
+// E0302.
+config::Outcome<std::vector<std::filesystem::path>> create_output_folder(
+    const std::filesystem::path& folder);
+
+// Takes back what create_output_folder made, as far as nothing is in there.
+void remove_empty_folders(std::span<const std::filesystem::path> folders);
 
 }  // namespace skybake

@@ -21,6 +21,27 @@ TEST(OutputFolder, AMissingOneIsFineAndNotMadeByLooking) {
     EXPECT_TRUE(create_output_folder(folder / "a/b/c").value.has_value());
 }
 
+TEST(OutputFolder, TakesBackTheFoldersItMade) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "old");
+    const auto made = create_output_folder(folder / "old/a/b");
+    ASSERT_TRUE(made.value.has_value());
+    EXPECT_EQ(made.value->size(), 2u);
+    remove_empty_folders(*made.value);
+    EXPECT_FALSE(std::filesystem::exists(folder / "old/a"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "old"));
+}
+
+TEST(OutputFolder, LeavesFoldersInUse) {
+    const TemporaryFolder folder;
+    const auto made = create_output_folder(folder / "a/b");
+    ASSERT_TRUE(made.value.has_value());
+    std::filesystem::create_directories(folder / "a/other");
+    remove_empty_folders(*made.value);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a/b"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "a/other"));
+}
+
 TEST(OutputFolder, RelativeAndCurrentFoldersAreFine) {
     EXPECT_TRUE(inspect_output_folder("./skybake-absent/", files, false).value.has_value());
     EXPECT_TRUE(inspect_output_folder(".", {}, false).value.has_value());
