@@ -59,7 +59,7 @@ class BoxFiller {
     void prepare() {
         fields_.resize(plan_.fields.size());
         rows_.resize(plan_.fields.size());
-        combined_.resize(4 * row_stride_);
+        combined_.resize(std::max<std::size_t>(4, plan_.channels.size()) * row_stride_);
         lattices_.resize(plan_.fields.size());
         gradients_.resize(plan_.channels.size());
         scratches_.resize(plan_.channels.size());
