@@ -12,6 +12,7 @@
 #include "bakers/io/file_names.h"
 #include "bakers/io/manifest.h"
 #include "bakers/io/output_folder.h"
+#include "bakers/io/vdb_volume.h"
 #include "bakers/registry.h"
 #include "cli/bake_output.h"
 #include "cli/bake_progress.h"
@@ -181,6 +182,13 @@ ExitCode bake(const BakeJob& job, bool force, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     const auto folder = inspect_output_folder(job.folder, output_files(job), force);
     if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
+    for (const std::string& file : output_files(job)) {
+        if (std::filesystem::path(file).extension() != ".vdb") continue;
+        if (const auto obstacle = vdb_obstacle(job.folder / file)) {
+            return console.report(std::array{*obstacle});
+        }
+        break;
+    }
     auto assets = bake_all(job, console);
     if (interrupted()) return ExitCode::interrupted;
     if (const ExitCode code = console.report(assets.diagnostics); !assets.value) return code;

@@ -337,7 +337,8 @@ const std::array channel_table = {
          .kind = Kind::number,
          .range = bias_range,
          .fallback = "0.5",
-         .documentation = "value at 0.5, after invert: v / ((1/bias - 2) (1 - v) + 1)",
+         .documentation =
+             "value at 0.5, after invert: v / ((1/bias - 2) (1 - v) + 1) in [0, 1], v beyond",
          .hint = "0.5 changes nothing",
          .citation = schlick_1994},
         &NoiseChannel::bias},

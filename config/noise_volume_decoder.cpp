@@ -154,11 +154,17 @@ struct VolumeResolver {
     void check_columns(const Triple& size) const {
         const DecodedField& decoded = bake.at("columns");
         const auto* columns = value_of<double>(decoded);
-        if (!columns || *columns <= size[2]) return;
+        if (!columns) return;
+        // A row of an atlas is made whole: a longer one would take memory that grows with it.
+        constexpr double kWidest = 1 << 20;
+        const bool wide = *columns * size[0] > kWidest;
+        if (*columns <= size[2] && !wide) return;
         decoder.diagnostics.error(
             "E0110", decoded.source->place,
             fmt::format("`{}` is out of range: {}", path("columns"), static_cast<int>(*columns)),
-            fmt::format("there are {} slices", size[2]));
+            *columns > size[2] ? fmt::format("there are {} slices", size[2])
+                               : fmt::format("an atlas is at most {} voxels wide: {} columns",
+                                             kWidest, static_cast<int>(kWidest) / size[0]));
     }
 
     void resolve_levels(const Triple& size) const {

@@ -107,7 +107,14 @@ VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options) {
     std::vector<Place> places;
-    for (int i = 0; i < count; ++i) places.push_back(low_discrepancy_point(i));
+    for (int i = 0; i < count; ++i) {
+        Place place = low_discrepancy_point(i);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // Along an axis of one voxel there is nothing to look up between.
+            if (level.size[axis] == 1) place[axis] = 0.5;
+        }
+        places.push_back(place);
+    }
     return measure(level, type, reference, places, options);
 }
 

@@ -21,7 +21,8 @@ struct VolumeErrors {
     int points = 0;
 };
 
-// Trilinear lookups, with repeat, of the voxels as stored, at `count` points of the fixed set.
+// Trilinear lookups, with repeat, of the voxels as stored, at `count` points of the fixed set; at
+// the voxel itself along axes that have but one.
 VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options);

@@ -60,7 +60,7 @@ struct BakedVolume {
     std::string name;     // NAME of [bake.NAME]
     std::string kind;     // "noise_volume"
     std::string content;  // what a voxel means, with its unit, in one line
-    std::string mapping;  // "tile, voxel centres": where voxels lie
+    std::string mapping;  // "tile": it repeats along its axes
     std::array<AxisMapping, 3> axes;
     std::vector<std::string> channel_names;  // {"R", "G", "B", "A"}, {"R", "G", "B"} or {"Y"}
     config::PixelType pixel_type = config::PixelType::half;
@@ -77,7 +77,7 @@ struct BakedVolume {
     bool certified = false;
     Certificate certificate;
     double seam_error = 0;    // largest difference between voxel 0 and voxel `size`, over all axes
-    double bake_seconds = 0;  // wall time of making the voxels once
+    double bake_seconds = 0;  // wall time of making the voxels of all levels once
     std::string parameters;   // TOML: the resolved parameters that this volume depends on
     std::vector<std::pair<std::string, std::string>> details;
 };

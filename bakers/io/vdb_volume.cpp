@@ -288,6 +288,12 @@ Outcome<T> read_with_module(const fs::path& path, Read&& read) {
 
 }  // namespace
 
+std::optional<Diagnostic> vdb_obstacle(const fs::path& path) {
+    const LoadedVdbCodec& loaded = vdb_codec();
+    if (loaded.codec != nullptr) return std::nullopt;
+    return cannot_write(path, loaded.reason);
+}
+
 Outcome<bool> write_vdb(const BakedVolume& volume, int level, const Attributes& attributes,
                         int threads, Progress* progress, const fs::path& path) {
     if (const auto reason = contradiction(volume, level)) {

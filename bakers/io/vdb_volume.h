@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@
 #include "config/diagnostic.h"
 
 namespace skybake {
+
+// Whether write_vdb can do its work here: E0301 where OpenVDB's module is missing or cannot be
+// loaded. Ask before a long bake.
+std::optional<config::Diagnostic> vdb_obstacle(const std::filesystem::path& path);
 
 // Writes volume.levels[level] over an existing file; `attributes` become text metadata of the file.
 // The bytes depend on the volume and the attributes only: not on threads, runs or time (the file's

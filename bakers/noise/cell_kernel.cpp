@@ -18,6 +18,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 constexpr Floats kFloats;
+static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 using Integers = hn::RebindToSigned<Floats>;
 constexpr std::size_t kSliceStride = CellCandidates::kSliceStride;

@@ -23,7 +23,7 @@ namespace skybake::noise {
 // The points of the cells that a box needs, [plane of the ring][y][x]. It and the candidates are
 // what filling a box in chunks keeps from chunk to chunk, one thread at a time.
 struct CellLattice {
-    std::array<std::int64_t, 3> first{};  // cell of the first point along x and y
+    std::array<std::int64_t, 3> first{};  // cell of the first point along x and y; z: of the box
     std::array<int, 3> count{};           // cells along x, y; planes held along z
     std::size_t stride = 0;
     std::vector<std::uint32_t> scaled_x;

@@ -17,6 +17,7 @@ namespace {
 
 using Floats = hn::ScalableTag<float>;
 constexpr Floats kFloats;
+static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 using FloatVector = hn::Vec<Floats>;
 constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 

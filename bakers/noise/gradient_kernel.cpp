@@ -15,6 +15,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 constexpr Floats kFloats;
+static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 using Integers = hn::RebindToSigned<Floats>;
 
 // The gradients of one lattice plane.

@@ -29,15 +29,18 @@ inline constexpr std::uint32_t kGolden32 = 0x9e3779b9u;
 inline constexpr std::uint64_t kGolden64 = 0x9e3779b97f4a7c15u;
 
 // What is random about an octave. Octaves of one purpose, frequency and seed are the same field
-// wherever they stand, so that channels which share octaves share their work.
+// wherever they stand, so that channels which share cellular octaves share their work. A frequency
+// that comes again within one sum is another field each time, by `repetition`.
 enum class Purpose : std::uint32_t { gradient, cells, potential_x, potential_y, potential_z };
 
 inline std::uint64_t octave_key(std::uint64_t noise_seed, std::uint64_t channel_seed,
-                                Purpose purpose, const std::array<int, 3>& frequency) {
+                                Purpose purpose, const std::array<int, 3>& frequency,
+                                int repetition = 0) {
     std::uint64_t key = mix64(noise_seed + kGolden64);
     key = mix64(key ^ mix64(channel_seed + 2 * kGolden64));
     key = mix64(key + static_cast<std::uint64_t>(purpose) + 1);
     for (const int f : frequency) key = mix64(key * kGolden64 + static_cast<std::uint64_t>(f));
+    for (int i = 0; i < repetition; ++i) key = mix64(key + kGolden64);
     return key;
 }
 

@@ -70,6 +70,7 @@ class BoxFiller {
                 prepare_field(static_cast<std::size_t>(use.field));
             }
             if (!channel.gradient.octaves.empty()) prepare_gradient(c);
+            all_direct_ = all_direct_ && is_direct(c);
         }
     }
 
@@ -163,6 +164,7 @@ class BoxFiller {
         for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
             if (!gradients_[c].empty()) fill_gradient(c, chunk);
         }
+        if (all_direct_) return;
         for (int z = 0; z < chunk.size[2]; ++z) {
             for (int y = 0; y < chunk.size[1]; ++y) write_row(chunk, y, z);
         }
@@ -198,6 +200,7 @@ class BoxFiller {
     std::size_t chunk_floats_ = 0;
     int chunk_rows_ = 0;
     bool pointwise_ = false;
+    bool all_direct_ = true;                // no channel needs its rows combined
     std::vector<AlignedFloats> fields_;     // of the chunk; empty where no wanted channel has it
     std::vector<AlignedFloats> gradients_;  // of the chunk, per channel
     AlignedFloats octave_;

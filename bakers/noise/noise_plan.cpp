@@ -81,8 +81,13 @@ OctaveShape shape_of(NoiseFractal fractal) {
 struct Keys {
     std::uint64_t noise_seed = 0;
     std::uint64_t channel_seed = 0;
-    std::uint64_t operator()(Purpose purpose, const std::array<int, 3>& frequency) const {
-        return octave_key(noise_seed, channel_seed, purpose, frequency);
+    // Of octave i.
+    std::uint64_t operator()(Purpose purpose, const NoiseOctaves& octaves, std::size_t i) const {
+        const auto begin = octaves.frequencies.begin();
+        const auto end = begin + static_cast<std::ptrdiff_t>(i);
+        const auto repetition = std::count(begin, end, octaves.frequencies[i]);
+        return octave_key(noise_seed, channel_seed, purpose, octaves.frequencies[i],
+                          static_cast<int>(repetition));
     }
 };
 
@@ -93,8 +98,9 @@ GradientStack gradient_stack(const NoiseChannel& channel, const std::array<TileA
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const auto& frequency = channel.octaves.frequencies[i];
         const bool plain = stack.shape == OctaveShape::plain;
-        stack.octaves.push_back(gradient_octave(axes, frequency, keys(Purpose::gradient, frequency),
-                                                -1, plain ? weights[i] : 1));
+        stack.octaves.push_back(gradient_octave(axes, frequency,
+                                                keys(Purpose::gradient, channel.octaves, i), -1,
+                                                plain ? weights[i] : 1));
         stack.weights.push_back(static_cast<float>(weights[i]));
     }
     return stack;
@@ -116,12 +122,12 @@ GradientStack curl_stack(const NoiseChannel& channel, const std::array<TileAxis,
     const std::vector<double> weights = weights_of(channel.octaves);
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const auto& frequency = channel.octaves.frequencies[i];
-        stack.octaves.push_back(gradient_octave(axes, frequency, keys(kPotentials[last], frequency),
-                                                static_cast<int>(next),
-                                                weights[i] * frequency[next] / unit));
-        stack.octaves.push_back(gradient_octave(axes, frequency, keys(kPotentials[next], frequency),
-                                                static_cast<int>(last),
-                                                -weights[i] * frequency[last] / unit));
+        stack.octaves.push_back(
+            gradient_octave(axes, frequency, keys(kPotentials[last], channel.octaves, i),
+                            static_cast<int>(next), weights[i] * frequency[next] / unit));
+        stack.octaves.push_back(
+            gradient_octave(axes, frequency, keys(kPotentials[next], channel.octaves, i),
+                            static_cast<int>(last), -weights[i] * frequency[last] / unit));
     }
     return stack;
 }
@@ -149,7 +155,7 @@ std::vector<WeightedField> cell_fields(const NoiseChannel& channel, const NoiseO
         const auto& frequency = octaves.frequencies[i];
         const int field = field_index(
             plan,
-            {frequency, keys(Purpose::cells, frequency), channel.feature, channel.value_form, {}});
+            {frequency, keys(Purpose::cells, octaves, i), channel.feature, channel.value_form, {}});
         fields.push_back({field, static_cast<float>(weights[i])});
     }
     return fields;
@@ -206,9 +212,12 @@ std::array<double, 2> nominal_range(const NoiseChannel& channel) {
     for (double& bound : range) {
         bound = low_out + (bound - low_in) * (high_out - low_out) / (high_in - low_in);
         if (channel.invert) bound = 1 - bound;
-        bound = bound / ((1 / channel.bias - 2) * (1 - bound) + 1);
+        // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.
+        if (bound > 0 && bound < 1) bound /= (1 / channel.bias - 2) * (1 - bound) + 1;
     }
     if (range[0] > range[1]) std::swap(range[0], range[1]);
+    // A remap to one value: a range about it.
+    if (range[0] == range[1]) range = {range[0] - 0.5, range[1] + 0.5};
     return range;
 }
 

@@ -16,8 +16,8 @@ namespace skybake::noise {
 // Vectors of up to so many floats may be loaded from any voxel of an axis on.
 inline constexpr int kLanePadding = 16;
 
-// One octave's cells along one axis, per voxel 0 ... size - 1, with kLanePadding further entries
-// that repeat the last cell.
+// One octave's cells along one axis, per voxel 0 ... size - 1, with kLanePadding further entries:
+// the last cell again, fraction 0.
 struct AxisCells {
     std::vector<std::int32_t> cell;
     AlignedFloats fraction;  // position in the cell, in [0, 1), rounded to float
@@ -90,7 +90,7 @@ struct NoisePlan {
 NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size);
 
 // The range that a channel's values are meant to lie in: [0, 1], [-1, 1] for curl, either carried
-// through remap, invert and bias.
+// through remap, invert and bias. Never empty.
 std::array<double, 2> nominal_range(const config::NoiseChannel& channel);
 
 }  // namespace skybake::noise

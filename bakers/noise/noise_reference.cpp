@@ -37,9 +37,16 @@ struct Lattice {
     }
 };
 
+// What tells an octave's lattice from the others of its sum.
+struct OctaveName {
+    Frequency frequency{};
+    int repetition = 0;
+};
+
 Lattice lattice_of(const config::Noise& noise, const NoiseChannel& channel, Purpose purpose,
-                   const Frequency& frequency) {
-    return {frequency, octave_key(noise.seed, channel.seed, purpose, frequency)};
+                   const OctaveName& octave) {
+    return {octave.frequency,
+            octave_key(noise.seed, channel.seed, purpose, octave.frequency, octave.repetition)};
 }
 
 double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
@@ -156,16 +163,19 @@ double weighted_mean(const NoiseOctaves& octaves, const Octave& octave) {
     double sum = 0;
     double weights = 0;
     for (std::size_t i = 0; i < octaves.gains.size(); ++i) {
-        sum += octaves.gains[i] * octave(octaves.frequencies[i]);
+        const Frequency& frequency = octaves.frequencies[i];
+        const auto end = octaves.frequencies.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto repetition = std::count(octaves.frequencies.begin(), end, frequency);
+        sum += octaves.gains[i] * octave(OctaveName{frequency, static_cast<int>(repetition)});
         weights += octaves.gains[i];
     }
     return sum / weights;
 }
 
 double gradient_part(const config::Noise& noise, const NoiseChannel& channel, const Vector& place) {
-    const double sum = weighted_mean(channel.octaves, [&](const Frequency& frequency) {
+    const double sum = weighted_mean(channel.octaves, [&](const OctaveName& octave) {
         const double n =
-            improved_noise(lattice_of(noise, channel, Purpose::gradient, frequency), place).value;
+            improved_noise(lattice_of(noise, channel, Purpose::gradient, octave), place).value;
         if (channel.fractal == NoiseFractal::ridged) return 1 - std::fabs(n);
         return channel.fractal == NoiseFractal::billow ? std::fabs(n) : n;
     });
@@ -175,8 +185,8 @@ double gradient_part(const config::Noise& noise, const NoiseChannel& channel, co
 
 double cell_part(const config::Noise& noise, const NoiseChannel& channel,
                  const NoiseOctaves& octaves, const Vector& place) {
-    return weighted_mean(octaves, [&](const Frequency& frequency) {
-        return worley(channel, lattice_of(noise, channel, Purpose::cells, frequency), place);
+    return weighted_mean(octaves, [&](const OctaveName& octave) {
+        return worley(channel, lattice_of(noise, channel, Purpose::cells, octave), place);
     });
 }
 
@@ -187,10 +197,10 @@ double curl_part(const config::Noise& noise, const NoiseChannel& channel, const 
     const auto axis = static_cast<std::size_t>(channel.component);
     const std::size_t next = (axis + 1) % 3;
     const std::size_t last = (axis + 2) % 3;
-    const double sum = weighted_mean(channel.octaves, [&](const Frequency& frequency) {
+    const double sum = weighted_mean(channel.octaves, [&](const OctaveName& octave) {
         const auto slope = [&](std::size_t potential, std::size_t along) {
-            const Lattice lattice = lattice_of(noise, channel, kPotentials[potential], frequency);
-            return improved_noise(lattice, place).slope[along] * frequency[along];
+            const Lattice lattice = lattice_of(noise, channel, kPotentials[potential], octave);
+            return improved_noise(lattice, place).slope[along] * octave.frequency[along];
         };
         return slope(last, next) - slope(next, last);
     });
@@ -220,6 +230,8 @@ double shaped(const NoiseChannel& channel, double value) {
     const auto& [low_in, high_in, low_out, high_out] = channel.remap;
     value = low_out + (value - low_in) / (high_in - low_in) * (high_out - low_out);
     if (channel.invert) value = 1 - value;
+    // Schlick's bias has a pole beyond [0, 1], where it is left out: it is continuous so.
+    if (value < 0 || value > 1) return value;
     return value / ((1 / channel.bias - 2) * (1 - value) + 1);
 }
 

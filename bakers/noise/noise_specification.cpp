@@ -91,7 +91,8 @@ float shaped(const ChannelPlan& channel, float value) {
         value = (value - channel.remap_low_in) * channel.remap_scale + channel.remap_low_out;
     }
     if (channel.invert) value = 1 - value;
-    if (channel.biased) value = value / ((1 - value) * channel.bias_slope + 1);
+    if (channel.biased && value >= 0 && value <= 1)
+        value = value / ((1 - value) * channel.bias_slope + 1);
     return value;
 }
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -89,24 +90,28 @@ VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size)
     };
 }
 
-// The largest difference between voxels of the lower faces and those a tile's length away, which
-// the kernels' definition computes from other lattice coordinates.
-double seam_error(const NoisePlan& plan, const std::array<int, 3>& size) {
+// The largest difference between voxels of the lower faces, as the kernels make them, and those a
+// tile's length away, which their specification finds at other lattice coordinates.
+double seam_error(const NoiseField& field, const std::array<int, 3>& size) {
     constexpr int kPoints = 32;
+    const auto channels = static_cast<std::size_t>(field.plan().output_channels());
+    std::vector<float> here(channels);
+    std::vector<float*> targets;
+    for (float& value : here) targets.push_back(&value);
     double largest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < kPoints; ++i) {
             const std::array<double, 3> point = low_discrepancy_point(i);
-            noise::Voxel near;
+            VoxelBox near{{}, {1, 1, 1}};
             for (std::size_t k = 0; k < 3; ++k) {
-                near[k] = static_cast<std::int64_t>(std::floor(point[k] * size[k]));
+                near.origin[k] = static_cast<int>(std::floor(point[k] * size[k]));
             }
-            near[axis] = 0;
-            noise::Voxel far = near;
+            near.origin[axis] = 0;
+            noise::Voxel far = {near.origin[0], near.origin[1], near.origin[2]};
             far[axis] = size[axis];
-            const std::vector<float> here = noise_at(plan, near);
-            const std::vector<float> there = noise_at(plan, far);
-            for (std::size_t c = 0; c < here.size(); ++c) {
+            field.fill(near, targets);
+            const std::vector<float> there = noise_at(field.plan(), far);
+            for (std::size_t c = 0; c < channels; ++c) {
                 largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
             }
         }
@@ -114,8 +119,8 @@ double seam_error(const NoisePlan& plan, const std::array<int, 3>& size) {
     return largest;
 }
 
-void add_levels(const Noise& noise, const NoiseVolumeBake& bake, const NoisePlan& plan,
-                const BakeOptions& options, BakedVolume& volume) {
+void add_levels(const NoiseVolumeBake& bake, const NoisePlan& plan, const BakeOptions& options,
+                BakedVolume& volume) {
     // Levels of no more floats than this are kept, so that those below need not make them again.
     constexpr std::int64_t kKeptFloats = 1 << 23;
     const int channels = plan.output_channels();
@@ -126,8 +131,7 @@ void add_levels(const Noise& noise, const NoiseVolumeBake& bake, const NoisePlan
     for (int i = 1; i < bake.mips; ++i) {
         const std::array<int, 3> finer_size = level.size;
         level.size = next_mip_size(finer_size);
-        level.voxels =
-            std::make_shared<MipSource>(level.voxels, finer_size, centered_axes(noise.sampling));
+        level.voxels = std::make_shared<MipSource>(level.voxels, finer_size);
         const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
         if (floats <= kKeptFloats) {
             level.voxels =
@@ -162,11 +166,15 @@ void certify(const Noise& noise, const BakeOptions& options, BakedVolume& volume
     volume.certified = true;
 }
 
-int distinct_octaves(const NoisePlan& plan) {
-    std::size_t count = plan.fields.size();
-    for (const noise::ChannelPlan& channel : plan.channels)
-        count += channel.gradient.octaves.size();
-    return static_cast<int>(count);
+// Lattices that are hashed, each once however many channels use it or derivatives it has.
+std::size_t distinct_octaves(const NoisePlan& plan) {
+    std::set<std::uint64_t> keys;
+    for (const noise::CellField& field : plan.fields) keys.insert(field.key);
+    for (const noise::ChannelPlan& channel : plan.channels) {
+        for (const noise::GradientOctave& octave : channel.gradient.octaves)
+            keys.insert(octave.key);
+    }
+    return keys.size();
 }
 
 }  // namespace
@@ -189,21 +197,19 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
 
     const NoisePlan plan = noise::make_noise_plan(noise, bake.size);
     volume.details.emplace_back("distinct_octaves", std::to_string(distinct_octaves(plan)));
-    add_levels(noise, bake, plan, options, volume);
+    add_levels(bake, plan, options, volume);
     Outcome<BakedVolume> outcome;
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
         if (cancelled(options)) return outcome;
         const auto start = std::chrono::steady_clock::now();
         outcome.diagnostics =
             survey_level(volume, static_cast<int>(i), histogram_ranges(noise), options);
-        if (i == 0) {
-            volume.bake_seconds =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        }
+        volume.bake_seconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
         volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
     }
-    volume.seam_error = seam_error(plan, bake.size);
+    volume.seam_error = seam_error(NoiseField(plan), bake.size);
     if (options.certification != Certification::off) certify(noise, options, volume);
     if (cancelled(options)) return outcome;
     outcome.value = std::move(volume);

@@ -17,6 +17,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 constexpr Floats kFloats;
+static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 constexpr Words kWords;
 constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 using Integers = hn::RebindToSigned<Floats>;

@@ -15,7 +15,6 @@ namespace {
 using testing::FunctionVoxels;
 using testing::sample_voxel;
 using Size = std::array<int, 3>;
-using Centered = std::array<bool, 3>;
 
 std::vector<std::vector<float>> filled(const VoxelSource& source, const VoxelBox& box,
                                        int channels = 1) {
@@ -36,20 +35,16 @@ double mean(const std::vector<float>& values) {
 }
 
 // A coarse voxel by the header's words: the integral of the finer ones, each constant over its
-// width, over [i n/m, (i + 1) n/m), or half a coarse voxel less, in units of finer samples whose
-// intervals then also begin half a finer voxel earlier.
+// width, over [i n/m, (i + 1) n/m).
 double by_definition(const FunctionVoxels::Function& finer, const Size& n, const Size& m,
-                     const Centered& centered, const std::array<int, 3>& voxel) {
+                     const std::array<int, 3>& voxel) {
     std::array<std::vector<std::pair<int, double>>, 3> weights;  // finer voxel, share
     for (std::size_t a = 0; a < 3; ++a) {
         const double width = static_cast<double>(n[a]) / m[a];
-        const double begin = centered[a] ? voxel[a] * width : (voxel[a] - 0.5) * width;
-        const double shift = centered[a] ? 0 : -0.5;  // where finer voxel 0 begins
-        for (int i = -n[a] - 1; i <= 2 * n[a]; ++i) {
-            const double overlap =
-                std::min(begin + width, i + shift + 1) - std::max(begin, i + shift);
-            if (overlap > 1e-12)
-                weights[a].push_back({((i % n[a]) + n[a]) % n[a], overlap / width});
+        const double begin = voxel[a] * width;
+        for (int i = 0; i < n[a]; ++i) {
+            const double overlap = std::min(begin + width, i + 1.0) - std::max<double>(begin, i);
+            if (overlap > 1e-12) weights[a].push_back({i, overlap / width});
         }
     }
     double sum = 0;
@@ -72,7 +67,7 @@ TEST(MipSource, IsTheMeanOfEightForEvenSizes) {
     const auto finer = std::make_shared<FunctionVoxels>([](int x, int y, int z, int c) {
         return static_cast<float>(x + 10 * y + 100 * z + 1000 * c);
     });
-    const MipSource coarser(finer, {8, 8, 8}, {true, true, true});
+    const MipSource coarser(finer, {8, 8, 8});
     const auto values = filled(coarser, {{}, {4, 4, 4}}, 2);
     std::size_t at = 0;
     for (int z = 0; z < 4; ++z) {
@@ -87,26 +82,11 @@ TEST(MipSource, IsTheMeanOfEightForEvenSizes) {
     }
 }
 
-// At corners sample 0 covers a quarter of sample -1, which is sample 7 of the tile, half of its own
-// place's and a quarter of sample 1.
-TEST(MipSource, ReachesAcrossTheSeamAtCorners) {
-    const auto finer = std::make_shared<FunctionVoxels>([](int x, int, int, int) {
-        return x == 7 ? 64.0f : x == 0 ? 8.0f : static_cast<float>(x);
-    });
-    const MipSource coarser(finer, {8, 2, 2}, {false, false, false});
-    const auto values = filled(coarser, {{}, {4, 1, 1}});
-    EXPECT_EQ(values[0][0], 64 / 4.0f + 8 / 2.0f + 1 / 4.0f);
-    EXPECT_EQ(values[0][1], 2);
-    EXPECT_EQ(values[0][2], 4);
-    EXPECT_EQ(values[0][3], 5 / 4.0f + 6 / 2.0f + 64 / 4.0f);
-}
-
-// The three voxels of 3 to 1, and of 5 to 2: 1, 1, 1/2 | 1/2, 1, 1 of 5/2.
 TEST(MipSource, WeighsOddSizesByOverlap) {
     const auto finer = std::make_shared<FunctionVoxels>([](int x, int y, int, int) {
         return static_cast<float>(1 << (2 * x)) * (y == 1 ? 2.0f : 1.0f);
     });
-    const MipSource coarser(finer, {5, 3, 1}, {true, true, true});
+    const MipSource coarser(finer, {5, 3, 1});
     const auto values = filled(coarser, {{}, {2, 1, 1}});
     const double y = 4.0 / 3;
     EXPECT_FLOAT_EQ(values[0][0], static_cast<float>(y * (1 + 4 + 16 / 2.0) / 2.5));
@@ -117,18 +97,15 @@ TEST(MipSource, IsItsDefinitionAndKeepsTheMean) {
     EXPECT_TRUE(rc::check([] {
         const Size size = {*rc::gen::inRange(1, 14), *rc::gen::inRange(1, 14),
                            *rc::gen::inRange(1, 14)};
-        const Centered centered = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(),
-                                   *rc::gen::arbitrary<bool>()};
         const auto finer = std::make_shared<FunctionVoxels>(sample_voxel);
-        const MipSource coarser(finer, size, centered);
+        const MipSource coarser(finer, size);
         const Size half = next_mip_size(size);
         const auto values = filled(coarser, {{}, half});
         std::size_t at = 0;
         for (int z = 0; z < half[2]; ++z) {
             for (int y = 0; y < half[1]; ++y) {
                 for (int x = 0; x < half[0]; ++x, ++at) {
-                    const double wanted =
-                        by_definition(sample_voxel, size, half, centered, {x, y, z});
+                    const double wanted = by_definition(sample_voxel, size, half, {x, y, z});
                     RC_ASSERT(std::fabs(values[0][at] - wanted) < 1e-7);
                 }
             }
@@ -141,9 +118,7 @@ TEST(MipSource, BoxesEqualTheWhole) {
     EXPECT_TRUE(rc::check([] {
         const Size size = {*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 40),
                            *rc::gen::inRange(1, 40)};
-        const Centered centered = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(),
-                                   *rc::gen::arbitrary<bool>()};
-        const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size, centered);
+        const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size);
         const Size half = next_mip_size(size);
         VoxelBox box;
         for (std::size_t a = 0; a < 3; ++a) {
@@ -168,8 +143,7 @@ TEST(MipSource, BoxesEqualTheWhole) {
 // So many channels and rows that finer slices come in several parts.
 TEST(MipSource, LargeBoxesInParts) {
     const Size size = {256, 300, 40};
-    const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size,
-                            {true, false, false});
+    const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size);
     const Size half = next_mip_size(size);
     const auto whole = filled(coarser, {{}, half}, 4);
     for (const std::array<int, 3>& voxel : {Size{0, 0, 0}, Size{127, 149, 19}, Size{64, 75, 10}}) {
@@ -187,43 +161,36 @@ TEST(MipSource, LargeBoxesInParts) {
 // A chain keeps the mean down to its last voxel, which is the mean.
 TEST(MipSource, ChainsEndInTheMean) {
     for (const Size& first : {Size{16, 16, 16}, Size{13, 6, 1}, Size{1, 9, 27}}) {
-        for (const Centered& centered : {Centered{true, true, true}, Centered{false, false, false},
-                                         Centered{true, true, false}}) {
-            std::shared_ptr<const VoxelSource> level =
-                std::make_shared<FunctionVoxels>(sample_voxel);
-            Size size = first;
-            const double wanted = mean(filled(*level, {{}, size})[0]);
-            int levels = 1;
-            while (size != Size{1, 1, 1}) {
-                level = std::make_shared<MipSource>(level, size, centered);
-                size = next_mip_size(size);
-                ++levels;
-                EXPECT_NEAR(mean(filled(*level, {{}, size})[0]), wanted, levels * 0x1p-24);
-            }
-            EXPECT_EQ(levels, first[0] == 16 ? 5 : first[0] == 13 ? 4 : 5);
+        std::shared_ptr<const VoxelSource> level = std::make_shared<FunctionVoxels>(sample_voxel);
+        Size size = first;
+        const double wanted = mean(filled(*level, {{}, size})[0]);
+        int levels = 1;
+        while (size != Size{1, 1, 1}) {
+            level = std::make_shared<MipSource>(level, size);
+            size = next_mip_size(size);
+            ++levels;
+            EXPECT_NEAR(mean(filled(*level, {{}, size})[0]), wanted, levels * 0x1p-24);
         }
+        EXPECT_EQ(levels, first[0] == 16 ? 5 : first[0] == 13 ? 4 : 5);
     }
 }
 
-// Where samples are corners a wave of the tile stays in phase: mips are centred on their samples.
+// One texture coordinate serves all levels: a wave over texture space stays in phase.
 TEST(MipSource, KeepsThePhase) {
     const int n = 32;
-    for (const bool centered : {true, false}) {
-        const double offset = centered ? 0.5 : 0;
-        const auto wave = [&](double i, int size) {
-            return std::cos(6.283185307179586 * (i + offset) / size);
-        };
-        const MipSource coarser(std::make_shared<FunctionVoxels>([&](int x, int, int, int) {
-                                    return static_cast<float>(wave(x, n));
-                                }),
-                                {n, 1, 1}, {centered, centered, centered});
-        const auto values = filled(coarser, {{}, {n / 2, 1, 1}});
-        // A box filter damps the wave and must not turn it: all ratios are the same.
-        const double damped = values[0][1] / wave(1, n / 2);
-        EXPECT_GT(damped, 0.98);
-        for (int i = 0; i < n / 2; ++i) {
-            EXPECT_NEAR(values[0][static_cast<std::size_t>(i)], damped * wave(i, n / 2), 1e-6);
-        }
+    const auto wave = [](double i, int size) {
+        return std::cos(6.283185307179586 * (i + 0.5) / size);
+    };
+    const MipSource coarser(std::make_shared<FunctionVoxels>([&](int x, int, int, int) {
+                                return static_cast<float>(wave(x, n));
+                            }),
+                            {n, 1, 1});
+    const auto values = filled(coarser, {{}, {n / 2, 1, 1}});
+    // A box filter damps the wave and must not turn it: all ratios are the same.
+    const double damped = values[0][1] / wave(1, n / 2);
+    EXPECT_GT(damped, 0.98);
+    for (int i = 0; i < n / 2; ++i) {
+        EXPECT_NEAR(values[0][static_cast<std::size_t>(i)], damped * wave(i, n / 2), 1e-6);
     }
 }
 

@@ -148,6 +148,13 @@ TEST(NoisePlan, NominalRangeFollowsWhatBecomesOfValues) {
     constant.type = config::NoiseType::constant;
     constant.value = 5;
     EXPECT_EQ(nominal_range(constant), (std::array<double, 2>{0, 5}));
+    // Never empty, whatever remap and bias do: a histogram lies over it.
+    config::NoiseChannel flat;
+    flat.remap = {0, 1, 0.5, 0.5};
+    EXPECT_EQ(nominal_range(flat), (std::array<double, 2>{0, 1}));
+    config::NoiseChannel steep = curl;
+    steep.bias = 2.0 / 3;
+    EXPECT_EQ(nominal_range(steep), (std::array<double, 2>{-1, 1}));
 }
 
 }  // namespace

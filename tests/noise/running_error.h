@@ -167,7 +167,9 @@ inline Uncertain shaped(const config::NoiseChannel& channel, Uncertain value) {
                 cast(low_out);
     }
     if (channel.invert) value = exactly(1) - value;
-    if (channel.bias != 0.5) {
+    // Beyond [0, 1] bias changes nothing; there it is steep, but continuous.
+    const double beyond = std::max(-value.value, value.value - 1);
+    if (channel.bias != 0.5 && beyond <= value.error) {
         value = value / ((exactly(1) - value) * cast(1 / channel.bias - 2) + exactly(1));
     }
     return value;
