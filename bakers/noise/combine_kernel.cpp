@@ -42,8 +42,10 @@ HWY_INLINE FloatVector shaped(const ChannelPlan& channel, FloatVector value) {
     const FloatVector one = constant(1);
     if (channel.invert) value = hn::Sub(one, value);
     if (channel.biased) {
-        value = hn::Div(value,
-                        hn::Add(hn::Mul(hn::Sub(one, value), constant(channel.bias_slope)), one));
+        const FloatVector biased = hn::Div(
+            value, hn::Add(hn::Mul(hn::Sub(one, value), constant(channel.bias_slope)), one));
+        const auto inside = hn::And(hn::Ge(value, hn::Zero(kFloats)), hn::Le(value, one));
+        value = hn::IfThenElse(inside, biased, value);
     }
     return value;
 }
