@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/core/keep_memory.h"
 #include "cli/interrupt.h"
 #include "cli/run.h"
 
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
     using namespace skybake::cli;
     occupy_standard_descriptors();
     install_signal_handlers();
+    skybake::keep_freed_memory();
     try {
         const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
         return static_cast<int>(run(words, descriptor_sink(STDOUT_FILENO),

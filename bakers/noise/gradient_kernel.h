@@ -41,7 +41,7 @@ class GradientScratch {
     std::vector<GradientLattice> lattices_;
 };
 
-inline constexpr int kRowsAtOnce = 4;
+inline constexpr int kRowsAtOnce = 8;
 
 // Whether the separable kernel takes the octave: at most one cell a voxel along each axis.
 bool is_separable(const GradientOctave& octave, const std::array<TileAxis, 3>& axes);

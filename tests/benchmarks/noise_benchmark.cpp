@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bakers/core/aligned_floats.h"
+#include "bakers/core/keep_memory.h"
 #include "bakers/core/parallel.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/pointwise_kernel.h"
@@ -194,6 +195,7 @@ void register_all() {
 }  // namespace skybake::noise
 
 int main(int argc, char** argv) {
+    skybake::keep_freed_memory();  // as the program does
     skybake::noise::register_all();
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();

@@ -9,7 +9,7 @@ fuzzers=(recipe units setting)
 seconds=$((${1:-60} / ${#fuzzers[@]}))
 examples/install_packages.sh --tests
 cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz
+cmake --build --preset fuzz --target "${fuzzers[@]/%/_fuzzer}"
 for fuzzer in "${fuzzers[@]}"; do
     found=build/fuzz/found/$fuzzer
     mkdir -p "$found"
