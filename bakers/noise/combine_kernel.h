@@ -11,7 +11,7 @@ namespace skybake::noise {
 
 // One channel of `count` voxels, rounded up to whole vectors of at most kLanePadding: from its
 // gradient part (null where it has none), already scaled and shifted for fbm, and the rows of all
-// cell fields. `out` may be `gradient`.
+// cell fields. `out` is none of them.
 void combine_channel(const ChannelPlan& channel, const float* gradient,
                      const std::vector<const float*>& fields, std::size_t count, float* out);
 

@@ -179,8 +179,12 @@ class BoxFiller {
         for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
             if (!wanted(c) || is_direct(c)) continue;
             const float* gradient = gradients_[c].empty() ? nullptr : gradients_[c].data() + offset;
-            combine_channel(plan_.channels[c], gradient, rows_, row_stride_, row(c));
-            if (!packed) copy_row(row(c), row_of(channels_[c], chunk, y, z));
+            float* target = packed ? nullptr : row_of(channels_[c], chunk, y, z);
+            // Whole vectors may go straight to the caller where rows end with one.
+            const bool whole = !packed && row_stride_ == static_cast<std::size_t>(box_.size[0]);
+            combine_channel(plan_.channels[c], gradient, rows_, row_stride_,
+                            whole ? target : row(c));
+            if (!packed && !whole) copy_row(row(c), target);
         }
         if (!packed || channels_[0] == nullptr) return;
         pack_channels(plan_.pack, {row(0), row(1), row(2), row(3)}, row_stride_, row(0));

@@ -136,7 +136,7 @@ void stores(benchmark::State& state, int size, int channels) {
 }
 
 void on_threads(benchmark::State& state, int threads) {
-    constexpr int kSize = 128;
+    constexpr int kSize = 256;
     constexpr int kDepth = 8;
     const NoisePlan plan = preset_plan("nubis_shape", kSize);
     const NoiseField field(plan);
@@ -184,7 +184,7 @@ void register_all() {
                                        preset_plan("nubis_shape", 128), 128, 7));
     }
     for (const int threads : {1, 2}) {
-        const std::string name = "nubis_shape_128_wall_threads" + std::to_string(threads);
+        const std::string name = "nubis_shape_256_wall_threads" + std::to_string(threads);
         RegisterBenchmark(name.c_str(), on_threads, threads)
             ->Unit(benchmark::kMillisecond)
             ->UseRealTime();
