@@ -25,7 +25,8 @@ class RowMaker {
                   noise::kLanePadding * noise::kLanePadding),
           octave_(stride_),
           fields_(plan.fields.size(), AlignedFloats(stride_)),
-          channels_(plan.channels.size(), AlignedFloats(stride_)) {
+          channels_(plan.channels.size(), AlignedFloats(stride_)),
+          gradient_(stride_) {
         for (const AlignedFloats& field : fields_) field_rows_.push_back(field.data());
     }
 
@@ -35,10 +36,10 @@ class RowMaker {
         }
         for (std::size_t c = 0; c < channels_.size(); ++c) {
             const ChannelPlan& channel = plan_.channels[c];
-            float* values = channels_[c].data();
-            add_gradients(channel, row, values);
+            add_gradients(channel, row, gradient_.data());
             const bool none = channel.gradient.octaves.empty();
-            noise::combine_channel(channel, none ? nullptr : values, field_rows_, stride_, values);
+            noise::combine_channel(channel, none ? nullptr : gradient_.data(), field_rows_, stride_,
+                                   channels_[c].data());
         }
         if (plan_.pack == config::NoisePacking::none) return;
         std::array<const float*, 4> rows{};
@@ -68,6 +69,7 @@ class RowMaker {
     AlignedFloats octave_;
     std::vector<AlignedFloats> fields_;
     std::vector<AlignedFloats> channels_;
+    AlignedFloats gradient_;
     std::vector<const float*> field_rows_;
 };
 
