@@ -10,7 +10,7 @@
 
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/cell_value-inl.h"
-#include "bakers/noise/lattice_hash-inl.h"
+#include "bakers/noise/lattice_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise {
@@ -23,34 +23,7 @@ constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 using Integers = hn::RebindToSigned<Floats>;
 constexpr std::size_t kSliceStride = CellCandidates::kSliceStride;
 
-void hash_plane(const CellField& field, std::int64_t plane, std::size_t slot,
-                CellLattice& lattice) {
-    const Words words;
-    const std::uint32_t z = wrapped_cell(plane, field.frequency[2]);
-    const auto rows = static_cast<std::size_t>(lattice.count[1]);
-    for (std::size_t j = 0; j < rows; ++j) {
-        const std::uint32_t y =
-            wrapped_cell(lattice.first[1] + static_cast<std::int64_t>(j), field.frequency[1]);
-        const RowKey key = row_key(field.key, y, z);
-        const std::size_t row = (slot * rows + j) * lattice.stride;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(lattice.count[0]); i += kLanes) {
-            const auto point = cell_point(key, hn::LoadU(words, lattice.scaled_x.data() + i));
-            hn::StoreU(point.x, kFloats, lattice.x.data() + row + i);
-            hn::StoreU(point.y, kFloats, lattice.y.data() + row + i);
-            hn::StoreU(point.z, kFloats, lattice.z.data() + row + i);
-        }
-    }
-    lattice.plane_of_slot[slot] = plane;
-}
-
-std::size_t slot_of_plane(const CellField& field, std::int64_t plane, CellLattice& lattice) {
-    const std::int64_t planes = lattice.count[2];
-    const auto slot = static_cast<std::size_t>(((plane % planes) + planes) % planes);
-    if (lattice.plane_of_slot[slot] != plane) hash_plane(field, plane, slot, lattice);
-    return slot;
-}
-
-// Voxels first ... last of one axis on the lattice, counted in cells from the first voxel's cell.
+// Voxels first ... last of one axis on the planes, counted in cells from the first voxel's cell.
 struct Extent {
     std::int64_t cell = 0;  // of the first voxel
     int cells = 0;          // that the voxels lie in
@@ -79,28 +52,28 @@ HWY_INLINE bool reaches(float squared_distance, const std::array<Extent, 3>& blo
 }
 
 // The points of all cells within `rings` of the block's cells.
-std::size_t gather(const CellField& field, const std::array<Extent, 3>& block, int rings,
-                   CellLattice& lattice, CellCandidates& candidates) {
+std::size_t gather(const std::array<Extent, 3>& block, int rings, LatticePlanes& planes,
+                   CellCandidates& candidates) {
     std::size_t count = 0;
     const int across = block[0].cells + 2 * rings;
-    const auto column = static_cast<std::size_t>(block[0].cell - rings - lattice.first[0]);
+    const auto column = static_cast<std::size_t>(block[0].cell - rings - planes.first[0]);
     const auto first_cell = hn::Iota(kFloats, static_cast<float>(-rings));
+    const auto hash = [](RowKey key, WordVector scaled_x)
+                          HWY_ATTR { return cell_point(key, scaled_x); };
     for (int z = -rings; z < block[2].cells + rings; ++z) {
-        const std::size_t slot = slot_of_plane(field, block[2].cell + z, lattice);
+        const std::size_t slot = slot_of_plane(block[2].cell + z, planes, hash);
         const auto cell_z = hn::Set(kFloats, static_cast<float>(z));
         for (int y = -rings; y < block[1].cells + rings; ++y) {
             const auto cell_y = hn::Set(kFloats, static_cast<float>(y));
-            const auto line = static_cast<std::size_t>(block[1].cell + y - lattice.first[1]);
-            const std::size_t row =
-                (slot * static_cast<std::size_t>(lattice.count[1]) + line) * lattice.stride +
-                column;
+            const auto line = static_cast<std::size_t>(block[1].cell + y - planes.first[1]);
+            const std::size_t row = planes.row(slot, line) + column;
             for (std::size_t i = 0; i < static_cast<std::size_t>(across); i += kLanes) {
                 const std::size_t to = count + i;
-                hn::StoreU(hn::LoadU(kFloats, lattice.x.data() + row + i), kFloats,
+                hn::StoreU(hn::LoadU(kFloats, planes.x.data() + row + i), kFloats,
                            candidates.point_x.data() + to);
-                hn::StoreU(hn::LoadU(kFloats, lattice.y.data() + row + i), kFloats,
+                hn::StoreU(hn::LoadU(kFloats, planes.y.data() + row + i), kFloats,
                            candidates.point_y.data() + to);
-                hn::StoreU(hn::LoadU(kFloats, lattice.z.data() + row + i), kFloats,
+                hn::StoreU(hn::LoadU(kFloats, planes.z.data() + row + i), kFloats,
                            candidates.point_z.data() + to);
                 hn::StoreU(hn::Add(first_cell, hn::Set(kFloats, static_cast<float>(i))), kFloats,
                            candidates.cell_x.data() + to);
@@ -181,12 +154,12 @@ std::size_t keep_near(std::size_t count, float bound, CellCandidates& candidates
 
 // The candidates within the bound; more rings of cells than one where the bound asks for them.
 std::size_t near_candidates(const CellField& field, const std::array<Extent, 3>& block, int rings,
-                            CellLattice& lattice, CellCandidates& candidates) {
+                            LatticePlanes& planes, CellCandidates& candidates) {
     const bool second = field.feature != config::WorleyFeature::f1;
-    std::size_t count = gather(field, block, rings, lattice, candidates);
+    std::size_t count = gather(block, rings, planes, candidates);
     float bound = bound_of(block, count, second, candidates);
     if (rings == 1 && !reaches(bound, block)) {
-        count = gather(field, block, 2, lattice, candidates);
+        count = gather(block, 2, planes, candidates);
         bound = bound_of(block, count, second, candidates);
     }
     return keep_near(count, bound, candidates);
@@ -353,15 +326,15 @@ float fill_patches(const CellField& field, const Block& block, const BlockShape&
 
 template <int kDepth, bool kSecond>
 void fill_block(const CellField& field, const Block& block, const BlockShape& shape,
-                CellLattice& lattice, CellCandidates& candidates, const ChunkRows& target) {
+                LatticePlanes& planes, CellCandidates& candidates, const ChunkRows& target) {
     if (!shape.prune) {
-        const std::size_t count = gather(field, block.extent, 1, lattice, candidates);
+        const std::size_t count = gather(block.extent, 1, planes, candidates);
         const float farthest =
             fill_patches<kDepth, kSecond>(field, block, shape, count, candidates, target);
         if (reaches(farthest, block.extent)) return;
     }
     const int rings = shape.prune ? 1 : 2;
-    const std::size_t count = near_candidates(field, block.extent, rings, lattice, candidates);
+    const std::size_t count = near_candidates(field, block.extent, rings, planes, candidates);
     fill_patches<kDepth, kSecond>(field, block, shape, count, candidates, target);
 }
 
@@ -383,7 +356,7 @@ BlockShape shape_of(const CellField& field) {
 }
 
 template <bool kSecond>
-void fill_blocks(const CellField& field, const BlockShape& shape, CellLattice& lattice,
+void fill_blocks(const CellField& field, const BlockShape& shape, LatticePlanes& planes,
                  CellCandidates& candidates, const ChunkRows& target) {
     const VoxelBox& chunk = target.chunk;
     const auto across = static_cast<int>(shape.across);
@@ -409,7 +382,7 @@ void fill_blocks(const CellField& field, const BlockShape& shape, CellLattice& l
                 block.box.origin[0] = chunk.origin[0] + x;
                 block.box.size[0] = std::min(across, chunk.size[0] - x);
                 block.extent[0] = extent(0, block);
-                fill(field, block, shape, lattice, candidates, target);
+                fill(field, block, shape, planes, candidates, target);
             }
         }
     }
@@ -418,13 +391,13 @@ void fill_blocks(const CellField& field, const BlockShape& shape, CellLattice& l
 }  // namespace
 
 void fill_field(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
-                CellLattice& lattice, CellCandidates& candidates, float* out) {
+                LatticePlanes& planes, CellCandidates& candidates, float* out) {
     const BlockShape shape = shape_of(field);
     const ChunkRows target{chunk, row_stride, out};
     if (field.feature == config::WorleyFeature::f1) {
-        fill_blocks<false>(field, shape, lattice, candidates, target);
+        fill_blocks<false>(field, shape, planes, candidates, target);
     } else {
-        fill_blocks<true>(field, shape, lattice, candidates, target);
+        fill_blocks<true>(field, shape, planes, candidates, target);
     }
 }
 
@@ -437,14 +410,8 @@ namespace skybake::noise {
 
 HWY_EXPORT(fill_field);
 
-namespace {
-
-constexpr int kRings = 2;
-constexpr std::size_t kPadding = kLanePadding;
-
-}  // namespace
-
 CellCandidates::CellCandidates() {
+    constexpr std::size_t kPadding = kLanePadding;
     constexpr std::size_t kCount = kMost + kPadding;
     for (AlignedFloats* values :
          {&point_x, &point_y, &point_z, &cell_x, &cell_y, &cell_z, &lower}) {
@@ -454,44 +421,15 @@ CellCandidates::CellCandidates() {
     squared_z.resize(kDepth * kSliceStride);
 }
 
-CellLattice make_cell_lattice(const CellField& field, const VoxelBox& box, int chunk_depth) {
-    CellLattice lattice;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& cell = field.cells[axis].cell;
-        const auto begin = static_cast<std::size_t>(box.origin[axis]);
-        const int length = axis == 2 ? std::min(chunk_depth, box.size[2]) : box.size[axis];
-        const auto last = begin + static_cast<std::size_t>(length) - 1;
-        lattice.first[axis] = cell[begin] - kRings;
-        lattice.count[axis] =
-            static_cast<int>(cell[last] - cell[begin]) + 1 + 2 * kRings + (axis == 2 ? 1 : 0);
-    }
-    const auto points = static_cast<std::size_t>(lattice.count[0]);
-    lattice.stride = (points + kPadding + kPadding - 1) / kPadding * kPadding;
-    lattice.scaled_x.resize(points + kPadding);
-    for (std::size_t i = 0; i < lattice.scaled_x.size(); ++i) {
-        lattice.scaled_x[i] =
-            wrapped_cell(lattice.first[0] + static_cast<std::int64_t>(i), field.frequency[0]) *
-            kGolden32;
-    }
-    const auto rows = static_cast<std::size_t>(lattice.count[1]);
-    const auto planes = static_cast<std::size_t>(lattice.count[2]);
-    for (AlignedFloats* values : {&lattice.x, &lattice.y, &lattice.z}) {
-        values->resize(planes * rows * lattice.stride + kPadding);
-    }
-    lattice.plane_of_slot.assign(planes, std::numeric_limits<std::int64_t>::min());
-    return lattice;
-}
-
-bool is_blockwise(const CellField& field, const std::array<TileAxis, 3>& axes) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (field.frequency[axis] > axes[axis].size && axes[axis].size > 1) return false;
-    }
-    return true;
+LatticePlanes make_cell_planes(const CellField& field, const VoxelBox& box, int chunk_depth) {
+    constexpr int kRings = 2;
+    return make_lattice_planes(field.frequency, field.key, field.cells, box, chunk_depth, kRings,
+                               kRings);
 }
 
 void fill_cell_field(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
-                     CellLattice& lattice, CellCandidates& candidates, float* out) {
-    HWY_DYNAMIC_DISPATCH(fill_field)(field, chunk, row_stride, lattice, candidates, out);
+                     LatticePlanes& planes, CellCandidates& candidates, float* out) {
+    HWY_DYNAMIC_DISPATCH(fill_field)(field, chunk, row_stride, planes, candidates, out);
 }
 
 }  // namespace skybake::noise

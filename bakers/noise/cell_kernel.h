@@ -16,20 +16,10 @@
 
 #include "bakers/core/aligned_floats.h"
 #include "bakers/core/volume.h"
+#include "bakers/noise/lattice_planes.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {
-
-// The points of the cells that a box needs, [plane of the ring][y][x]. It and the candidates are
-// what filling a box in chunks keeps from chunk to chunk, one thread at a time.
-struct CellLattice {
-    std::array<std::int64_t, 3> first{};  // cell of the first point along x and y; z: of the box
-    std::array<int, 3> count{};           // cells along x, y; planes held along z
-    std::size_t stride = 0;
-    std::vector<std::uint32_t> scaled_x;
-    AlignedFloats x, y, z;  // where the point lies in its cell
-    std::vector<std::int64_t> plane_of_slot;
-};
 
 // The points about one block of voxels and their distances, in vectors' memory.
 struct CellCandidates {
@@ -45,15 +35,14 @@ struct CellCandidates {
     AlignedFloats squared_z;  // [slice][candidate] along z
 };
 
-// Chunks within `box`, of at most `chunk_depth` slices, can be filled with this.
-CellLattice make_cell_lattice(const CellField& field, const VoxelBox& box, int chunk_depth);
-
-// Whether this kernel takes the field: at most one cell a voxel along each axis.
-bool is_blockwise(const CellField& field, const std::array<TileAxis, 3>& axes);
+// The points of the cells of chunks within `box`, of at most `chunk_depth` slices, and of two rings
+// of cells about them.
+LatticePlanes make_cell_planes(const CellField& field, const VoxelBox& box, int chunk_depth);
 
 // The field over the chunk's voxels: out[(z * chunk.size[1] + y) * row_stride + x]. row_stride is a
-// multiple of kLanePadding, the ends of rows are overwritten.
+// multiple of kLanePadding, the ends of rows are overwritten. The field has at most one cell a
+// voxel.
 void fill_cell_field(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
-                     CellLattice& lattice, CellCandidates& candidates, float* out);
+                     LatticePlanes& planes, CellCandidates& candidates, float* out);
 
 }  // namespace skybake::noise

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "bakers/noise/gradient_kernel.h"
-#include "bakers/noise/lattice_hash-inl.h"
+#include "bakers/noise/lattice_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise {
@@ -18,44 +18,19 @@ constexpr Floats kFloats;
 static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 using Integers = hn::RebindToSigned<Floats>;
 
-// The gradients of one lattice plane.
-void hash_plane(const GradientOctave& octave, std::int64_t plane, std::size_t slot,
-                GradientLattice& lattice) {
-    const Words words;
-    const std::uint32_t z = wrapped_cell(plane, octave.frequency[2]);
-    const auto rows = static_cast<std::size_t>(lattice.count[1]);
-    for (std::size_t j = 0; j < rows; ++j) {
-        const std::uint32_t y =
-            wrapped_cell(lattice.first[1] + static_cast<std::int64_t>(j), octave.frequency[1]);
-        const RowKey key = row_key(octave.key, y, z);
-        const std::size_t row = (slot * rows + j) * lattice.stride;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(lattice.count[0]);
-             i += hn::Lanes(kFloats)) {
-            const auto gradient =
-                lattice_gradient(key, hn::LoadU(words, lattice.scaled_x.data() + i));
-            hn::StoreU(gradient.x, kFloats, lattice.x.data() + row + i);
-            hn::StoreU(gradient.y, kFloats, lattice.y.data() + row + i);
-            hn::StoreU(gradient.z, kFloats, lattice.z.data() + row + i);
-        }
-    }
-    lattice.plane_of_slot[slot] = plane;
-}
-
-std::size_t slot_of_plane(const GradientOctave& octave, std::int64_t plane,
-                          GradientLattice& lattice) {
-    const auto slot = static_cast<std::size_t>(plane % lattice.count[2]);
-    if (lattice.plane_of_slot[slot] != plane) hash_plane(octave, plane, slot, lattice);
-    return slot;
-}
-
 // Blends the two planes about a slice, for lattice rows begin ... end - 1.
 void blend_slice(const GradientOctave& octave, int slice, std::size_t begin, std::size_t end,
                  GradientLattice& lattice) {
     const auto at = static_cast<std::size_t>(slice);
     const std::int64_t plane = octave.cells[2].cell[at];
-    const auto rows = static_cast<std::size_t>(lattice.count[1]);
-    const std::size_t near = slot_of_plane(octave, plane, lattice) * rows * lattice.stride;
-    const std::size_t far = slot_of_plane(octave, plane + 1, lattice) * rows * lattice.stride;
+    LatticePlanes& planes = lattice.planes;
+    const auto first_row_of = [&](std::int64_t wanted) HWY_ATTR {
+        const auto hash = [](RowKey key, WordVector scaled_x)
+                              HWY_ATTR { return lattice_gradient(key, scaled_x); };
+        return planes.row(slot_of_plane(wanted, planes, hash), 0);
+    };
+    const std::size_t near = first_row_of(plane);
+    const std::size_t far = first_row_of(plane + 1);
     const AxisBasis& basis = octave.basis[2];
     const auto weight_0 = hn::Set(kFloats, basis.weight_0[at]);
     const auto weight_1 = hn::Set(kFloats, basis.weight_1[at]);
@@ -65,18 +40,18 @@ void blend_slice(const GradientOctave& octave, int slice, std::size_t begin, std
                           FloatVector b) HWY_ATTR {
         return hn::Add(hn::Mul(hn::LoadU(kFloats, from), a), hn::Mul(hn::LoadU(kFloats, to), b));
     };
-    const auto points = static_cast<std::size_t>(lattice.count[0]);
+    const auto points = static_cast<std::size_t>(lattice.planes.count[0]);
     for (std::size_t j = begin; j < end; ++j) {
         for (std::size_t i = 0; i < points; i += hn::Lanes(kFloats)) {
-            const std::size_t p = j * lattice.stride + i;
-            hn::StoreU(blend(lattice.z.data() + near + p, lattice.z.data() + far + p, distance_0,
+            const std::size_t p = j * lattice.planes.stride + i;
+            hn::StoreU(blend(planes.z.data() + near + p, planes.z.data() + far + p, distance_0,
                              distance_1),
                        kFloats, lattice.blended_distance.data() + p);
             hn::StoreU(
-                blend(lattice.x.data() + near + p, lattice.x.data() + far + p, weight_0, weight_1),
+                blend(planes.x.data() + near + p, planes.x.data() + far + p, weight_0, weight_1),
                 kFloats, lattice.blended_x.data() + p);
             hn::StoreU(
-                blend(lattice.y.data() + near + p, lattice.y.data() + far + p, weight_0, weight_1),
+                blend(planes.y.data() + near + p, planes.y.data() + far + p, weight_0, weight_1),
                 kFloats, lattice.blended_y.data() + p);
         }
     }
@@ -87,8 +62,9 @@ HWY_INLINE void blend_row(const GradientOctave& octave, int voxel_row, GradientL
                           float* HWY_RESTRICT value, float* HWY_RESTRICT slope) {
     const auto at = static_cast<std::size_t>(voxel_row);
     const std::size_t near =
-        static_cast<std::size_t>(octave.cells[1].cell[at] - lattice.first[1]) * lattice.stride;
-    const std::size_t far = near + lattice.stride;
+        static_cast<std::size_t>(octave.cells[1].cell[at] - lattice.planes.first[1]) *
+        lattice.planes.stride;
+    const std::size_t far = near + lattice.planes.stride;
     const AxisBasis& basis = octave.basis[1];
     const auto weight_0 = hn::Set(kFloats, basis.weight_0[at]);
     const auto weight_1 = hn::Set(kFloats, basis.weight_1[at]);
@@ -97,7 +73,7 @@ HWY_INLINE void blend_row(const GradientOctave& octave, int voxel_row, GradientL
     const float* HWY_RESTRICT distance = lattice.blended_distance.data();
     const float* HWY_RESTRICT x = lattice.blended_x.data();
     const float* HWY_RESTRICT y = lattice.blended_y.data();
-    const auto points = static_cast<std::size_t>(lattice.count[0]);
+    const auto points = static_cast<std::size_t>(lattice.planes.count[0]);
     for (std::size_t i = 0; i < points; i += hn::Lanes(kFloats)) {
         const auto first = hn::Add(hn::Mul(hn::LoadU(kFloats, distance + near + i), weight_0),
                                    hn::Mul(hn::LoadU(kFloats, y + near + i), distance_0));
@@ -119,7 +95,7 @@ HWY_INLINE FloatVector shaped(FloatVector octave, FloatVector weight) {
 
 // Some rows of an octave on their way to the sums.
 struct Rows {
-    const float* value;  // blends along z and y, a row every lattice.stride
+    const float* value;  // blends along z and y, a row every lattice.planes.stride
     const float* slope;
     float* out;
     std::size_t stride;
@@ -140,8 +116,8 @@ HWY_INLINE void add_rows(const GradientOctave& octave, int first_voxel, int size
     const float* HWY_RESTRICT distance_0 = basis.distance_0.data() + from;
     const float* HWY_RESTRICT distance_1 = basis.distance_1.data() + from;
     const std::int32_t* HWY_RESTRICT cells = octave.cells[0].cell.data() + from;
-    const auto first_cell = static_cast<std::int32_t>(lattice.first[0]);
-    const std::size_t stride = lattice.stride;
+    const auto first_cell = static_cast<std::int32_t>(lattice.planes.first[0]);
+    const std::size_t stride = lattice.planes.stride;
     const auto weight = hn::Set(kFloats, weight_);
     const auto scale = hn::Set(kFloats, rows.scale);
     const auto offset = hn::Set(kFloats, rows.offset);
@@ -210,7 +186,7 @@ void fill_rows(const GradientStack& stack, const VoxelBox& chunk, int slice,
                       target.scale,
                       target.offset};
             for (int row = 0; row < count; ++row) {
-                const std::size_t at = static_cast<std::size_t>(row) * lattice.stride;
+                const std::size_t at = static_cast<std::size_t>(row) * lattice.planes.stride;
                 blend_row(octave, chunk.origin[1] + y + row, lattice, lattice.row_value.data() + at,
                           lattice.row_slope.data() + at);
             }
@@ -223,22 +199,24 @@ void fill_rows(const GradientStack& stack, const VoxelBox& chunk, int slice,
             }
             for (int row = 0; row < count; ++row) {
                 add_octave<kShape, 1>(octave, chunk, weight, i == 0, finish, lattice, rows);
-                rows.value += lattice.stride;
-                rows.slope += lattice.stride;
+                rows.value += lattice.planes.stride;
+                rows.slope += lattice.planes.stride;
                 rows.out += target.row_stride;
             }
         }
     }
 }
 
-void fill(const GradientStack& stack, const VoxelBox& chunk, std::vector<GradientLattice>& lattices,
-          const SumTarget& target) {
+}  // namespace
+
+void fill_stack(const GradientStack& stack, const VoxelBox& chunk,
+                std::vector<GradientLattice>& lattices, const SumTarget& target) {
     const auto first_row = static_cast<std::size_t>(chunk.origin[1]);
     const auto last_row = first_row + static_cast<std::size_t>(chunk.size[1]) - 1;
     for (int slice = 0; slice < chunk.size[2]; ++slice) {
         for (std::size_t i = 0; i < lattices.size(); ++i) {
             const auto& cell = stack.octaves[i].cells[1].cell;
-            const std::int64_t origin = lattices[i].first[1];
+            const std::int64_t origin = lattices[i].planes.first[1];
             blend_slice(stack.octaves[i], chunk.origin[2] + slice,
                         static_cast<std::size_t>(cell[first_row] - origin),
                         static_cast<std::size_t>(cell[last_row] - origin) + 2, lattices[i]);
@@ -257,13 +235,6 @@ void fill(const GradientStack& stack, const VoxelBox& chunk, std::vector<Gradien
     }
 }
 
-}  // namespace
-
-void fill_stack(const GradientStack& stack, const VoxelBox& chunk,
-                std::vector<GradientLattice>& lattices, const SumTarget& target) {
-    fill(stack, chunk, lattices, target);
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace skybake::noise
 HWY_AFTER_NAMESPACE();
@@ -273,62 +244,27 @@ namespace skybake::noise {
 
 HWY_EXPORT(fill_stack);
 
-namespace {
-
-GradientLattice make_lattice(const GradientOctave& octave, const VoxelBox& box, int chunk_depth) {
-    GradientLattice lattice;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& cell = octave.cells[axis].cell;
-        const auto begin = static_cast<std::size_t>(box.origin[axis]);
-        const int length = axis == 2 ? std::min(chunk_depth, box.size[2]) : box.size[axis];
-        lattice.first[axis] = cell[begin];
-        // Planes along z are a ring: wherever a chunk begins, it meets at most one cell more.
-        const auto last = begin + static_cast<std::size_t>(length) - 1;
-        lattice.count[axis] = static_cast<int>(cell[last] - cell[begin]) + (axis == 2 ? 3 : 2);
+std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, const VoxelBox& box,
+                                                    int chunk_depth) {
+    std::vector<GradientLattice> lattices(stack.octaves.size());
+    for (std::size_t i = 0; i < lattices.size(); ++i) {
+        const GradientOctave& octave = stack.octaves[i];
+        GradientLattice& lattice = lattices[i];
+        lattice.planes =
+            make_lattice_planes(octave.frequency, octave.key, octave.cells, box, chunk_depth, 0, 1);
+        for (AlignedFloats* values :
+             {&lattice.blended_distance, &lattice.blended_x, &lattice.blended_y}) {
+            values->resize(lattice.planes.row(1, 0));
+        }
+        lattice.row_value.resize(kRowsAtOnce * lattice.planes.stride);
+        lattice.row_slope.resize(kRowsAtOnce * lattice.planes.stride);
     }
-    const auto points = static_cast<std::size_t>(lattice.count[0]);
-    constexpr std::size_t kPadding = kLanePadding;
-    // A vector may start at any point and its neighbour.
-    lattice.stride = (points + kPadding + 1 + kPadding - 1) / kPadding * kPadding;
-    lattice.scaled_x.resize(points + kPadding);
-    for (std::size_t i = 0; i < lattice.scaled_x.size(); ++i) {
-        lattice.scaled_x[i] =
-            wrapped_cell(lattice.first[0] + static_cast<std::int64_t>(i), octave.frequency[0]) *
-            kGolden32;
-    }
-    const auto rows = static_cast<std::size_t>(lattice.count[1]);
-    const auto planes = static_cast<std::size_t>(lattice.count[2]);
-    for (AlignedFloats* values : {&lattice.x, &lattice.y, &lattice.z}) {
-        values->resize(planes * rows * lattice.stride);
-    }
-    lattice.plane_of_slot.assign(planes, -1);
-    for (AlignedFloats* values :
-         {&lattice.blended_distance, &lattice.blended_x, &lattice.blended_y}) {
-        values->resize(rows * lattice.stride);
-    }
-    lattice.row_value.resize(kRowsAtOnce * lattice.stride);
-    lattice.row_slope.resize(kRowsAtOnce * lattice.stride);
-    return lattice;
-}
-
-}  // namespace
-
-GradientScratch::GradientScratch(const GradientStack& stack, const VoxelBox& box, int chunk_depth) {
-    for (const GradientOctave& octave : stack.octaves) {
-        lattices_.push_back(make_lattice(octave, box, chunk_depth));
-    }
-}
-
-bool is_separable(const GradientOctave& octave, const std::array<TileAxis, 3>& axes) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (octave.frequency[axis] > axes[axis].size && axes[axis].size > 1) return false;
-    }
-    return true;
+    return lattices;
 }
 
 void fill_gradient_stack(const GradientStack& stack, const VoxelBox& chunk,
-                         GradientScratch& scratch, const SumTarget& target) {
-    HWY_DYNAMIC_DISPATCH(fill_stack)(stack, chunk, scratch.lattices(), target);
+                         std::vector<GradientLattice>& lattices, const SumTarget& target) {
+    HWY_DYNAMIC_DISPATCH(fill_stack)(stack, chunk, lattices, target);
 }
 
 }  // namespace skybake::noise

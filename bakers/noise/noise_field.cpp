@@ -62,7 +62,7 @@ class BoxFiller {
         combined_.resize(std::max<std::size_t>(4, plan_.channels.size()) * row_stride_);
         lattices_.resize(plan_.fields.size());
         gradients_.resize(plan_.channels.size());
-        scratches_.resize(plan_.channels.size());
+        gradient_lattices_.resize(plan_.channels.size());
         for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
             const ChannelPlan& channel = plan_.channels[c];
             if (!wanted(c)) continue;
@@ -78,21 +78,21 @@ class BoxFiller {
         if (!fields_[index].empty()) return;
         fields_[index].resize(chunk_floats_);
         const CellField& field = plan_.fields[index];
-        if (pointwise_ || !is_blockwise(field, plan_.axes)) return;
-        lattices_[index] = make_cell_lattice(field, box_, kChunkDepth);
+        if (pointwise_ || !is_resolved(plan_.axes, field.frequency)) return;
+        lattices_[index] = make_cell_planes(field, box_, kChunkDepth);
         if (!candidates_) candidates_ = std::make_unique<CellCandidates>();
     }
 
     void prepare_gradient(std::size_t index) {
         const GradientStack& stack = plan_.channels[index].gradient;
         gradients_[index].resize(chunk_floats_);
-        const bool separable =
-            std::all_of(stack.octaves.begin(), stack.octaves.end(),
-                        [&](const auto& octave) { return is_separable(octave, plan_.axes); });
+        const bool separable = std::all_of(
+            stack.octaves.begin(), stack.octaves.end(),
+            [&](const auto& octave) { return is_resolved(plan_.axes, octave.frequency); });
         if (pointwise_ || !separable) {
             octave_.resize(chunk_floats_);
         } else {
-            scratches_[index].emplace(stack, box_, kChunkDepth);
+            gradient_lattices_[index] = make_gradient_lattices(stack, box_, kChunkDepth);
         }
     }
 
@@ -126,15 +126,15 @@ class BoxFiller {
         const bool as_it_is = !channel.remapped && !channel.invert && !channel.biased &&
                               channel.cells.empty() &&
                               channel.fractal != config::NoiseFractal::rectified;
-        return as_it_is && scratches_[index] && plan_.pack == config::NoisePacking::none &&
+        return as_it_is && gradient_lattices_[index] && plan_.pack == config::NoisePacking::none &&
                row_stride_ == static_cast<std::size_t>(box_.size[0]);
     }
 
     void fill_gradient(std::size_t index, const VoxelBox& chunk) {
         const GradientStack& stack = plan_.channels[index].gradient;
         const SumTarget target = sum_target(index, chunk);
-        if (scratches_[index]) {
-            fill_gradient_stack(stack, chunk, *scratches_[index], target);
+        if (gradient_lattices_[index]) {
+            fill_gradient_stack(stack, chunk, *gradient_lattices_[index], target);
             return;
         }
         for (std::size_t i = 0; i < stack.octaves.size(); ++i) {
@@ -208,11 +208,11 @@ class BoxFiller {
     std::vector<AlignedFloats> fields_;     // of the chunk; empty where no wanted channel has it
     std::vector<AlignedFloats> gradients_;  // of the chunk, per channel
     AlignedFloats octave_;
-    std::vector<std::optional<CellLattice>> lattices_;  // none: pointwise
+    std::vector<std::optional<LatticePlanes>> lattices_;  // none: pointwise
     std::unique_ptr<CellCandidates> candidates_;
-    std::vector<std::optional<GradientScratch>> scratches_;  // none: pointwise
-    std::vector<const float*> rows_;                         // of the fields, the row at hand
-    AlignedFloats combined_;                                 // a row of each channel
+    std::vector<std::optional<std::vector<GradientLattice>>> gradient_lattices_;  // none: pointwise
+    std::vector<const float*> rows_;  // of the fields, the row at hand
+    AlignedFloats combined_;          // a row of each channel
 };
 
 }  // namespace

@@ -119,14 +119,14 @@ double seam_error(const NoiseField& field, const std::array<int, 3>& size) {
     return largest;
 }
 
-void add_levels(const NoiseVolumeBake& bake, const NoisePlan& plan, const BakeOptions& options,
-                BakedVolume& volume) {
+void add_levels(const NoiseVolumeBake& bake, std::shared_ptr<const NoiseField> field,
+                const BakeOptions& options, BakedVolume& volume) {
     // Levels of no more floats than this are kept, so that those below need not make them again.
     constexpr std::int64_t kKeptFloats = 1 << 23;
-    const int channels = plan.output_channels();
+    const int channels = field->plan().output_channels();
     VolumeLevel level;
     level.size = bake.size;
-    level.voxels = std::make_shared<NoiseField>(plan);
+    level.voxels = std::move(field);
     volume.levels.push_back(level);
     for (int i = 1; i < bake.mips; ++i) {
         const std::array<int, 3> finer_size = level.size;
@@ -195,9 +195,10 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
     volume.voxel_size_m = 1.0 / bake.size[0];  // the tile is a metre wide
     volume.up_axis = "+z";
 
-    const NoisePlan plan = noise::make_noise_plan(noise, bake.size);
-    volume.details.emplace_back("distinct_octaves", std::to_string(distinct_octaves(plan)));
-    add_levels(bake, plan, options, volume);
+    const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
+    volume.details.emplace_back("distinct_octaves",
+                                std::to_string(distinct_octaves(field->plan())));
+    add_levels(bake, field, options, volume);
     Outcome<BakedVolume> outcome;
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
         if (cancelled(options)) return outcome;
@@ -209,7 +210,7 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
         if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
         volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
     }
-    volume.seam_error = seam_error(NoiseField(plan), bake.size);
+    volume.seam_error = seam_error(*field, bake.size);
     if (options.certification != Certification::off) certify(noise, options, volume);
     if (cancelled(options)) return outcome;
     outcome.value = std::move(volume);

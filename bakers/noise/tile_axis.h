@@ -40,6 +40,10 @@ inline LatticePosition lattice_position(const TileAxis& axis, int frequency, std
     return {cell, scaled - cell * denominator, denominator};
 }
 
+// Whether the lattice has at most one cell a voxel along every axis of more than one voxel: then
+// neighbours share lattice points, and the kernels that share their work apply.
+bool is_resolved(const std::array<TileAxis, 3>& axes, const std::array<int, 3>& frequency);
+
 // The position in the cell, in [0, 1), as the kernels for cells take it: rounded to float.
 inline float cell_fraction(const LatticePosition& position) {
     return static_cast<float>(static_cast<double>(position.numerator) /
