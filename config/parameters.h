@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
@@ -126,9 +127,8 @@ enum class VolumeFormat { exr, vdb, bin };
 enum class VolumeLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
 
-struct NoiseVolumeBake {
-    std::string noise;                  // NAME of a [noise.NAME]
-    std::array<int, 3> size{};          // voxels along x, y, z
+// What the files of a volume are like.
+struct VolumeFiles {
     std::vector<VolumeFormat> formats;  // without duplicates
     PixelType pixel_type = PixelType::half;
     VolumeLayout layout = VolumeLayout::stack;   // of EXR
@@ -136,6 +136,106 @@ struct NoiseVolumeBake {
     int mips = 1;                                // levels, the volume itself among them
     Compression compression = Compression::zip;  // of EXR
     VdbCompression vdb_compression = VdbCompression::blosc;
+};
+
+struct NoiseVolumeBake : VolumeFiles {
+    std::string noise;          // NAME of a [noise.NAME]
+    std::array<int, 3> size{};  // voxels along x, y, z
+};
+
+// How full a cloud is by height h, 0 at its base and 1 at its top.
+enum class HeightProfileType { thesis, cumulus, stratus, stratocumulus, blended, tabulated };
+
+// One entry of `table = [[0, 0.0], [0.2, 1.0]]`.
+struct HeightPoint {
+    double height = 0;  // in [0, 1]
+    double value = 0;
+};
+
+struct HeightProfile {
+    HeightProfileType type = HeightProfileType::cumulus;
+    double bottom_sharpness = 50;    // thesis: (1 - exp(-bottom_sharpness h)) exp(-top_falloff h)
+    double top_falloff = 4;          // thesis
+    double cloud_type = 1;           // blended: 0 stratus, 0.5 stratocumulus, 1 cumulus
+    std::vector<HeightPoint> table;  // tabulated: linear between, its end values beyond
+};
+
+enum class MapWrap { repeat, clamp };
+enum class MapFilter { nearest, linear };
+enum class MapColorSpace { linear, srgb };
+
+// A picture laid over a cloud's extent, x to the right and y downwards from its first row.
+struct CloudMap {
+    std::string file;            // as the recipe has it; empty: none
+    std::filesystem::path path;  // where it is: relative to the recipe's folder
+    std::string channel;         // "R", "Y", "coverage"; empty: the first
+    MapWrap wrap = MapWrap::repeat;
+    MapFilter filter = MapFilter::linear;
+    MapColorSpace color_space = MapColorSpace::linear;
+};
+
+// A Gaussian of height `amplitude` over the ground plan, in tiles; its periodic images are summed.
+struct Tower {
+    std::array<double, 2> center{};  // x, y
+    std::array<double, 2> sigma{};   // along its own axes
+    Angle rotation;                  // of its axes against x, y, counterclockwise
+    double correlation = 0;          // between its axes, in (-1, 1)
+    double amplitude = 0;
+};
+
+// Towers at random places: each value is uniform in its range, sigma in its logarithm.
+struct TowerScatter {
+    int count = 0;
+    std::uint64_t seed = 0;
+    std::array<double, 2> sigma{};      // of the smaller axis
+    std::array<double, 2> aspect{};     // the greater axis over the smaller, from 1 on
+    std::array<double, 2> amplitude{};  // rotations are uniform
+};
+
+enum class ThresholdAt { bake, runtime };
+enum class CloudChannels { density, noise };
+
+// One [clouds.NAME].
+struct Cloud {
+    std::string name;
+    std::string noise;                        // NAME of the base's [noise.NAME]
+    std::array<int, 3> noise_scale{1, 1, 1};  // multiplies its frequencies along x, y, z
+    std::string detail;                       // NAME of the [noise.NAME] that erodes; empty: none
+    std::array<int, 3> detail_scale{1, 1, 1};
+    std::array<double, 2> erosion{};  // strength at the base and at the top
+    double wisp_height = 0;           // up to here the erosion turns from wisps to billows
+    std::array<Length, 3> extent;     // x, y, height
+    Length base_altitude;
+    HeightProfile height_profile;
+    double coverage = 1;    // 1: as the noise and the profile have it, 0: none
+    CloudMap coverage_map;  // multiplies coverage
+    CloudMap type_map;      // in place of cloud_type
+    double threshold = 0;
+    double edge_softness = 0;
+    ThresholdAt threshold_at = ThresholdAt::bake;
+    CloudChannels channels = CloudChannels::density;
+    InverseLength extinction_scale;  // extinction of density 1
+    std::vector<Tower> towers;       // in the order of the recipe
+    TowerScatter scatter;
+};
+
+struct CloudVolumeBake : VolumeFiles {
+    std::string cloud;          // NAME of a [clouds.NAME]
+    std::array<int, 3> size{};  // voxels along x, y and height
+};
+
+// The filter that a runtime looks the volume up with.
+enum class OccupancyFilter { nearest, trilinear, tricubic };
+enum class OccupancyRule { exact, thesis };
+enum class OccupancyContent { occupied, leap, minimum, maximum };
+
+struct OccupancyBake : VolumeFiles {
+    std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
+    std::string channel;  // of that volume; empty: its first
+    int cell = 4;         // voxels along each edge of a cell: 1, 2, 4, 8 or 16
+    OccupancyFilter filter = OccupancyFilter::trilinear;
+    OccupancyRule rule = OccupancyRule::exact;
+    std::vector<OccupancyContent> contents;  // the channels, in this order, without duplicates
 };
 
 // One [bake.NAME] section.
@@ -149,6 +249,7 @@ struct Parameters {
     std::vector<Length> wavelengths;  // one per channel: 1 (a luminance table, Y) or 3 (R, G, B)
     Atmosphere atmosphere;            // without radii and layers in a recipe of noises alone
     std::vector<Noise> noises;        // by name
+    std::vector<Cloud> clouds;        // by name
     std::vector<Bake> bakes;          // in the order of the file
 };
 

@@ -15,4 +15,8 @@ struct InverseLength {
     constexpr double per_kilometer() const { return per_meter * 1000; }
 };
 
+struct Angle {
+    double radians = 0;
+};
+
 }  // namespace skybake::config

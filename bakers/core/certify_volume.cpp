@@ -56,9 +56,9 @@ class StoredVoxels {
     config::PixelType type_;
 };
 
-std::vector<double> look_up(const StoredVoxels& voxels, const std::array<int, 3>& size,
+std::vector<double> look_up(const StoredVoxels& voxels, const VolumeLevel& level,
                             const Place& uvw) {
-    const std::array<VoxelTap, 8> taps = trilinear_taps(size, uvw);
+    const std::array<VoxelTap, 8> taps = trilinear_taps(level.size, uvw, level.repeats);
     const std::vector<float> values = voxels.at(taps);
     std::vector<double> result(voxels.channels(), 0.0);
     for (std::size_t i = 0; i < 8; ++i) {
@@ -81,7 +81,7 @@ VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
     for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
         for (int i = tile * kTile; i < std::min(count, (tile + 1) * kTile); ++i) {
             const auto at = static_cast<std::size_t>(i);
-            const std::vector<double> found = look_up(voxels, level.size, places[at]);
+            const std::vector<double> found = look_up(voxels, level, places[at]);
             const std::vector<double> wanted = reference(places[at]);
             for (std::size_t c = 0; c < channels; ++c) {
                 const double range = level.statistics[c].max - level.statistics[c].min;
@@ -144,7 +144,7 @@ std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::Pi
     const auto add = [&](const Place& uvw) {
         VolumeProbe probe;
         probe.uvw = uvw;
-        probe.value = look_up(voxels, level.size, uvw);
+        probe.value = look_up(voxels, level, uvw);
         probe.tolerance.assign(probe.value.size(), 0);
         // Weights that are multiples of 1/256, rounded or truncated, move the lookup by less than a
         // step along each axis.
@@ -154,7 +154,7 @@ std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::Pi
                 const double sign = (step >> axis) % 2 == 0 ? -1 : 1;
                 moved[axis] += sign / 256 / level.size[axis];
             }
-            const std::vector<double> near = look_up(voxels, level.size, moved);
+            const std::vector<double> near = look_up(voxels, level, moved);
             for (std::size_t c = 0; c < near.size(); ++c) {
                 probe.tolerance[c] =
                     std::max(probe.tolerance[c], std::fabs(near[c] - probe.value[c]));

@@ -12,7 +12,7 @@
 namespace skybake {
 
 // The exact values, one per channel, at texture coordinates: voxel i of an axis is at
-// (i + 1/2) / size, whatever it samples; repeating beyond [0, 1).
+// (i + 1/2) / size, whatever it samples. Asked for in [0, 1].
 using VolumeReference = std::function<std::vector<double>(const std::array<double, 3>& uvw)>;
 
 struct VolumeErrors {
@@ -21,8 +21,8 @@ struct VolumeErrors {
     int points = 0;
 };
 
-// Trilinear lookups, with repeat, of the voxels as stored, at `count` points of the fixed set; at
-// the voxel itself along axes that have but one.
+// Trilinear lookups of the voxels as stored, repeated or clamped as level.repeats says, at `count`
+// points of the fixed set; at the voxel itself along axes that have but one.
 VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options);

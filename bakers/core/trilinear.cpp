@@ -1,5 +1,6 @@
 #include "bakers/core/trilinear.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -13,7 +14,7 @@ struct Neighbours {
     double fraction = 0;
 };
 
-Neighbours neighbours(double coordinate, int size) {
+Neighbours repeated_neighbours(double coordinate, int size) {
     const double within = coordinate - std::floor(coordinate);  // [0, 1]: -1e-20 rounds to 1
     const double position = within * size - 0.5;
     const double below = std::floor(position);
@@ -21,12 +22,24 @@ Neighbours neighbours(double coordinate, int size) {
     return {{first, (first + 1) % size}, position - below};
 }
 
+Neighbours clamped_neighbours(double coordinate, int size) {
+    const double last = size - 1;
+    const double position = std::clamp(coordinate * size - 0.5, 0.0, last);
+    const double below = std::floor(position);
+    const int first = static_cast<int>(below);
+    return {{first, std::min(first + 1, size - 1)}, position - below};
+}
+
 }  // namespace
 
 std::array<VoxelTap, 8> trilinear_taps(const std::array<int, 3>& size,
-                                       const std::array<double, 3>& uvw) {
+                                       const std::array<double, 3>& uvw,
+                                       const std::array<bool, 3>& repeats) {
     std::array<Neighbours, 3> axes;
-    for (std::size_t a = 0; a < 3; ++a) axes[a] = neighbours(uvw[a], size[a]);
+    for (std::size_t a = 0; a < 3; ++a) {
+        axes[a] =
+            repeats[a] ? repeated_neighbours(uvw[a], size[a]) : clamped_neighbours(uvw[a], size[a]);
+    }
     std::array<VoxelTap, 8> taps;
     for (std::size_t i = 0; i < 8; ++i) {
         taps[i].weight = 1;

@@ -1,4 +1,4 @@
-// The lookup that a runtime makes of a volume: trilinear between voxel centres, repeated.
+// The lookup that a runtime makes of a volume: trilinear between voxel centres.
 #pragma once
 
 #include <array>
@@ -12,9 +12,11 @@ struct VoxelTap {
 };
 
 // The eight taps of a lookup at texture coordinates `uvw` (any finite numbers; voxel i of an axis
-// has its centre at (i + 1/2) / size), x fastest. Their weights sum to 1; voxels beyond the
-// volume's edge are those of its next copy, so that one may come twice in small volumes.
+// has its centre at (i + 1/2) / size), x fastest. Their weights sum to 1. Voxels beyond the
+// volume's edge are those of its next copy along axes that repeat, else the last ones before it; so
+// that one may come twice.
 std::array<VoxelTap, 8> trilinear_taps(const std::array<int, 3>& size,
-                                       const std::array<double, 3>& uvw);
+                                       const std::array<double, 3>& uvw,
+                                       const std::array<bool, 3>& repeats = {true, true, true});
 
 }  // namespace skybake

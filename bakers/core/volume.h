@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,28 +51,35 @@ struct VolumeProbe {
 // One level of detail. Level 0 is the volume itself.
 struct VolumeLevel {
     std::array<int, 3> size{};
+    std::array<bool, 3> repeats{true, true, true};  // for lookups; axes that do not are clamped
     std::shared_ptr<const VoxelSource> voxels;
     std::vector<ValueStatistics> statistics;  // one per channel
     std::string content_hash;  // xxh3 of the voxels as stored: x, y, z order, channels interleaved
     std::vector<VolumeProbe> probes;
 };
 
+// Along which axes a volume of a mapping repeats: all of a "tile", x and y of a "layer", whose
+// lookups are clamped along z; none of any other.
+std::array<bool, 3> repeating_axes(std::string_view mapping);
+
 struct BakedVolume {
     std::string name;     // NAME of [bake.NAME]
     std::string kind;     // "noise_volume"
     std::string content;  // what a voxel means, with its unit, in one line
-    std::string mapping;  // "tile": it repeats along its axes
+    std::string mapping;  // "tile", "layer"; see repeating_axes
     std::array<AxisMapping, 3> axes;
     std::vector<std::string> channel_names;  // {"R", "G", "B", "A"}, {"R", "G", "B"} or {"Y"}
+    std::vector<std::string> grid_names;     // VDB: one per channel; empty: density, or R, G, ...
+    bool sparse = false;                     // VDB: voxels stored as 0 are background, not active
     config::PixelType pixel_type = config::PixelType::half;
     std::vector<config::VolumeFormat> formats;
     config::VolumeLayout layout = config::VolumeLayout::stack;  // of EXR
     int columns = 0;                                            // of an atlas; 0: to be chosen
     config::Compression compression = config::Compression::zip;
     config::VdbCompression vdb_compression = config::VdbCompression::blosc;
-    double voxel_size_m = 0;            // VDB: edge of a voxel of level 0
-    std::array<double, 3> minimum_m{};  // VDB: the lower corner of voxel (0, 0, 0)
-    std::string up_axis;                // "+z"
+    std::array<double, 3> voxel_size_m{};  // VDB: edges of a voxel of level 0
+    std::array<double, 3> minimum_m{};     // VDB: the lower corner of voxel (0, 0, 0)
+    std::string up_axis;                   // "+z"
     std::vector<VolumeLevel> levels;
     RangeCounts range;
     bool certified = false;

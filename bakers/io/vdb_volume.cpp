@@ -63,8 +63,8 @@ std::optional<std::string> contradiction(const BakedVolume& volume, int level_nu
         level.content_hash.find_first_not_of("0123456789abcdef") != std::string::npos) {
         return fmt::format("`{}` is not a content hash", level.content_hash);
     }
-    if (!(volume.voxel_size_m > 0) || !std::isfinite(volume.voxel_size_m)) {
-        return fmt::format("voxels of {} m", volume.voxel_size_m);
+    for (const double edge : volume.voxel_size_m) {
+        if (!(edge > 0) || !std::isfinite(edge)) return fmt::format("voxels of {} m", edge);
     }
     return std::nullopt;
 }
@@ -76,7 +76,7 @@ std::vector<VdbGridDescription> describe_grids(const BakedVolume& volume,
     grid.size = level.size;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double voxels = volume.levels[0].size[axis];
-        grid.voxel_size[axis] = volume.voxel_size_m * (voxels / level.size[axis]);
+        grid.voxel_size[axis] = volume.voxel_size_m[axis] * (voxels / level.size[axis]);
         grid.first_centre[axis] = volume.minimum_m[axis] + grid.voxel_size[axis] / 2;
     }
     grid.encoding = {volume.pixel_type == PixelType::half, volume.vdb_compression};

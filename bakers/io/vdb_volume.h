@@ -5,7 +5,7 @@
 // `R`, `G`, `B`, `A`. Grids are FloatGrids of class fog volume with background 0. *Every* voxel of
 // the volume is active, those of value 0 too: the active voxels are the volume, voxels (0, 0, 0) to
 // size - 1. Values are half or float; halves are rounded to nearest even. Voxel i is centred on
-// minimum_m + (i + 1/2) h in metres, without rotation; h is volume.voxel_size_m along each axis,
+// minimum_m + (i + 1/2) h in metres, without rotation; h are volume.voxel_size_m,
 // and so much more in a level as it has fewer voxels along that axis.
 #pragma once
 

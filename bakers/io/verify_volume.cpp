@@ -28,14 +28,16 @@ std::int64_t voxel_index(const std::array<int, 3>& size, const std::array<int, 3
 // Goes over a file's voxels once, in order, and keeps what the checks want to know.
 class VoxelCheck {
   public:
-    VoxelCheck(const ManifestLevel& level, std::size_t channels, config::PixelType type)
+    VoxelCheck(const ManifestLevel& level, const std::array<bool, 3>& repeats, std::size_t channels,
+               config::PixelType type)
         : level_(level),
+          repeats_(repeats),
           channels_(channels),
           type_(type),
           min_(channels, std::numeric_limits<double>::infinity()),
           max_(channels, -std::numeric_limits<double>::infinity()) {
         for (const VolumeProbe& probe : level.probes) {
-            for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw)) {
+            for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw, repeats)) {
                 wanted_.push_back(voxel_index(level.size, tap.voxel));
             }
         }
@@ -85,7 +87,7 @@ class VoxelCheck {
   private:
     std::vector<double> lookup(const VolumeProbe& probe) const {
         std::vector<double> value(channels_, 0.0);
-        for (const VoxelTap& tap : trilinear_taps(level_.size, probe.uvw)) {
+        for (const VoxelTap& tap : trilinear_taps(level_.size, probe.uvw, repeats_)) {
             const std::int64_t index = voxel_index(level_.size, tap.voxel);
             const auto found = std::lower_bound(wanted_.begin(), wanted_.end(), index);
             const auto at = static_cast<std::size_t>(found - wanted_.begin()) * channels_;
@@ -97,6 +99,7 @@ class VoxelCheck {
     }
 
     const ManifestLevel& level_;
+    const std::array<bool, 3> repeats_;
     const std::size_t channels_;
     const config::PixelType type_;
     std::vector<double> min_;
@@ -190,8 +193,8 @@ void check_vdb(Examination& examination, const std::filesystem::path& path,
 
 void check_volume_file(Examination& examination, const std::filesystem::path& path,
                        const ManifestAsset& asset, const ManifestFile& file) {
-    VoxelCheck voxels(asset.levels[static_cast<std::size_t>(file.level)], asset.channels.size(),
-                      file.pixel_type);
+    VoxelCheck voxels(asset.levels[static_cast<std::size_t>(file.level)],
+                      repeating_axes(asset.mapping), asset.channels.size(), file.pixel_type);
     if (file.format == spell(config::VolumeFormat::exr)) {
         check_exr(examination, path, asset, file, voxels);
     } else if (file.format == spell(config::VolumeFormat::vdb)) {

@@ -192,7 +192,7 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
     volume.columns = bake.columns;
     volume.compression = bake.compression;
     volume.vdb_compression = bake.vdb_compression;
-    volume.voxel_size_m = 1.0 / bake.size[0];  // the tile is a metre wide
+    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the tile is a metre wide
     volume.up_axis = "+z";
 
     const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));

@@ -104,7 +104,7 @@ TEST(VdbWriteFails, ForVolumesThatContradictThemselves) {
     EXPECT_EQ(code([](BakedVolume& v) { v.levels[0].size[1] = 0; }), "E0500");
     EXPECT_EQ(code([](BakedVolume& v) { v.levels[0].content_hash = "none"; }), "E0500");
     EXPECT_EQ(code([](BakedVolume& v) { v.pixel_type = PixelType::unorm8; }), "E0500");
-    EXPECT_EQ(code([](BakedVolume& v) { v.voxel_size_m = 0; }), "E0500");
+    EXPECT_EQ(code([](BakedVolume& v) { v.voxel_size_m[1] = 0; }), "E0500");
     EXPECT_EQ(code([](BakedVolume& v) { v.channel_names.clear(); }), "E0500");
 }
 

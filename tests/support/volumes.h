@@ -57,14 +57,14 @@ inline BakedVolume plain_volume(const std::array<int, 3>& size, int channels,
     volume.name = "shape";
     volume.kind = "noise_volume";
     volume.content = "noise, without unit";
-    volume.mapping = "tile, voxel centres";
+    volume.mapping = "tile";
     volume.axes[0] = {"x", "u = x", "voxel centres at (i + 1/2) / N", 0, 1};
     volume.axes[1] = {"y", "v = y", "voxel centres at (i + 1/2) / N", 0, 1};
     volume.axes[2] = {"z", "w = z", "voxel centres at (i + 1/2) / N", 0, 1};
     volume.channel_names = channel_names(channels);
     volume.pixel_type = type;
     volume.formats = {config::VolumeFormat::exr};
-    volume.voxel_size_m = 25;
+    volume.voxel_size_m = {25, 25, 25};
     volume.up_axis = "+z";
     volume.levels.resize(1);
     volume.levels[0].size = size;

@@ -1,0 +1,11 @@
+#include "bakers/core/volume.h"
+
+namespace skybake {
+
+std::array<bool, 3> repeating_axes(std::string_view mapping) {
+    const bool tile = mapping == "tile";
+    const bool layer = mapping == "layer";
+    return {tile || layer, tile || layer, tile};
+}
+
+}  // namespace skybake
