@@ -11,18 +11,11 @@
 #include "bakers/core/bake_options.h"
 #include "bakers/core/baked_table.h"
 #include "bakers/core/volume.h"
+#include "bakers/estimate.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 
 namespace skybake {
-
-// What a bake will take, before it is made. Rough: for people and for limits, not for results.
-struct Estimate {
-    std::vector<int> size;  // 0 x 0 where max_error will choose it
-    double seconds = 0;     // on one thread of a machine of 2022
-    double memory_mib = 0;
-    double disk_mib = 0;
-};
 
 // A table holds its texels, a volume can make its voxels.
 using BakedAsset = std::variant<BakedTable, BakedVolume>;
@@ -38,7 +31,8 @@ struct Baker {
     std::string_view asset;  // "transmittance"
     int version = 0;         // raised when its bytes change for equal parameters
     // Patterns of the parameters that an asset depends on, besides those of its own section.
-    std::vector<std::string> (*parameters)(const config::Bake& bake);
+    std::vector<std::string> (*parameters)(const config::Parameters& parameters,
+                                           const config::Bake& bake);
     Estimate (*estimate)(const config::Parameters& parameters, const config::Bake& bake);
     // `label` has what all assets say of themselves: name, parameters, details.
     config::Outcome<BakedAsset> (*bake)(const config::Parameters& parameters,

@@ -16,12 +16,14 @@ std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
-// "3 layers, 1 noise, 2 assets to bake": layers and noises where the recipe is about them.
+// "3 layers, 1 noise, 1 cloud, 2 assets to bake": layers, noises and clouds where the recipe is
+// about them.
 std::string contents(const config::Parameters& parameters) {
     std::string text;
     const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;
     if (has_atmosphere) text += count(parameters.atmosphere.layers.size(), "layer") + ", ";
     if (!parameters.noises.empty()) text += count(parameters.noises.size(), "noise") + ", ";
+    if (!parameters.clouds.empty()) text += count(parameters.clouds.size(), "cloud") + ", ";
     return text + count(parameters.bakes.size(), "asset") + " to bake";
 }
 

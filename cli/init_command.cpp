@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "bakers/io/atomic_file.h"
 #include "bakers/io/file_diagnostic.h"
@@ -36,21 +38,35 @@ std::string titles(std::span<const config::Preset> presets) {
 
 std::string preset_list() {
     return "atmospheres: preset = \"NAME\" at the top of a recipe\n" + titles(config::presets()) +
-           "\nnoises: preset = \"NAME\" below [noise.ANY_NAME]\n" + titles(config::noise_presets());
+           "\nnoises: preset = \"NAME\" below [noise.ANY_NAME]\n" +
+           titles(config::noise_presets()) +
+           "\nclouds: preset = \"NAME\" below [clouds.ANY_NAME]; init --preset clouds.NAME\n" +
+           titles(config::cloud_presets());
 }
 
-// The recipe of a preset of either kind; none if there is none of that name.
-std::optional<std::string> recipe_text(const std::string& name) {
-    if (const config::Preset* preset = config::find_preset(name)) return config::init_text(*preset);
-    const config::Preset* noise = config::find_noise_preset(name);
-    if (!noise) return std::nullopt;
-    return config::noise_init_text(*noise);
+// The recipe of a preset of any kind; none if there is none of that name. "clouds.thesis" is the
+// cloud where "thesis" is the noise of that name.
+std::optional<std::string> recipe_text(std::string_view name) {
+    constexpr std::string_view clouds = "clouds.";
+    const bool is_cloud = name.starts_with(clouds);
+    if (is_cloud) name.remove_prefix(clouds.size());
+    const auto* preset = is_cloud ? nullptr : config::find_preset(name);
+    if (preset) return config::init_text(*preset);
+    const auto* noise = is_cloud ? nullptr : config::find_noise_preset(name);
+    if (noise) return config::noise_init_text(*noise);
+    const auto* cloud = config::find_cloud_preset(name);
+    if (!cloud) return std::nullopt;
+    return config::cloud_init_text(*cloud);
 }
 
 config::Diagnostic unknown_preset(const std::string& name) {
     auto names = config::preset_names();
-    const auto noises = config::noise_preset_names();
-    names.insert(names.end(), noises.begin(), noises.end());
+    for (const config::SectionPresets& kind : config::section_presets()) {
+        for (const std::string_view other : config::preset_names(kind.all())) {
+            const bool is_known = std::find(names.begin(), names.end(), other) != names.end();
+            if (!is_known) names.push_back(other);
+        }
+    }
     std::string label = config::did_you_mean(name, names);
     if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
     config::Diagnostic diagnostic = usage_error(fmt::format("unknown preset `{}`", name), label);
@@ -117,6 +133,7 @@ Command init_command() {
             .examples = {{"skybake init earth.toml", "the Earth, every value with its meaning"},
                          {"skybake init mars.toml --preset mars", "another planet"},
                          {"skybake init clouds.toml --preset nubis_shape", "a cloud noise"},
+                         {"skybake init clouds.toml --preset clouds.thesis", "a cloud"},
                          {"skybake init --list", "the presets, a line each"}},
             .exit_codes = {ExitCode::io},
             .run = run};

@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
+#include <string>
+#include <tuple>
 
+#include "config/cloud_volume_decoder.h"
 #include "config/key_path.h"
 #include "config/noise_volume_decoder.h"
+#include "config/occupancy_decoder.h"
 #include "config/suggest.h"
 
 namespace skybake::config {
@@ -21,6 +26,8 @@ Bake bind_as(const std::string& name, const DecodedSection& section) {
 }
 
 constexpr std::string_view noise_volume = "noise_volume";
+constexpr std::string_view cloud_volume = "cloud_volume";
+constexpr std::string_view occupancy = "occupancy";
 
 // Which struct each bake section of the field tables fills.
 struct Binder {
@@ -32,13 +39,23 @@ constexpr std::array binders = {
     Binder{"transmittance", bind_as<TransmittanceBake, transmittance_fields>},
     Binder{"multiple_scattering", bind_as<MultipleScatteringBake, multiple_scattering_fields>},
     Binder{noise_volume, bind_as<NoiseVolumeBake, noise_volume_fields>},
+    Binder{cloud_volume, bind_as<CloudVolumeBake, cloud_volume_fields>},
+    Binder{occupancy, bind_as<OccupancyBake, occupancy_fields>},
 };
 
-Bake bind_bake(const std::string& name, std::string_view asset, const DecodedSection& section) {
-    const auto* binder = std::find_if(binders.begin(), binders.end(),
-                                      [&](const Binder& entry) { return entry.asset == asset; });
+// A bake whose keys are read, and that has yet to take what it takes from others.
+struct OpenBake {
+    std::string name;
+    std::string asset;
+    DecodedSection section;
+};
+
+Bake bind_bake(const OpenBake& open) {
+    const auto* binder = std::find_if(binders.begin(), binders.end(), [&](const Binder& entry) {
+        return entry.asset == open.asset;
+    });
     assert(binder != binders.end());
-    return binder->bind(name, section);
+    return binder->bind(open.name, open.section);
 }
 
 // The asset's name and where it is said; none if it is no text.
@@ -66,10 +83,9 @@ void report_unknown_asset(const AssetName& asset, const std::string& path, Decod
         std::move(label));
 }
 
-}  // namespace
-
-std::optional<Bake> decode_bake(const std::string& name, const Place& place, const Table& table,
-                                std::span<const Noise> noises, Decoder& decoder) {
+// None if the asset is unknown, which is reported.
+std::optional<OpenBake> read_bake(const std::string& name, const Place& place, const Table& table,
+                                  Decoder& decoder) {
     const std::string path = join_path("bake", name);
     if (!is_bare_key(name)) {
         decoder.diagnostics.error("E0117", place,
@@ -88,14 +104,57 @@ std::optional<Bake> decode_bake(const std::string& name, const Place& place, con
         report_unknown_asset(*asset, path, decoder);
         return std::nullopt;
     }
-    DecodedSection decoded =
-        decode_section(*section, path, place, table, Absent::filled_in, decoder);
+    OpenBake open{name, asset->name,
+                  decode_section(*section, path, place, table, Absent::filled_in, decoder)};
     // The default of `asset` is the section's name, which the field table cannot know.
-    DecodedField& asset_field = decoded.at("asset");
+    DecodedField& asset_field = open.section.at("asset");
     if (!asset_field.source) asset_field.value = asset->name;
-    if (asset->name == noise_volume) resolve_noise_volume(decoded, noises, decoder);
-    append_values(decoded, decoder);
-    return bind_bake(name, asset->name, decoded);
+    return open;
+}
+
+std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
+    const auto order = [](const Entry* entry) {
+        const Place& place = entry->key_place;
+        return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
+    };
+    std::vector<const Entry*> entries;
+    for (const Entry& entry : bakes) entries.push_back(&entry);
+    std::stable_sort(entries.begin(), entries.end(),
+                     [&](const Entry* a, const Entry* b) { return order(a) < order(b); });
+    return entries;
+}
+
+}  // namespace
+
+std::vector<Bake> decode_bakes(const Table& root, std::span<const Noise> noises,
+                               std::span<const Cloud> clouds, Decoder& decoder) {
+    std::vector<OpenBake> open;
+    std::vector<std::string_view> unreadable;
+    for (const Entry* entry : bakes_in_file_order(subtable(root, "bake", "", decoder))) {
+        const Table* table = named_table(*entry, "bake", decoder);
+        std::optional<OpenBake> bake =
+            table ? read_bake(entry->key, entry->key_place, *table, decoder) : std::nullopt;
+        if (bake) {
+            open.push_back(std::move(*bake));
+        } else {
+            unreadable.push_back(entry->key);
+        }
+    }
+    std::vector<Bake> bakes;
+    for (OpenBake& bake : open) {
+        if (bake.asset == noise_volume) resolve_noise_volume(bake.section, noises, decoder);
+        if (bake.asset == cloud_volume) resolve_cloud_volume(bake.section, clouds, noises, decoder);
+        bakes.push_back(bind_bake(bake));
+    }
+    // An occupancy takes from a cloud volume, which may stand behind it.
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (open[i].asset == occupancy) {
+            resolve_occupancy(open[i].section, {bakes, unreadable, clouds, noises}, decoder);
+            bakes[i] = bind_bake(open[i]);
+        }
+        append_values(open[i].section, decoder);
+    }
+    return bakes;
 }
 
 }  // namespace skybake::config

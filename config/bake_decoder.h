@@ -1,17 +1,17 @@
-// One [bake.NAME]: which asset, and the asset's own fields.
+// The [bake.NAME] sections: which asset each makes, and the asset's own fields.
 #pragma once
 
-#include <optional>
 #include <span>
-#include <string>
+#include <vector>
 
 #include "config/parameters.h"
 #include "config/section_decoder.h"
 
 namespace skybake::config {
 
-// None if the asset is unknown, which is reported. `noises` are those of the recipe.
-std::optional<Bake> decode_bake(const std::string& name, const Place& place, const Table& table,
-                                std::span<const Noise> noises, Decoder& decoder);
+// In the order of the file. Bakes of unknown assets are reported and left out. `noises` and
+// `clouds` are those of the recipe.
+std::vector<Bake> decode_bakes(const Table& root, std::span<const Noise> noises,
+                               std::span<const Cloud> clouds, Decoder& decoder);
 
 }  // namespace skybake::config

@@ -76,9 +76,9 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0111", "key of another profile, phase or type",
         "The key belongs to another profile or phase function than the layer has, to "
-        "another type of noise than the channel's, or to another layout, so it would "
-        "have no effect. A later source that names another profile drops the keys of the "
-        "earlier one by itself.",
+        "another type of noise than the channel's, to another layout or to another height "
+        "profile, or to a `detail` that is not given, so it would have no effect. A later "
+        "source that names another profile drops the keys of the earlier one by itself.",
         "profile = \"exponential\"\nscale_height = \"8 km\"\nhalf_width = \"15 km\"",
         "profile = \"exponential\"\nscale_height = \"8 km\"", usage},
     DiagnosticCode{
@@ -91,18 +91,22 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0113", "bounds in the wrong order",
         "The upper bound is not above the lower one: the top of the atmosphere lies on or "
-        "below the ground, or the top of a slab on or below its bottom.",
+        "below the ground, or the top of a slab on or below its bottom. Bounds of a scatter of "
+        "towers may be equal.",
         "ground_radius = \"6460 km\"\ntop_radius = \"6360 km\"",
         "ground_radius = \"6360 km\"\ntop_radius = \"6460 km\"", usage},
-    DiagnosticCode{"E0114", "bad density table",
+    DiagnosticCode{"E0114", "bad table",
                    "A density table is a list of [altitude, density] pairs, at least two, with "
                    "strictly increasing altitudes. Density is linear between the entries and zero "
-                   "outside.",
+                   "outside. A cloud's height table is a list of [height, value] pairs, at least "
+                   "one, with strictly increasing heights from 0 to 1; beyond them its end values "
+                   "go on.",
                    "table = [[\"0 km\", 1.0], [\"0 km\", 0.5]]",
                    "table = [[\"0 km\", 1.0], [\"10 km\", 0.5]]", usage},
     DiagnosticCode{"E0115", "unknown preset",
                    "No preset has that name. `skybake init --list` names them all. Presets of "
-                   "atmospheres stand at the top level, those of noises below [noise.NAME].",
+                   "atmospheres stand at the top level, those of noises below [noise.NAME], those "
+                   "of clouds below [clouds.NAME].",
                    "preset = \"eart\"", "preset = \"earth\"", usage},
     DiagnosticCode{
         "E0116", "cyclic include",
@@ -111,8 +115,8 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0117", "bad name",
         "The name of a [bake.NAME] section becomes the name of a file, and that of a "
-        "[noise.NAME] is what bakes and files call it, so it is made of letters, digits, "
-        "`_` and `-`.",
+        "[noise.NAME] or [clouds.NAME] is what bakes and files call it, so it is made of "
+        "letters, digits, `_` and `-`.",
         "[bake.\"sky/blue\"]", "[bake.sky_blue]", usage},
     DiagnosticCode{"E0118", "unknown asset",
                    "The section asks for an asset that skybake cannot bake. `asset` says what to "
@@ -162,9 +166,9 @@ constexpr std::array codes = {
                    usage},
     DiagnosticCode{
         "E0128", "octave of too high a frequency",
-        "Each octave has `lacunarity` times the frequency of the one before. The message "
-        "names the octave that has more than 1048576 lattice cells a tile, which no "
-        "volume can show.",
+        "Each octave has `lacunarity` times the frequency of the one before, and a cloud "
+        "multiplies them by `noise_scale` or `detail_scale`. The message names what has more "
+        "than 1048576 lattice cells a tile, which no volume can show.",
         "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 16\n"
         "lacunarity = 3",
         "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 5\n"
@@ -174,7 +178,8 @@ constexpr std::array codes = {
         "E0129", "channels that make no picture",
         "A noise has one channel, Y or R; or R, G, B; or R, G, B, A. Where one is missing, "
         "a channel of type = \"constant\" makes it up. `pack` takes the channels that its "
-        "formula names: shape R, G, B, A, and detail R, G, B.",
+        "formula names: shape R, G, B, A, and detail R, G, B. An occupancy has one content, "
+        "three or four.",
         "[noise.n.channels.R]\ntype = \"perlin\"\n"
         "[noise.n.channels.G]\ntype = \"worley\"",
         "[noise.n.channels.R]\ntype = \"perlin\"\n"
@@ -182,7 +187,9 @@ constexpr std::array codes = {
         "[noise.n.channels.B]\ntype = \"constant\"\nvalue = 0",
         usage},
     DiagnosticCode{"E0130", "unknown noise",
-                   "`noise` names the [noise.NAME] to bake, and the recipe has none of that name.",
+                   "`noise` names the [noise.NAME] to bake, or that a cloud is made of, and "
+                   "`detail` the one that erodes it; the recipe has none of that name. Presets of "
+                   "clouds name noises, which are for the recipe to define.",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shap\"",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
@@ -197,6 +204,54 @@ constexpr std::array codes = {
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"\npixel_type = \"unorm8\"\n"
                    "formats = [\"bin\"]",
+                   usage},
+
+    DiagnosticCode{"E0132", "unknown cloud",
+                   "`cloud` names the [clouds.NAME] to bake, and the recipe has none of that name.",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"d\"\n"
+                   "size = [64, 64, 16]",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]",
+                   usage},
+    DiagnosticCode{"E0133", "occupancy of no cloud volume",
+                   "`of` names the [bake.NAME] with asset = \"cloud_volume\" whose empty cells are "
+                   "wanted. The recipe has no bake of that name, or it is of another asset.",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]\n[bake.o]\n"
+                   "asset = \"occupancy\"\nof = \"c\"",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]\n[bake.o]\n"
+                   "asset = \"occupancy\"\nof = \"v\"",
+                   usage},
+    DiagnosticCode{"E0134", "channel that a cloud volume has not",
+                   "A cloud volume has the channel Y; with channels = \"noise\" it has those of "
+                   "its noise, where these are several and not packed.",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]\n[bake.o]\n"
+                   "asset = \"occupancy\"\nof = \"v\"\n"
+                   "channel = \"G\"",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]\n[bake.o]\n"
+                   "asset = \"occupancy\"\nof = \"v\"\n"
+                   "channel = \"Y\"",
                    usage},
 
     DiagnosticCode{"E0300", "cannot open or read",
@@ -267,6 +322,25 @@ constexpr std::array codes = {
                    "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
                    "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 8\n[bake.n]\n"
                    "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
+                   0},
+    DiagnosticCode{"W0204", "tower narrower than a voxel",
+                   "In its narrowest direction the tower's standard deviation is less than one "
+                   "voxel of the volume, so that it falls between voxels: what is left of it "
+                   "depends on where they happen to lie. Each bake warns once.",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[clouds.c.towers.0]\n"
+                   "center = [0.5, 0.5]\nsigma = [0.01, 0.1]\n"
+                   "amplitude = 1\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[clouds.c.towers.0]\n"
+                   "center = [0.5, 0.5]\nsigma = [0.1, 0.1]\n"
+                   "amplitude = 1\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]",
                    0},
 };
 

@@ -113,6 +113,7 @@ std::string explain_field(const Section& section, const Field& field) {
         text += line("only with", fmt::format("{} = \"{}\"", field.selector,
                                               fmt::join(field.selected_by, "\" or \"")));
     }
+    if (!field.needs.empty()) text += line("only with", field.needs);
     if (!field.exclusive_group.empty()) text += line("choose", others_of_group(section, field));
     if (!field.citation.empty()) text += line("source", field.citation);
     return text;

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "config/cloud_value_reader.h"
 #include "config/noise_value_reader.h"
 #include "config/number_reader.h"
 #include "config/suggest.h"
+#include "config/table_reader.h"
 #include "config/toml_source.h"
-#include "config/units.h"
 
 namespace skybake::config {
 namespace {
@@ -129,59 +130,6 @@ std::optional<FieldValue> read_text_list(const Reader& reader, const Value& valu
     return std::nullopt;
 }
 
-// The altitudes of a table; its densities have the range of the table's field. A table stands on
-// the ground, so a negative altitude is a slip.
-constexpr Field table_altitude{.key = "altitude", .kind = Kind::length, .range = {0, 1e12}};
-
-std::optional<DensityPoint> read_point(const Reader& reader, const Value& value) {
-    const auto* pair = std::get_if<Array>(&value.data);
-    if (!pair || pair->size() != 2) {
-        reader.error(
-            "E0114", value,
-            fmt::format("`{}` has an entry that is no pair: {}", reader.path, written(value)),
-            "each entry is [altitude, density], such as [\"10 km\", 0.5]");
-        return std::nullopt;
-    }
-    const Field density_field{.key = "density", .kind = Kind::number, .range = reader.field.range};
-    const auto altitude =
-        read_number(Reader{table_altitude, reader.path, reader.diagnostics}, (*pair)[0]);
-    const auto density =
-        read_number(Reader{density_field, reader.path, reader.diagnostics}, (*pair)[1]);
-    if (!altitude || !density) return std::nullopt;
-    return DensityPoint{{*altitude}, *density};
-}
-
-std::optional<FieldValue> read_density_table(const Reader& reader, const Value& value) {
-    const auto* array = std::get_if<Array>(&value.data);
-    if (!array) {
-        report_type(reader, value, describe_kind(Kind::density_table));
-        return std::nullopt;
-    }
-    if (array->size() < 2) {
-        reader.error("E0114", value, fmt::format("`{}` has fewer than two entries", reader.path),
-                     "at least two [altitude, density] pairs");
-        return std::nullopt;
-    }
-    std::vector<DensityPoint> table;
-    bool valid = true;
-    for (const Value& item : *array) {
-        const std::optional<DensityPoint> point = read_point(reader, item);
-        valid = valid && point;
-        if (!point) continue;
-        if (!table.empty() && !(point->altitude.meters > table.back().altitude.meters)) {
-            reader.error("E0114", item,
-                         fmt::format("`{}` has altitudes that do not increase: {} after {}",
-                                     reader.path, spell_length(point->altitude.meters),
-                                     spell_length(table.back().altitude.meters)),
-                         "each altitude must be above the one before");
-            valid = false;
-        }
-        table.push_back(*point);
-    }
-    if (!valid) return std::nullopt;
-    return table;
-}
-
 template <class T>
 std::optional<FieldValue> as_field_value(const std::optional<T>& value) {
     if (!value) return std::nullopt;
@@ -203,6 +151,8 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
         case Kind::number:
         case Kind::fraction:
         case Kind::length:
+        case Kind::angle:
+        case Kind::coefficient:
             return as_field_value(read_number(reader, value));
         case Kind::text:
             return read_text(reader, value);
@@ -222,7 +172,9 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
         case Kind::voxels:
             return read_size<3>(reader, value, "three whole numbers: along x, y and z");
         case Kind::density_table:
-            return read_density_table(reader, value);
+            return as_field_value(read_density_table(reader, value));
+        case Kind::height_table:
+            return as_field_value(read_height_table(reader, value));
         case Kind::seed:
             return as_field_value(read_seed(reader, value));
         case Kind::frequency:
@@ -235,6 +187,14 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
             return as_field_value(read_remap(reader, value));
         case Kind::levels:
             return as_field_value(read_levels(reader, value));
+        case Kind::lengths:
+            return as_field_value(read_lengths(reader, value));
+        case Kind::pair:
+            return as_field_value(read_pair(reader, value));
+        case Kind::bounds:
+            return as_field_value(read_bounds(reader, value));
+        case Kind::power_of_two:
+            return as_field_value(read_power_of_two(reader, value));
     }
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
-// The tables themselves, but for those of noises (noise_field_tables.cpp). Whoever adds a key adds
-// it here, and a member of the same name in parameters.h; everything else follows.
+// The tables themselves, but for those of noises, clouds and volumes, which have files of their own
+// (noise_field_tables.cpp and so on). Whoever adds a key adds it here, and a member of the same
+// name in parameters.h; everything else follows.
 #include "config/fields.h"
 #include "config/shared_fields.h"
 

@@ -38,11 +38,15 @@ std::string quoted_length(double meters) { return toml_string(spell_length(meter
 std::string spell_one(Kind kind, double value) {
     switch (kind) {
         case Kind::length:
+        case Kind::lengths:
             return quoted_length(value);
         case Kind::wavelengths:
             return toml_string(spell_wavelength(value));
+        case Kind::coefficient:
         case Kind::coefficients:
             return toml_string(spell_inverse_length(value));
+        case Kind::angle:
+            return toml_string(spell_angle(value));
         default:
             return spell_number(value);
     }
@@ -71,8 +75,9 @@ struct Speller {
     std::string operator()(const std::vector<std::array<int, 3>>& frequencies) const {
         return spell_list(frequencies, spell_frequency);
     }
-    std::string operator()(const std::array<double, 4>& remap) const {
-        return spell_list(std::vector<double>(remap.begin(), remap.end()), spell_number);
+    template <std::size_t count>
+    std::string operator()(const std::array<double, count>& numbers) const {
+        return (*this)(std::vector<double>(numbers.begin(), numbers.end()));
     }
     std::string operator()(std::uint64_t seed) const { return spell_seed(seed); }
     std::string operator()(const ChoiceIndex& choice) const {
@@ -85,6 +90,11 @@ struct Speller {
         return spell_list(table, [](const DensityPoint& point) {
             return fmt::format("[{}, {}]", quoted_length(point.altitude.meters),
                                spell_number(point.density));
+        });
+    }
+    std::string operator()(const std::vector<HeightPoint>& table) const {
+        return spell_list(table, [](const HeightPoint& point) {
+            return fmt::format("[{}, {}]", spell_number(point.height), spell_number(point.value));
         });
     }
 };

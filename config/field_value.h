@@ -22,7 +22,8 @@ using FieldValue =
     std::variant<bool, double, std::vector<double>, std::string, std::vector<std::string>,
                  std::array<int, 2>, ChoiceIndex, std::vector<DensityPoint>, std::array<int, 3>,
                  std::vector<std::array<int, 3>>, std::array<double, 4>, std::uint64_t,
-                 std::vector<ChoiceIndex>>;
+                 std::vector<ChoiceIndex>, std::array<double, 2>, std::array<double, 3>,
+                 std::vector<HeightPoint>>;
 
 // TOML text in base units, equal for equal values.
 std::string canonical_text(const Field& field, const FieldValue& value);

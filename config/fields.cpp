@@ -1,5 +1,7 @@
 #include "config/fields.h"
 
+#include <algorithm>
+
 #include "config/units.h"
 
 namespace skybake::config {
@@ -22,6 +24,17 @@ std::vector<Section> make_sections() {
         make_section("noise.*", "", "a tileable noise, under any name", noise_fields()),
         make_section("noise.*.channels.*", "", "one channel of a noise: R, G, B, A, or Y alone",
                      noise_channel_fields()),
+        make_section("clouds.*", "", "a cloud or a layer of clouds, under any name",
+                     cloud_fields()),
+        make_section("clouds.*.height_profile", "", "how full the cloud is, by height",
+                     height_profile_fields()),
+        make_section("clouds.*.coverage_map", "", "a picture over the cloud that thins it out",
+                     coverage_map_fields()),
+        make_section("clouds.*.type_map", "", "a picture over the cloud of its cloud_type",
+                     type_map_fields()),
+        make_section("clouds.*.scatter", "", "towers at random places", tower_scatter_fields()),
+        make_section("clouds.*.towers.*", "", "a tower that is added to the height profile",
+                     tower_fields()),
         make_section("bake.*", "transmittance",
                      "the light that comes through from the top of the atmosphere",
                      transmittance_fields()),
@@ -29,17 +42,24 @@ std::vector<Section> make_sections() {
                      "the light scattered twice and more, per unit of scattering",
                      multiple_scattering_fields()),
         make_section("bake.*", "noise_volume", "the voxels of a noise", noise_volume_fields()),
+        make_section("bake.*", "cloud_volume", "the voxels of a cloud", cloud_volume_fields()),
+        make_section("bake.*", "occupancy", "which cells of a cloud volume are empty, and how far",
+                     occupancy_fields()),
     };
 }
 
 std::string spell_bound(const Field& field, double value) {
     switch (field.kind) {
         case Kind::length:
+        case Kind::lengths:
             return spell_length(value);
         case Kind::wavelengths:
             return spell_wavelength(value);
+        case Kind::coefficient:
         case Kind::coefficients:
             return spell_inverse_length(value);
+        case Kind::angle:
+            return spell_angle(value);
         default:
             return spell_number(value);
     }
@@ -114,6 +134,17 @@ std::vector<std::string_view> subtables(std::string_view path) {
     return names;
 }
 
+std::vector<std::string_view> path_names(const Section& section) {
+    std::vector<std::string_view> names;
+    std::string_view rest = section.path;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('.'), rest.size());
+        names.push_back(rest.substr(0, end));
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return names;
+}
+
 bool applies(const Field& field, std::string_view selector_value) {
     if (field.selector.empty()) return true;
     for (const std::string_view value : field.selected_by) {
@@ -134,8 +165,9 @@ std::string describe_range(const Field& field) {
     if (!has_range(field.kind)) return "";
     const Range& range = field.range;
     if (range.minimum == range.maximum) return spell_bound(field, range.minimum);
-    return "in " + std::string(range.open_minimum ? "(" : "[") + spell_bound(field, range.minimum) +
-           ", " + spell_bound(field, range.maximum) + (range.open_maximum ? ")" : "]");
+    return std::string(range.or_zero ? "0 or in " : "in ") + (range.open_minimum ? "(" : "[") +
+           spell_bound(field, range.minimum) + ", " + spell_bound(field, range.maximum) +
+           (range.open_maximum ? ")" : "]");
 }
 
 std::string describe_choices(const Field& field) {
@@ -199,6 +231,20 @@ std::string_view describe_kind(Kind kind) {
             return "four numbers, [in_low, in_high, out_low, out_high]";
         case Kind::levels:
             return "a whole number, or \"all\"";
+        case Kind::angle:
+            return "an angle with its unit, such as \"30 deg\"";
+        case Kind::coefficient:
+            return "a coefficient with its unit, such as \"40 /km\"";
+        case Kind::lengths:
+            return "three lengths, such as [\"6 km\", \"6 km\", \"1.5 km\"]";
+        case Kind::pair:
+            return "two numbers, such as [0.2, 0.35]";
+        case Kind::bounds:
+            return "two numbers, the lower one first, such as [0.02, 0.05]";
+        case Kind::height_table:
+            return "a list of pairs, such as [[0, 0.0], [0.2, 1.0], [1, 0.0]]";
+        case Kind::power_of_two:
+            return "a power of two, such as 4";
     }
     return "";
 }

@@ -39,14 +39,22 @@ enum class Kind {
     gains,          // [0.625, 0.25, 0.125], one an octave
     remap,          // [0.4, 1, 0, 1]
     levels,         // 4, or "all", which is read as 0
+    angle,          // "30 deg"
+    coefficient,    // "40 /km"
+    lengths,        // ["6 km", "6 km", "1.5 km"]
+    pair,           // [0.2, 0.35]
+    bounds,         // [0.02, 0.05], the first not above the second
+    height_table,   // [[0, 0.0], [0.2, 1.0]]
+    power_of_two,   // 4
 };
 
-// In base units: metres, 1/m, 1.
+// In base units: metres, 1/m, radians, 1.
 struct Range {
     double minimum = 0;
     double maximum = 0;
     bool open_minimum = false;  // the bound itself is not allowed
     bool open_maximum = false;
+    bool or_zero = false;  // 0 is allowed besides
 };
 
 struct Choice {
@@ -68,13 +76,14 @@ struct Field {
     std::string_view exclusive_side = {};   // ... but for those on the same side of it
     std::string_view selector = {};         // the key applies only where this key of the table ...
     std::span<const std::string_view> selected_by = {};  // ... has one of these values
-    std::string_view range_code = "E0110";               // the diagnostic for a value out of range
+    std::string_view needs = {};  // the key applies only where this text of the table is not empty
+    std::string_view range_code = "E0110";  // the diagnostic for a value out of range
     bool only_shown = false;  // says where values come from; not among the parameters of files
 };
 
 // A table of a recipe. In the path a `*` stands for a name that the user gives.
 struct Section {
-    std::string_view path;   // "", "atmosphere", "atmosphere.layers.*", "noise.*", "bake.*"
+    std::string_view path;  // "", "atmosphere", "atmosphere.layers.*", "clouds.*.scatter", "bake.*"
     std::string_view asset;  // bake sections: what they bake; else empty
     std::string_view documentation;
     std::vector<Field> fields;
@@ -85,10 +94,12 @@ struct Section {
 template <class S, class... Choices>
 using Member =
     std::variant<std::monostate, bool S::*, int S::*, double S::*, std::optional<double> S::*,
-                 std::string S::*, Length S::*, std::array<int, 2> S::*, std::array<int, 3> S::*,
-                 std::array<double, 4> S::*, std::uint64_t S::*, std::vector<double> S::*,
-                 std::vector<Length> S::*, std::vector<InverseLength> S::*,
-                 std::vector<DensityPoint> S::*, Choices S::*...>;
+                 std::string S::*, Length S::*, InverseLength S::*, Angle S::*,
+                 std::array<int, 2> S::*, std::array<int, 3> S::*, std::array<double, 2> S::*,
+                 std::array<double, 4> S::*, std::array<Length, 3> S::*, std::uint64_t S::*,
+                 std::vector<double> S::*, std::vector<Length> S::*,
+                 std::vector<InverseLength> S::*, std::vector<DensityPoint> S::*,
+                 std::vector<HeightPoint> S::*, Choices S::*...>;
 
 template <class S, class... Choices>
 struct BoundField {
@@ -106,8 +117,20 @@ using MultipleScatteringField = BoundField<MultipleScatteringBake, MultipleScatt
 using NoiseField = BoundField<Noise, NoiseSampling, NoisePacking>;
 using NoiseChannelField =
     BoundField<NoiseChannel, NoiseType, NoiseFractal, WorleyFeature, WorleyValue, CurlComponent>;
-using NoiseVolumeField = BoundField<NoiseVolumeBake, std::vector<VolumeFormat>, PixelType,
-                                    VolumeLayout, Compression, VdbCompression>;
+using CloudField = BoundField<Cloud, ThresholdAt, CloudChannels>;
+using HeightProfileField = BoundField<HeightProfile, HeightProfileType>;
+using CloudMapField = BoundField<CloudMap, MapWrap, MapFilter, MapColorSpace>;
+using TowerField = BoundField<Tower>;
+using TowerScatterField = BoundField<TowerScatter>;
+
+// Bakes that have the keys of VolumeFiles besides their own.
+template <class S, class... Choices>
+using VolumeBakeField = BoundField<S, std::vector<VolumeFormat>, PixelType, VolumeLayout,
+                                   Compression, VdbCompression, Choices...>;
+using NoiseVolumeField = VolumeBakeField<NoiseVolumeBake>;
+using CloudVolumeField = VolumeBakeField<CloudVolumeBake>;
+using OccupancyField =
+    VolumeBakeField<OccupancyBake, OccupancyFilter, OccupancyRule, std::vector<OccupancyContent>>;
 
 std::span<const RootField> root_fields();
 std::span<const AtmosphereField> atmosphere_fields();
@@ -116,7 +139,15 @@ std::span<const TransmittanceField> transmittance_fields();
 std::span<const MultipleScatteringField> multiple_scattering_fields();
 std::span<const NoiseField> noise_fields();
 std::span<const NoiseChannelField> noise_channel_fields();
+std::span<const CloudField> cloud_fields();
+std::span<const HeightProfileField> height_profile_fields();
+std::span<const CloudMapField> coverage_map_fields();
+std::span<const CloudMapField> type_map_fields();
+std::span<const TowerField> tower_fields();
+std::span<const TowerScatterField> tower_scatter_fields();
 std::span<const NoiseVolumeField> noise_volume_fields();
+std::span<const CloudVolumeField> cloud_volume_fields();
+std::span<const OccupancyField> occupancy_fields();
 
 // All sections, in the order of a recipe.
 std::span<const Section> sections();
@@ -133,8 +164,11 @@ std::vector<std::string_view> choice_names(const Field& field);
 // The names of all assets, one bake section each.
 std::vector<std::string_view> asset_names();
 
-// The tables within the table at a path: {"atmosphere", "noise", "bake"} for "".
+// The tables within the table at a path: {"atmosphere", "noise", "clouds", "bake"} for "".
 std::vector<std::string_view> subtables(std::string_view path);
+
+// The names that a section's path is made of, `*` among them.
+std::vector<std::string_view> path_names(const Section& section);
 
 // Whether the field applies where its selector has this value.
 bool applies(const Field& field, std::string_view selector_value);

@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
 
 #include "config/diagnostic_list.h"
+#include "config/field_reader.h"
 #include "config/fields.h"
 #include "config/key_path.h"
 #include "config/text_layout.h"
 #include "config/toml_source.h"
+#include "config/tower_list.h"
 
 namespace skybake::config {
 namespace {
@@ -47,6 +52,7 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
     if (!field.selector.empty() && !applies(field, selected_name(section, table, field.selector))) {
         return false;
     }
+    if (!field.needs.empty() && !find_entry(table, field.needs)) return false;
     return std::none_of(section.fields.begin(), section.fields.end(), [&](const Field& other) {
         return exclude_each_other(field, other) && find_entry(table, other.key);
     });
@@ -140,8 +146,102 @@ std::string commented_channels(const Table& preset, const std::string& path) {
     return text;
 }
 
+Entry text_entry(std::string key, std::string text) {
+    return {std::move(key), {}, {std::move(text), {}}};
+}
+
 Table bake_of_noise(const std::string& name) {
-    return {{"asset", {}, {std::string("noise_volume"), {}}}, {"noise", {}, {name, {}}}};
+    return {text_entry("asset", "noise_volume"), text_entry("noise", name)};
+}
+
+std::string note_on_comments(std::string_view preset) {
+    return fmt::format(
+        "#\n# Written by `skybake init --preset {}`. Lines of the form `# key = value` show what "
+        "the\n# preset or a default says: take the # off to change one.\n",
+        preset);
+}
+
+// A section that starts from a preset: keys of its own, and the preset's as comments.
+std::string section_from_preset(const Section& section, const std::string& path,
+                                std::string_view preset, const Table& keys) {
+    std::string text = fmt::format("\n# {}\n[{}]\n", section.documentation, path);
+    text += comment(describe_field(*find_field(section, "preset")));
+    return text + fmt::format("preset = \"{}\"\n", preset) + commented_keys(section, keys);
+}
+
+// The noise preset that goes with a noise of a cloud preset: the one of the cloud's name, else that
+// of Nubis.
+const Preset& noise_of_cloud(const Preset& cloud, const std::string& noise) {
+    const Preset* own = find_noise_preset(cloud.name);
+    return own ? *own : *find_noise_preset("nubis_" + noise);
+}
+
+std::array<int, 3> triple_of(const Table& table, const Section& section, std::string_view key) {
+    const Entry* entry = find_entry(table, key);
+    const Field& field = *find_field(section, key);
+    DiagnosticList none_expected;
+    const std::optional<FieldValue> value =
+        entry ? read_field(field, key, entry->value, std::nullopt, none_expected)
+              : default_value(field, std::nullopt);
+    return value ? std::get<std::array<int, 3>>(*value) : std::array<int, 3>{1, 1, 1};
+}
+
+// The noises of a cloud preset, as sections of a recipe, and the voxels that show them all.
+struct CloudNoises {
+    std::string text;
+    std::array<int, 3> size{1, 1, 1};
+
+    void add(const Preset& cloud, const Table& keys, std::string_view key, std::string_view scale) {
+        const Entry* entry = find_entry(keys, key);
+        if (!entry) return;
+        const auto& name = std::get<std::string>(entry->value.data);
+        const Preset& noise = noise_of_cloud(cloud, name);
+        const std::optional<Table> noise_keys = parse_preset(noise);
+        if (!noise_keys) return;
+        text += fmt::format("\n# {}\n[noise.{}]\npreset = \"{}\"\n", preset_title(noise), name,
+                            noise.name);
+        // A density takes one number of each noise, so that the channels are merged.
+        const bool is_density = !find_entry(keys, "channels");
+        if (is_density) text += fmt::format("pack = \"{}\"\n", name);
+        const auto voxels = triple_of(*noise_keys, *find_section("noise.*"), "size");
+        const auto times = triple_of(keys, *find_section("clouds.*"), scale);
+        for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(size[i], voxels[i] * times[i]);
+    }
+};
+
+// The tables below a cloud as comments: its height profile, its towers.
+std::string commented_tables(const Table& cloud, const std::string& path) {
+    std::string text;
+    const auto append = [&](std::string_view pattern, const std::string& at, const Table& table) {
+        text += fmt::format("\n# [{}]\n{}", at, commented_keys(*find_section(pattern), table));
+    };
+    for (const std::string_view name : subtables("clouds.*")) {
+        const Entry* entry = find_entry(cloud, name);
+        const Table* table = entry ? as_table(entry->value) : nullptr;
+        if (!table) continue;
+        const std::string at = join_path(path, name);
+        const std::string pattern = "clouds.*." + std::string(name);
+        if (find_section(pattern)) {
+            append(pattern, at, *table);
+            continue;
+        }
+        for (const Entry* tower : towers_in_order(*table)) {
+            append(pattern + ".*", join_path(at, tower->key), std::get<Table>(tower->value.data));
+        }
+    }
+    return text;
+}
+
+std::string bakes_of_cloud(const std::string& name, const std::array<int, 3>& size) {
+    Array voxels;
+    for (const int edge : size) voxels.push_back({std::int64_t{edge}, {}});
+    const Table volume = {text_entry("asset", "cloud_volume"),
+                          text_entry("cloud", name),
+                          {"size", {}, {std::move(voxels), {}}}};
+    const Table occupancy = {text_entry("asset", "occupancy"), text_entry("of", name)};
+    return table_text(*find_section("bake.*", "cloud_volume"), join_path("bake", name), volume) +
+           table_text(*find_section("bake.*", "occupancy"), join_path("bake", name + "_occupancy"),
+                      occupancy);
 }
 
 }  // namespace
@@ -157,18 +257,27 @@ std::string noise_init_text(const Preset& preset) {
     if (!keys) return std::string(preset.text);
     const std::string name = noise_init_name(preset.name);
     const std::string path = join_path("noise", name);
-    const Section& section = *find_section("noise.*");
-    std::string text = head_comment(preset.text);
-    text += fmt::format(
-        "#\n# Written by `skybake init --preset {}`. Lines of the form `# key = value` show what "
-        "the\n# preset or a default says: take the # off to change one.\n",
-        preset.name);
-    text += fmt::format("\n# {}\n[{}]\n", section.documentation, path);
-    text += comment(describe_field(*find_field(section, "preset")));
-    text += fmt::format("preset = \"{}\"\n", preset.name);
-    text += commented_keys(section, *keys) + commented_channels(*keys, path);
+    std::string text = head_comment(preset.text) + note_on_comments(preset.name);
+    text += section_from_preset(*find_section("noise.*"), path, preset.name, *keys);
+    text += commented_channels(*keys, path);
     return text + table_text(*find_section("bake.*", "noise_volume"), join_path("bake", name),
                              bake_of_noise(name));
+}
+
+std::string cloud_init_text(const Preset& preset) {
+    std::optional<Table> keys = parse_preset(preset);
+    if (!keys) return std::string(preset.text);
+    name_listed_towers_of_cloud(*keys);
+    const std::string name(preset.name);
+    const std::string path = join_path("clouds", name);
+    CloudNoises noises;
+    noises.add(preset, *keys, "noise", "noise_scale");
+    noises.add(preset, *keys, "detail", "detail_scale");
+    std::string text = head_comment(preset.text) + note_on_comments("clouds." + name);
+    text += noises.text;
+    text += section_from_preset(*find_section("clouds.*"), path, preset.name, *keys);
+    text += commented_tables(*keys, path);
+    return text + bakes_of_cloud(name, noises.size);
 }
 
 std::string init_text(const Preset& preset) {

@@ -19,4 +19,8 @@ std::string noise_init_text(const Preset& preset);
 // NAME there: "shape" for "nubis_shape".
 std::string noise_init_name(std::string_view preset);
 
+// For a cloud preset: the noises that it names, a [clouds.NAME] that starts from it, its values as
+// comments, and bakes of the cloud and of its occupancy. NAME is the preset's.
+std::string cloud_init_text(const Preset& preset);
+
 }  // namespace skybake::config

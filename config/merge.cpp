@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "config/field_value.h"
@@ -24,20 +25,20 @@ std::string asset_of(const Table& table, const std::string& name) {
     return asset ? *asset : name;
 }
 
+bool names_fit(const Names& names, const Section& section) {
+    const std::vector<std::string_view> pattern = path_names(section);
+    return std::equal(names.begin(), names.end(), pattern.begin(), pattern.end(),
+                      [](const std::string& name, std::string_view wanted) {
+                          return wanted == "*" || name == wanted;
+                      });
+}
+
 // The section that a table at these names has; null if it has no fields or is unknown.
 const Section* section_of(const Names& names, const Table& table) {
-    const auto begins_with = [&](std::string_view first) { return names[0] == first; };
-    if (names.empty()) return find_section("");
-    if (names.size() == 1) return find_section(names[0]);
-    if (names.size() == 2 && begins_with("bake")) {
-        return find_section("bake.*", asset_of(table, names[1]));
-    }
-    if (names.size() == 2 && begins_with("noise")) return find_section("noise.*");
-    if (names.size() == 3 && begins_with("atmosphere") && names[1] == "layers") {
-        return find_section("atmosphere.layers.*");
-    }
-    if (names.size() == 4 && begins_with("noise") && names[2] == "channels") {
-        return find_section("noise.*.channels.*");
+    for (const Section& section : sections()) {
+        if (!names_fit(names, section)) continue;
+        if (section.asset.empty()) return &section;
+        return find_section(section.path, asset_of(table, names.back()));
     }
     return nullptr;
 }
@@ -47,6 +48,8 @@ bool is_dropped(const Field& field, const Section& section, const Table& over) {
     for (const Field& other : section.fields) {
         if (exclude_each_other(field, other) && find_entry(over, other.key)) return true;
     }
+    const std::string* needed = field.needs.empty() ? nullptr : text_at(over, field.needs);
+    if (needed && needed->empty()) return true;
     if (field.selector.empty()) return false;
     const std::string* selected = text_at(over, field.selector);
     return selected && !applies(field, *selected);
@@ -78,7 +81,7 @@ void merge_entry(Table& base, std::size_t known, const Entry& entry, Names& name
     }
     auto* below = std::get_if<Table>(&place->value.data);
     const Table* above = as_table(entry.value);
-    if (below && above) {
+    if (below && above && !entry.value.replaces) {
         names.push_back(entry.key);
         merge_at(*below, *above, names);
         names.pop_back();

@@ -2,8 +2,8 @@
 //
 // Tables merge key by key; anything else replaces. A key that excludes others (extinction,
 // absorption, single_scattering_albedo; size, max_error), or that selects what others mean
-// (profile, phase), drops what earlier sources said about the alternatives. Another `asset` starts
-// its section afresh.
+// (profile, phase), drops what earlier sources said about the alternatives; so does one that others
+// need and that is taken away (detail = ""). Another `asset` starts its section afresh.
 #pragma once
 
 #include "config/diagnostic_list.h"

@@ -1,6 +1,5 @@
-// The field tables of noises and of their volumes; field_tables.cpp says how such tables work.
+// The field tables of noises; field_tables.cpp says how such tables work.
 #include "config/fields.h"
-#include "config/shared_fields.h"
 
 namespace skybake::config {
 namespace {
@@ -13,8 +12,6 @@ constexpr Range gain_range{0, 4};
 constexpr Range gains_range{0, 1e10};  // holds the weight of the last of 16 octaves of gain 4
 constexpr Range value_range{-1e6, 1e6};
 constexpr Range bias_range{0.001, 0.999};  // beyond, single precision divides by 0
-constexpr Range level_range{1, 15};
-constexpr Range column_range{1, 16384};
 
 constexpr std::string_view perlin_and_worley =
     "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function";
@@ -70,35 +67,13 @@ constexpr std::array component_choices = {
     Choice{"y", "d/dz of potential x - d/dx of potential z"},
     Choice{"z", "d/dx of potential y - d/dy of potential x"},
 };
-constexpr std::array format_choices = {
-    Choice{"exr", "slices in one image; float or half"},
-    Choice{"vdb", "OpenVDB, a grid per channel; float or half"},
-    Choice{"bin", "the voxels alone, little-endian, x fastest; any pixel type"},
-};
-constexpr std::array pixel_type_choices = {
-    Choice{"float", "32 bits a channel"},
-    Choice{"half", "16 bits a channel: 3 digits, 6e-8 to 65504"},
-    Choice{"unorm8", "8 bits a channel for 0 to 1; bin only"},
-    Choice{"unorm16", "16 bits a channel for 0 to 1; bin only"},
-};
-constexpr std::array layout_choices = {
-    Choice{"stack", "slices below each other, slice 0 first"},
-    Choice{"atlas", "slices in rows from the left, rows from the top"},
-};
-constexpr std::array vdb_compression_choices = {
-    Choice{"none", "no compression"},
-    Choice{"zip", "deflate"},
-    Choice{"blosc", "Blosc with LZ4: fast"},
-};
-
-// For which types and layouts a key has a meaning.
+// For which types a key has a meaning.
 constexpr std::string_view constant[] = {"constant"};
 constexpr std::string_view noises[] = {"perlin", "worley", "perlin_worley", "curl"};
 constexpr std::string_view with_perlin[] = {"perlin", "perlin_worley"};
 constexpr std::string_view with_worley[] = {"worley", "perlin_worley"};
 constexpr std::string_view perlin_worley[] = {"perlin_worley"};
 constexpr std::string_view curl[] = {"curl"};
-constexpr std::string_view atlas[] = {"atlas"};
 
 const std::array noise_table = {
     NoiseField{
@@ -344,66 +319,10 @@ const std::array channel_table = {
         &NoiseChannel::bias},
 };
 
-const std::array noise_volume_table = {
-    NoiseVolumeField{asset_field, {}},
-    NoiseVolumeField{{.key = "noise",
-                      .kind = Kind::text,
-                      .required = true,
-                      .documentation = "NAME of the [noise.NAME] to bake"},
-                     &NoiseVolumeBake::noise},
-    NoiseVolumeField{{.key = "size",
-                      .kind = Kind::voxels,
-                      .range = voxel_range,
-                      .documentation = "voxels along x, y and z; left out: the noise's size",
-                      .hint = "1 along z is a picture"},
-                     &NoiseVolumeBake::size},
-    NoiseVolumeField{{.key = "formats",
-                      .kind = Kind::choice_list,
-                      .choices = format_choices,
-                      .fallback = R"(["exr"])",
-                      .documentation = "files to write, NAME.exr and so on"},
-                     &NoiseVolumeBake::formats},
-    NoiseVolumeField{{.key = "pixel_type",
-                      .kind = Kind::choice,
-                      .choices = pixel_type_choices,
-                      .fallback = R"("half")",
-                      .documentation = "numbers in the files"},
-                     &NoiseVolumeBake::pixel_type},
-    NoiseVolumeField{{.key = "layout",
-                      .kind = Kind::choice,
-                      .choices = layout_choices,
-                      .fallback = R"("stack")",
-                      .documentation = "where the slices lie in the EXR file"},
-                     &NoiseVolumeBake::layout},
-    NoiseVolumeField{{.key = "columns",
-                      .kind = Kind::integer,
-                      .range = column_range,
-                      .documentation = "slices in a row of the atlas; left out: near to a square",
-                      .selector = "layout",
-                      .selected_by = atlas},
-                     &NoiseVolumeBake::columns},
-    NoiseVolumeField{{.key = "mips",
-                      .kind = Kind::levels,
-                      .range = level_range,
-                      .fallback = "1",
-                      .documentation = "levels of detail, the volume itself among them",
-                      .hint = "\"all\" goes down to one voxel"},
-                     &NoiseVolumeBake::mips},
-    NoiseVolumeField{compression_field, &NoiseVolumeBake::compression},
-    NoiseVolumeField{{.key = "vdb_compression",
-                      .kind = Kind::choice,
-                      .choices = vdb_compression_choices,
-                      .fallback = R"("blosc")",
-                      .documentation = "of the VDB file, always lossless"},
-                     &NoiseVolumeBake::vdb_compression},
-};
-
 }  // namespace
 
 std::span<const NoiseField> noise_fields() { return noise_table; }
 
 std::span<const NoiseChannelField> noise_channel_fields() { return channel_table; }
-
-std::span<const NoiseVolumeField> noise_volume_fields() { return noise_volume_table; }
 
 }  // namespace skybake::config

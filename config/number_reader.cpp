@@ -26,6 +26,7 @@ std::string with_hint(const std::string& text, const Field& field) {
 
 // NaN fails every comparison, so it is never within.
 bool within(const Range& range, double value) {
+    if (range.or_zero && value == 0) return true;
     const bool above = range.open_minimum ? value > range.minimum : value >= range.minimum;
     const bool below = range.open_maximum ? value < range.maximum : value <= range.maximum;
     return above && below;
@@ -44,10 +45,14 @@ Dimension wanted_dimension(Kind kind) {
         case Kind::fractions:
             return Dimension::fraction;
         case Kind::length:
+        case Kind::lengths:
         case Kind::wavelengths:
             return Dimension::length;
+        case Kind::coefficient:
         case Kind::coefficients:
             return Dimension::inverse_length;
+        case Kind::angle:
+            return Dimension::angle;
         default:
             return Dimension::number;
     }

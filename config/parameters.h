@@ -167,7 +167,7 @@ enum class MapColorSpace { linear, srgb };
 // A picture laid over a cloud's extent, x to the right and y downwards from its first row.
 struct CloudMap {
     std::string file;            // as the recipe has it; empty: none
-    std::filesystem::path path;  // where it is: relative to the recipe's folder
+    std::filesystem::path path;  // where it is: `file` in the folder of the recipe that names it
     std::string channel;         // "R", "Y", "coverage"; empty: the first
     MapWrap wrap = MapWrap::repeat;
     MapFilter filter = MapFilter::linear;
@@ -181,6 +181,7 @@ struct Tower {
     Angle rotation;                  // of its axes against x, y, counterclockwise
     double correlation = 0;          // between its axes, in (-1, 1)
     double amplitude = 0;
+    std::string name = {};  // what the recipe calls it: "0", "1" ... in a list
 };
 
 // Towers at random places: each value is uniform in its range, sigma in its logarithm.
@@ -242,7 +243,9 @@ struct OccupancyBake : VolumeFiles {
 struct Bake {
     std::string name;
     // `asset = "..."`, default NAME
-    std::variant<TransmittanceBake, MultipleScatteringBake, NoiseVolumeBake> asset;
+    std::variant<TransmittanceBake, MultipleScatteringBake, NoiseVolumeBake, CloudVolumeBake,
+                 OccupancyBake>
+        asset;
 };
 
 struct Parameters {

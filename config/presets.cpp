@@ -1,30 +1,54 @@
 #include "config/presets.h"
 
+#include <array>
+
 namespace skybake::config {
 namespace {
 
-const Preset* find_in(std::span<const Preset> all, std::string_view name) {
+constexpr std::array kinds = {
+    SectionPresets{"noise", "noise", noise_presets},
+    SectionPresets{"clouds", "cloud", cloud_presets},
+};
+
+}  // namespace
+
+std::span<const SectionPresets> section_presets() { return kinds; }
+
+const Preset* find_preset(std::span<const Preset> all, std::string_view name) {
     for (const Preset& preset : all) {
         if (preset.name == name) return &preset;
     }
     return nullptr;
 }
 
-std::vector<std::string_view> names_of(std::span<const Preset> all) {
+const Preset* find_preset(std::string_view name) { return find_preset(presets(), name); }
+
+const Preset* find_noise_preset(std::string_view name) {
+    return find_preset(noise_presets(), name);
+}
+
+const Preset* find_cloud_preset(std::string_view name) {
+    return find_preset(cloud_presets(), name);
+}
+
+const SectionPresets* find_section_presets(std::string_view name) {
+    for (const SectionPresets& kind : kinds) {
+        if (find_preset(kind.all(), name)) return &kind;
+    }
+    return nullptr;
+}
+
+std::vector<std::string_view> preset_names(std::span<const Preset> all) {
     std::vector<std::string_view> names;
     for (const Preset& preset : all) names.push_back(preset.name);
     return names;
 }
 
-}  // namespace
+std::vector<std::string_view> preset_names() { return preset_names(presets()); }
 
-const Preset* find_preset(std::string_view name) { return find_in(presets(), name); }
+std::vector<std::string_view> noise_preset_names() { return preset_names(noise_presets()); }
 
-std::vector<std::string_view> preset_names() { return names_of(presets()); }
-
-const Preset* find_noise_preset(std::string_view name) { return find_in(noise_presets(), name); }
-
-std::vector<std::string_view> noise_preset_names() { return names_of(noise_presets()); }
+std::vector<std::string_view> cloud_preset_names() { return preset_names(cloud_presets()); }
 
 std::string preset_title(const Preset& preset) {
     std::string_view line = preset.text.substr(0, preset.text.find('\n'));

@@ -1,6 +1,6 @@
-// The presets that travel inside the program: the texts of config/presets/*.toml and of
-// config/presets/noise/*.toml, put into the binary when it is built, so that an installed skybake
-// needs no data folder.
+// The presets that travel inside the program: the texts of config/presets/*.toml, and of the
+// folders noise/ and clouds/ beside them, put into the binary when it is built, so that an
+// installed skybake needs no data folder.
 #pragma once
 
 #include <span>
@@ -15,18 +15,35 @@ struct Preset {
     std::string_view text;  // the whole recipe, [bake.*] sections included
 };
 
-// All presets, by name.
+// All presets of recipes, by name.
 std::span<const Preset> presets();
 
-// Null if there is none of that name.
-const Preset* find_preset(std::string_view name);
-
-std::vector<std::string_view> preset_names();
-
-// Those of noises; their texts are the keys of one [noise.NAME].
+// Those of noises and of clouds, by name; their texts are the keys of one [noise.NAME] or
+// [clouds.NAME].
 std::span<const Preset> noise_presets();
+std::span<const Preset> cloud_presets();
+
+// Presets of sections that the user names.
+struct SectionPresets {
+    std::string_view section;  // "noise"
+    std::string_view noun;     // "noise", "cloud"
+    std::span<const Preset> (*all)();
+};
+std::span<const SectionPresets> section_presets();
+
+// Null if there is none of that name.
+const Preset* find_preset(std::span<const Preset> all, std::string_view name);
+const Preset* find_preset(std::string_view name);
 const Preset* find_noise_preset(std::string_view name);
+const Preset* find_cloud_preset(std::string_view name);
+
+// The first kind of section that has a preset of that name; null if there is none.
+const SectionPresets* find_section_presets(std::string_view name);
+
+std::vector<std::string_view> preset_names(std::span<const Preset> all);
+std::vector<std::string_view> preset_names();
 std::vector<std::string_view> noise_preset_names();
+std::vector<std::string_view> cloud_preset_names();
 
 // The first line of the comment at the preset's head.
 std::string preset_title(const Preset& preset);

@@ -25,7 +25,7 @@ struct ResolvedValue {
 struct Recipe {
     Parameters parameters;
     std::vector<ResolvedValue> values;          // in the order of the field tables, layers by name
-    std::vector<std::filesystem::path> inputs;  // recipe and includes, for dependency files
+    std::vector<std::filesystem::path> inputs;  // recipe, includes and maps, for dependency files
 };
 
 // Reads a recipe file. `settings` are the texts of --set, "a.b=c", in order.

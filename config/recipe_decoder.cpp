@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "config/bake_decoder.h"
+#include "config/cloud_decoder.h"
 #include "config/key_path.h"
 #include "config/layer_decoder.h"
 #include "config/noise_decoder.h"
@@ -58,10 +58,6 @@ Atmosphere decode_atmosphere(const Table& root, Decoder& decoder) {
     return result;
 }
 
-auto file_order(const Place& place) {
-    return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
-}
-
 std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
     std::vector<Noise> noises;
     for (const Entry& entry : subtable(root, "noise", "", decoder)) {
@@ -74,31 +70,34 @@ std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
     return noises;
 }
 
-std::vector<Bake> decode_bakes(const Table& root, std::span<const Noise> noises, Decoder& decoder) {
-    std::vector<const Entry*> entries;
-    for (const Entry& entry : subtable(root, "bake", "", decoder)) entries.push_back(&entry);
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) {
-        return file_order(a->key_place) < file_order(b->key_place);
-    });
-    std::vector<Bake> bakes;
-    for (const Entry* entry : entries) {
-        const Table* table = named_table(*entry, "bake", decoder);
-        if (!table) continue;
-        std::optional<Bake> bake =
-            decode_bake(entry->key, entry->key_place, *table, noises, decoder);
-        if (bake) bakes.push_back(std::move(*bake));
+std::vector<Cloud> decode_clouds(const Table& root, std::span<const Noise> noises,
+                                 Decoder& decoder) {
+    std::vector<Cloud> clouds;
+    for (const Entry& entry : subtable(root, "clouds", "", decoder)) {
+        const Table* table = named_table(entry, "clouds", decoder);
+        // One that is no table is a cloud all the same, so that bakes may name it.
+        Cloud named;
+        named.name = entry.key;
+        clouds.push_back(table ? decode_cloud(entry.key, entry.key_place, *table, noises, decoder)
+                               : named);
     }
-    return bakes;
+    return clouds;
+}
+
+bool needs_atmosphere(const Bake& bake) {
+    return std::holds_alternative<TransmittanceBake>(bake.asset) ||
+           std::holds_alternative<MultipleScatteringBake>(bake.asset);
 }
 
 // The sky's assets need an atmosphere; a recipe of nothing at all was to be one of a sky.
 void check_atmosphere(const Table& root, const Parameters& parameters, const Source& source,
                       Decoder& decoder) {
     if (find_entry(root, "atmosphere") || !decoder.complete) return;
-    const bool bakes_sky = std::any_of(
-        parameters.bakes.begin(), parameters.bakes.end(),
-        [](const Bake& bake) { return !std::holds_alternative<NoiseVolumeBake>(bake.asset); });
-    if (!bakes_sky && !(parameters.bakes.empty() && parameters.noises.empty())) return;
+    const bool bakes_sky =
+        std::any_of(parameters.bakes.begin(), parameters.bakes.end(), needs_atmosphere);
+    const bool is_empty =
+        parameters.bakes.empty() && parameters.noises.empty() && parameters.clouds.empty();
+    if (!bakes_sky && !is_empty) return;
     decoder.diagnostics.error("E0105", {&source}, "the recipe has no [atmosphere]",
                               "start from preset = \"earth\", or see `skybake init`");
 }
@@ -116,7 +115,8 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     }
     parameters.atmosphere = decode_atmosphere(root, decoder);
     parameters.noises = decode_noises(root, decoder);
-    parameters.bakes = decode_bakes(root, parameters.noises, decoder);
+    parameters.clouds = decode_clouds(root, parameters.noises, decoder);
+    parameters.bakes = decode_bakes(root, parameters.noises, parameters.clouds, decoder);
     check_atmosphere(root, parameters, source, decoder);
     return parameters;
 }

@@ -10,6 +10,7 @@
 #include "config/suggest.h"
 #include "config/text_file.h"
 #include "config/toml_source.h"
+#include "config/tower_list.h"
 
 namespace skybake::config {
 namespace {
@@ -89,12 +90,15 @@ class Loader {
         const bool is_root = !root_loaded_;
         root_loaded_ = true;
         Source& source = add_source(Source::Kind::file, name, std::move(text));
+        source.folder = folder;
+        if (is_root) root_folder_ = folder;
         std::optional<Table> root = parse_toml(source, diagnostics_);
         if (!root) {
             result_.complete = false;
             if (!is_root) return;
             root.emplace();
         }
+        name_listed_towers(*root);
         check_exclusive_keys(*root, diagnostics_);
         load_preset(effective(*root, "preset", is_root));
         load_includes(effective(*root, "include", is_root), folder);
@@ -105,7 +109,9 @@ class Loader {
 
     void add_settings() {
         for (SourceTree& tree : settings_) {
-            const_cast<Source*>(tree.source)->order = next_order_++;
+            auto* source = const_cast<Source*>(tree.source);
+            source->order = next_order_++;
+            source->folder = root_folder_;
             result_.trees.push_back(std::move(tree));
         }
     }
@@ -136,6 +142,7 @@ class Loader {
         if (!value) value = Value{std::string(written), {}};
         Table root = wrap(*names, std::move(*value));
         assign_place(root, place);
+        name_listed_towers(root);
         check_exclusive_keys(root, diagnostics_);
         settings_.push_back({&source, std::move(root)});
     }
@@ -218,8 +225,9 @@ class Loader {
     void report_unknown_preset(const std::string& name, const Place& place) {
         const std::vector<std::string_view> names = preset_names();
         std::string label = did_you_mean(name, names);
-        if (find_noise_preset(name)) {
-            label = "a preset of noises: it stands below [noise.NAME]";
+        if (const SectionPresets* kind = find_section_presets(name)) {
+            label = fmt::format("a preset of {}s: it stands below [{}.NAME]", kind->noun,
+                                kind->section);
         } else if (label.empty()) {
             label = fmt::format("there are: {}", fmt::join(names, ", "));
         }
@@ -244,6 +252,7 @@ class Loader {
     DiagnosticList& diagnostics_;
     std::vector<SourceTree> settings_;
     std::vector<fs::path> chain_;  // the files that are being read, each included by the one before
+    fs::path root_folder_;         // the recipe's own
     int next_order_ = 0;
     bool root_loaded_ = false;
     bool reported_most_files_ = false;

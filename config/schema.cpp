@@ -34,6 +34,7 @@ Json number_schema(const Range& range) {
     Json schema = {{"type", "number"}};
     schema[range.open_minimum ? "exclusiveMinimum" : "minimum"] = range.minimum;
     schema[range.open_maximum ? "exclusiveMaximum" : "maximum"] = range.maximum;
+    if (range.or_zero) return {{"anyOf", {{{"const", 0}}, schema}}};
     return schema;
 }
 
@@ -91,12 +92,16 @@ Json levels_schema(const Range& range) {
     return {{"anyOf", {integer_schema(range), {{"const", "all"}}}}};
 }
 
-Json density_table_schema(const Range& range) {
-    const Json pair = {{"type", "array"},
-                       {"items", {quantity_schema(Dimension::length), number_schema(range)}},
-                       {"minItems", 2},
-                       {"maxItems", 2}};
-    return {{"type", "array"}, {"items", pair}, {"minItems", 2}};
+Json pair_table_schema(const Json& first, const Json& second, int fewest) {
+    const Json pair = {
+        {"type", "array"}, {"items", {first, second}}, {"minItems", 2}, {"maxItems", 2}};
+    return {{"type", "array"}, {"items", pair}, {"minItems", fewest}};
+}
+
+Json power_of_two_schema(const Range& range) {
+    Json powers = Json::array();
+    for (int power = 1; power <= range.maximum; power *= 2) powers.push_back(power);
+    return {{"enum", powers}};
 }
 
 Json value_schema(const Field& field) {
@@ -126,7 +131,8 @@ Json value_schema(const Field& field) {
         case Kind::size:
             return list_schema(integer_schema(field.range), 2, 2);
         case Kind::density_table:
-            return density_table_schema(field.range);
+            return pair_table_schema(quantity_schema(Dimension::length), number_schema(field.range),
+                                     2);
         case Kind::choice_list:
             return choice_list_schema(field);
         case Kind::voxels:
@@ -143,6 +149,19 @@ Json value_schema(const Field& field) {
             return list_schema(number_schema(field.range), 4, 4);
         case Kind::levels:
             return levels_schema(field.range);
+        case Kind::angle:
+            return quantity_schema(Dimension::angle);
+        case Kind::coefficient:
+            return quantity_schema(Dimension::inverse_length);
+        case Kind::lengths:
+            return list_schema(quantity_schema(Dimension::length), 3, 3);
+        case Kind::pair:
+        case Kind::bounds:
+            return list_schema(number_schema(field.range), 2, 2);
+        case Kind::height_table:
+            return pair_table_schema(number_schema({0, 1}), number_schema(field.range), 1);
+        case Kind::power_of_two:
+            return power_of_two_schema(field.range);
     }
     return {};
 }
@@ -241,8 +260,42 @@ Json noise_schema() {
     return schema;
 }
 
+// A table of tables under any names.
+Json named_schema(std::string_view description, std::string_view definition) {
+    return {{"type", "object"},
+            {"description", description},
+            {"additionalProperties", reference(definition)}};
+}
+
+// Names that become those of files.
+Json with_bare_names(Json schema) {
+    schema["propertyNames"] = {{"pattern", "^[A-Za-z0-9_-]+$"}};
+    return schema;
+}
+
+// Towers are tables under any names, or a list.
+Json towers_schema() {
+    const Json list = {{"type", "array"}, {"items", reference("tower")}};
+    return {{"anyOf", {list, named_schema("towers, by name", "tower")}}};
+}
+
+Json cloud_schema() {
+    Json schema = section_schema(*find_section("clouds.*"));
+    Json& properties = schema["properties"];
+    properties["preset"]["examples"] = cloud_preset_names();
+    for (const std::string_view name : subtables("clouds.*")) {
+        if (name == "towers") continue;
+        properties[std::string(name)] =
+            section_schema(*find_section("clouds.*." + std::string(name)));
+    }
+    properties["towers"] = towers_schema();
+    return schema;
+}
+
 Json definitions() {
     Json result = Json::object();
+    result["cloud"] = cloud_schema();
+    result["tower"] = section_schema(*find_section("clouds.*.towers.*"));
     result["noise"] = noise_schema();
     result["noise_channel"] = section_schema(*find_section("noise.*.channels.*"));
     result["layer"] = section_schema(*find_section("atmosphere.layers.*"));
@@ -260,14 +313,10 @@ std::string recipe_schema() {
                    {"title", "skybake recipe"}};
     schema.update(section_schema(*find_section("")));
     Json atmosphere = section_schema(*find_section("atmosphere"));
-    atmosphere["properties"]["layers"] = {{"type", "object"},
-                                          {"description", "layers of the atmosphere, by name"},
-                                          {"additionalProperties", reference("layer")}};
+    atmosphere["properties"]["layers"] = named_schema("layers of the atmosphere, by name", "layer");
     schema["properties"]["atmosphere"] = atmosphere;
-    schema["properties"]["noise"] = {{"type", "object"},
-                                     {"description", "noises, by name"},
-                                     {"propertyNames", {{"pattern", "^[A-Za-z0-9_-]+$"}}},
-                                     {"additionalProperties", reference("noise")}};
+    schema["properties"]["noise"] = with_bare_names(named_schema("noises, by name", "noise"));
+    schema["properties"]["clouds"] = with_bare_names(named_schema("clouds, by name", "cloud"));
     schema["properties"]["bake"] = bakes_schema();
     schema["definitions"] = definitions();
     return schema.dump(2) + '\n';

@@ -46,6 +46,22 @@ struct SectionReader {
             fmt::format("{} = \"{}\" comes from {}", field.selector, found, said));
     }
 
+    // Whether the text that the field needs is there; one at fault passes for it.
+    bool has_needed(const Field& field) const {
+        if (field.needs.empty()) return true;
+        const DecodedField& needed = result.at(field.needs);
+        if (!needed.value) return needed.source != nullptr;
+        return !std::get<std::string>(*needed.value).empty();
+    }
+
+    void report_without_needed(const Field& field, const Entry& entry) const {
+        decoder.diagnostics.error(
+            "E0111", entry.key_place,
+            fmt::format("`{}` belongs to {}, and there is none", join_path(result.path, field.key),
+                        join_path(result.path, field.needs)),
+            fmt::format("give {}, or leave {} out", field.needs, field.key));
+    }
+
     void report_missing(const Field& field) const {
         if (!decoder.complete) return;
         Place place = result.place;
@@ -70,6 +86,10 @@ struct SectionReader {
                 return;
             }
             if (!name && !entry) return;
+        }
+        if (!has_needed(field)) {
+            if (entry && decoder.complete) report_without_needed(field, *entry);
+            return;
         }
         if (entry) {
             decoded.source = &entry->value;

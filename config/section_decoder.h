@@ -66,6 +66,12 @@ struct Assigner {
 
     void operator()(std::monostate) const {}
     void operator()(Length S::*member) const { target.*member = {std::get<double>(value)}; }
+    void operator()(InverseLength S::*member) const { target.*member = {std::get<double>(value)}; }
+    void operator()(Angle S::*member) const { target.*member = {std::get<double>(value)}; }
+    void operator()(std::array<Length, 3> S::*member) const {
+        const auto& meters = std::get<std::array<double, 3>>(value);
+        target.*member = {Length{meters[0]}, Length{meters[1]}, Length{meters[2]}};
+    }
     void operator()(std::vector<Length> S::*member) const { assign_each(member); }
     void operator()(std::vector<InverseLength> S::*member) const { assign_each(member); }
     void operator()(int S::*member) const {

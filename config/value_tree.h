@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,9 +16,10 @@ namespace skybake::config {
 struct Source {
     enum class Kind { file, preset, setting };
     Kind kind = Kind::file;
-    int order = 0;     // later sources override earlier ones
-    std::string name;  // "earth.toml", "preset earth", "--set `a.b=c`"
-    std::string text;  // empty for a setting, which has no lines
+    int order = 0;                      // later sources override earlier ones
+    std::string name;                   // "earth.toml", "preset earth", "--set `a.b=c`"
+    std::string text;                   // empty for a setting, which has no lines
+    std::filesystem::path folder = {};  // where files that it names are looked for
 };
 
 // Columns and lengths count code points; lines and columns count from 1, 0 means not known.
@@ -37,6 +39,8 @@ using Table = std::vector<Entry>;  // sorted by key, keys unique
 struct Value {
     std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Table> data;
     Place place;
+    bool replaces =
+        false;  // of a table: it was written as an array, which replaces earlier sources'
 };
 
 struct Entry {

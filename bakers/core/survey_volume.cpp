@@ -63,18 +63,6 @@ std::optional<BadValue> first_bad(const std::vector<const float*>& channels, std
     return bad;
 }
 
-// Rounds in place, by way of what a file would hold.
-void round_values(float* values, std::size_t count, PixelType type) {
-    if (type == PixelType::float32) return;
-    constexpr std::size_t kPiece = 4096;
-    std::array<char, kPiece * 2> stored;
-    for (std::size_t i = 0; i < count; i += kPiece) {
-        const std::size_t piece = std::min(kPiece, count - i);
-        store_values(values + i, piece, type, stored.data());
-        load_values(stored.data(), piece, type, values + i);
-    }
-}
-
 // Of values before they are rounded.
 int count_below_normal(const float* values, std::size_t count, PixelType type) {
     const auto smallest = static_cast<float>(smallest_normal(type));

@@ -30,6 +30,8 @@ class VoxelSource {
     // channels[c] is where channel c goes, box.count() floats, x fastest, then y, then z; null
     // where it is not wanted. Values are as baked, before rounding to a pixel type.
     virtual void fill(const VoxelBox& box, const std::vector<float*>& channels) const = 0;
+    // True only if every voxel of the box is known to be 0 in every channel, without making them.
+    virtual bool is_empty(const VoxelBox& /*box*/) const { return false; }
 };
 
 // Of one channel, as stored.

@@ -1,5 +1,7 @@
 #include "bakers/core/voxel_bytes.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -100,6 +102,17 @@ void load_values(const char* bytes, std::size_t count, PixelType type, float* ou
         const auto* stored = reinterpret_cast<const typename Conversion::Stored*>(bytes);
         for (std::size_t i = 0; i < count; ++i) out[i] = Conversion::load(stored[i]);
     });
+}
+
+void round_values(float* values, std::size_t count, PixelType type) {
+    if (type == PixelType::float32) return;
+    constexpr std::size_t kPiece = 4096;
+    std::array<char, kPiece * 2> stored;
+    for (std::size_t i = 0; i < count; i += kPiece) {
+        const std::size_t piece = std::min(kPiece, count - i);
+        store_values(values + i, piece, type, stored.data());
+        load_values(stored.data(), piece, type, values + i);
+    }
 }
 
 }  // namespace skybake

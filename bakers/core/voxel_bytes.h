@@ -21,4 +21,7 @@ void store_values(const float* values, std::size_t count, config::PixelType type
 // The values that the bytes stand for, exactly; unorm as the nearest floats.
 void load_values(const char* bytes, std::size_t count, config::PixelType type, float* out);
 
+// Rounds in place to what a file of the type would hold. Every value must fit the type.
+void round_values(float* values, std::size_t count, config::PixelType type);
+
 }  // namespace skybake

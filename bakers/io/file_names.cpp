@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bakers/io/spelling.h"
+#include "config/volume_files.h"
 
 namespace skybake {
 
@@ -14,7 +15,7 @@ std::string volume_file_name(const std::string& name, config::VolumeFormat forma
 }
 
 std::vector<std::string> file_names(const config::Bake& bake) {
-    const auto* volume = std::get_if<config::NoiseVolumeBake>(&bake.asset);
+    const config::VolumeFiles* volume = config::volume_files(bake);
     if (volume == nullptr) return {table_file_name(bake.name)};
     std::vector<std::string> names;
     for (const config::VolumeFormat format : volume->formats) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <variant>
 
 #include "bakers/io/read_file.h"
 #include "bakers/io/release.h"
+#include "config/volume_files.h"
 
 namespace skybake {
 
@@ -17,7 +17,7 @@ Manifest new_manifest(const config::Recipe& recipe) {
     // A recipe of volumes alone has wavelengths too, which mean nothing for them.
     const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
     const bool has_tables = std::any_of(bakes.begin(), bakes.end(), [](const config::Bake& bake) {
-        return !std::holds_alternative<config::NoiseVolumeBake>(bake.asset);
+        return config::volume_files(bake) == nullptr;
     });
     if (!has_tables) return manifest;
     for (const config::Length& wavelength : recipe.parameters.wavelengths) {

@@ -32,6 +32,7 @@ struct ManifestFile {
     int level = 0;                           // of detail; 0 is the volume itself
     std::string compression = {};            // "zip", "blosc", ...
     std::optional<SliceLayout> layout = {};  // exr: where the slices lie
+    std::vector<std::string> grids = {};     // vdb: the grid of each channel
 };
 
 // Wall times: the one thing in a bake's output that changes from run to run.

@@ -141,6 +141,7 @@ ManifestFile read_file_entry(const Node& node, bool of_volume) {
     file.level = node["level"].integer<int>(0);
     file.compression = node["compression"].text();
     if (file.format == "exr") file.layout = read_layout(node["layout"]);
+    if (file.format == "vdb") file.grids = texts(node["grids"]);
     return file;
 }
 
@@ -220,6 +221,10 @@ void read_volume(const Node& node, ManifestAsset& asset) {
     for (const ManifestFile& file : asset.files) {
         if (static_cast<std::size_t>(file.level) >= asset.levels.size()) {
             node["files"].fail(fmt::format("`{}` is of level {}", file.path, file.level));
+        }
+        if (file.format == "vdb" && file.grids.size() != asset.channels.size()) {
+            node["files"].fail(fmt::format("`{}` has {} grids for {} channels", file.path,
+                                           file.grids.size(), asset.channels.size()));
         }
     }
 }

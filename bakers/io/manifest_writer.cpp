@@ -29,6 +29,7 @@ Json to_json(const ManifestFile& file, bool of_volume) {
                           {"columns", file.layout->columns},
                           {"rows", file.layout->rows}};
     }
+    if (!file.grids.empty()) json["grids"] = file.grids;
     return json;
 }
 

@@ -10,12 +10,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bakers/core/volume.h"
 #include "bakers/io/exr.h"
+#include "bakers/io/vdb_tree.h"
 #include "bakers/io/vdb_volume.h"
 #include "config/diagnostic.h"
 #include "config/parameters.h"
@@ -27,10 +29,15 @@ struct VdbEncoding {
     config::VdbCompression compression = config::VdbCompression::none;
 };
 
+// The name of the size of a sparse volume in a grid's metadata.
+inline constexpr const char* vdb_size_name = "skybake/size";
+
 // What a grid says of itself.
 struct VdbGridDescription {
     std::string name;
-    std::array<int, 3> size{};
+    VdbActiveVoxels active;  // with bounds even where there are none
+    // Of the volume, as metadata named vdb_size_name; none where the bounds say it.
+    std::optional<std::array<int, 3>> size;
     std::array<double, 3> voxel_size{};    // edges
     std::array<double, 3> first_centre{};  // of voxel (0, 0, 0)
     VdbEncoding encoding;
@@ -44,12 +51,11 @@ struct VdbGridHead {
     std::size_t grid_at = 0;       // where in `bytes` the grid's own data begins
 };
 
-// Voxels of a part of a 128^3 node as the file holds them. The file wants the leaves of a node in
-// the order of x first: the leaves of every 8 voxels of x are a column, and the columns of the
-// node's parts, which follow each other in y, are to be interleaved.
+// Active voxels of a strip (vdb_tree.h) as the file holds them. The file wants the leaves of a node
+// in the order of x first, so the columns of the node's strips are to be interleaved.
 struct VdbStrip {
     std::string bytes;
-    std::vector<std::size_t> column_ends;  // ascending; the last is bytes.size()
+    std::array<std::size_t, vdb_node_columns> column_ends{};  // ascending; the last: bytes.size()
 };
 
 // The module's functions.
@@ -62,14 +68,17 @@ struct VdbCodec {
     // Positions in the file: of the grid's own data, of its voxels, behind its end.
     std::string (*grid_positions)(std::uint64_t grid, std::uint64_t voxels, std::uint64_t end);
 
-    // The tree of a volume whose voxels are all active, piece by piece, until `sink` returns false.
-    void (*topology)(const std::array<int, 3>& size, VdbEncoding encoding,
-                     const std::function<bool(std::string_view)>& sink);
+    // The tree of a grid is its root; then its 4096^3 nodes in the order of x, then y, then z; and
+    // behind each of them its 128^3 nodes with their leaves. A node has children and nothing else.
+    std::string (*root)(std::size_t upper_nodes);
+    // The places of a node's children are counted as those of leaves are, 32 along an axis.
+    std::string (*upper_node)(const std::array<int, 3>& corner,
+                              const std::vector<std::uint16_t>& places, VdbEncoding encoding);
+    std::string (*lower_node)(const VdbLeaves& leaves, VdbEncoding encoding);
 
-    // The voxels of `strip`, which begins at a multiple of 8 along each axis and ends at one or at
-    // the volume's end; its values x fastest, then y, then z. Any thread may call it.
-    void (*encode_strip)(const VoxelBox& strip, const float* values, VdbEncoding encoding,
-                         VdbStrip& encoded);
+    // The active voxels of a strip; its values x fastest, then y, then z. Any thread may call it.
+    void (*encode_strip)(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
+                         VdbEncoding encoding, VdbStrip& encoded);
 
     // As read_vdb and read_vdb_voxels, of files that can be opened.
     config::Outcome<VdbFile> (*read)(const std::filesystem::path& path);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -143,28 +142,34 @@ Attributes texts_of(const openvdb::MetaMap& map) {
     return attributes;
 }
 
-std::array<std::int64_t, 3> corner(const openvdb::GridBase& grid, const char* name) {
+using Vector = std::array<std::int64_t, 3>;
+
+std::optional<Vector> vector_of(const openvdb::GridBase& grid, const char* name) {
     const auto found = grid.getMetadata<openvdb::Vec3IMetadata>(name);
-    if (!found) return {};
+    if (!found) return std::nullopt;
     const openvdb::Vec3i value = found->value();
-    return {value[0], value[1], value[2]};
+    return Vector{value[0], value[1], value[2]};
 }
 
 VdbGrid describe(const Grid& head) {
-    const openvdb::GridBase& grid = *head.grid;
+    using openvdb::GridBase;
+    const GridBase& grid = *head.grid;
     VdbGrid described;
     described.name = io::GridDescriptor::nameAsString(head.descriptor.uniqueName());
     described.type = grid.type();
-    described.grid_class = openvdb::GridBase::gridClassToString(grid.getGridClass());
+    described.grid_class = GridBase::gridClassToString(grid.getGridClass());
     described.compression = io::compressionToString(head.compression);
     const openvdb::Vec3d edges = grid.voxelSize();
     const openvdb::Vec3d centre = grid.transform().indexToWorld(openvdb::Coord(0, 0, 0));
     described.voxel_size = {edges[0], edges[1], edges[2]};
     described.first_centre = {centre[0], centre[1], centre[2]};
-    described.first_active = corner(grid, openvdb::GridBase::META_FILE_BBOX_MIN);
-    described.last_active = corner(grid, openvdb::GridBase::META_FILE_BBOX_MAX);
+    described.first_active = vector_of(grid, GridBase::META_FILE_BBOX_MIN).value_or(Vector{});
+    described.last_active = vector_of(grid, GridBase::META_FILE_BBOX_MAX).value_or(Vector{});
+    const Vector& last = described.last_active;
+    described.size =
+        vector_of(grid, vdb_size_name).value_or(Vector{last[0] + 1, last[1] + 1, last[2] + 1});
     using openvdb::Int64Metadata;
-    const auto count = grid.getMetadata<Int64Metadata>(openvdb::GridBase::META_FILE_VOXEL_COUNT);
+    const auto count = grid.getMetadata<Int64Metadata>(GridBase::META_FILE_VOXEL_COUNT);
     if (count) described.active_voxels = count->value();
     described.half = head.descriptor.saveFloatAsHalf();
     described.metadata = texts_of(grid);
@@ -173,75 +178,128 @@ VdbGrid describe(const Grid& head) {
 
 // --- Trees --------------------------------------------------------------------------------------
 
-// Reads a node's masks and tiles, which are to be those of a dense volume.
+using Coord = openvdb::Coord;
+
+// A leaf of a grid: where it is among the leaves of the volume, and in the file.
+struct LeafEntry {
+    std::array<std::uint16_t, 3> leaf{};
+    std::int64_t position = 0;
+};
+
+// Reads a node's masks and tiles; returns where its children begin, in the file's order.
 template <class Node>
-void expect_dense_node(std::istream& in, const std::array<int, 3>& size, int child_edge,
-                       bool half) {
+std::vector<Coord> read_node(std::istream& in, const Coord& corner, bool half) {
     typename Node::NodeMaskType children, active_tiles;
     children.load(in);
     active_tiles.load(in);
-    expect(children == entries_within<Node>(size, child_edge) && active_tiles.isOff(),
-           "its voxels are not a dense box");
+    expect(active_tiles.isOff(), "it has active tiles");
     std::vector<float> tiles(Node::NUM_VALUES);
     io::readCompressedValues(in, tiles.data(), Node::NUM_VALUES, active_tiles, half);
-}
-
-void expect_dense_tree(std::istream& in, const std::array<int, 3>& size, bool half) {
-    const auto upper_boxes = cells_in_tree_order({{}, size}, vdb_upper_node_edge);
-    expect(read_raw<std::int32_t>(in) == 1, "its leaves have several buffers");
-    expect(read_raw<float>(in) == 0, "its background is not 0");
-    const auto tiles = read_raw<openvdb::Index>(in);
-    const auto children = read_raw<openvdb::Index>(in);
-    expect(tiles == 0 && children == upper_boxes.size(), "its voxels are not a dense box");
-    for (const VoxelBox& upper : upper_boxes) {
-        for (const std::int32_t coordinate : upper.origin) {
-            expect(read_raw<std::int32_t>(in) == coordinate, "its voxels are not a dense box");
+    std::vector<Coord> corners;
+    for (openvdb::Index i = 0; i < Node::NUM_VALUES; ++i) {
+        if (!children.isOn(i)) {
+            expect(tiles[i] == 0, "it has tiles that are not 0");
+            continue;
         }
-        expect_dense_node<UpperNode>(in, upper.size, vdb_node_edge, half);
-        for (const VoxelBox& lower : cells_in_tree_order(upper, vdb_node_edge)) {
-            expect_dense_node<LowerNode>(in, lower.size, vdb_leaf_edge, half);
-            for (const VoxelBox& leaf : cells_in_tree_order(lower, vdb_leaf_edge)) {
-                Leaf::NodeMaskType active;
-                active.load(in);
-                expect(active == voxels_within(leaf.size), "its voxels are not a dense box");
-            }
-        }
+        Coord local;
+        Node::offsetToLocalCoord(i, local);
+        constexpr int child_edge = Node::ChildNodeType::DIM;
+        corners.push_back(
+            corner.offsetBy(local[0] * child_edge, local[1] * child_edge, local[2] * child_edge));
     }
+    return corners;
 }
 
-// --- Voxels -------------------------------------------------------------------------------------
-
-// Where the leaves of a dense volume's grids are in the file.
-class DenseVolume {
+// The volume that a file's leaves are to be in.
+class Box {
   public:
-    DenseVolume(Input& input, std::vector<Grid> grids) : input_(input), grids_(std::move(grids)) {
-        expect(!grids_.empty(), "it has no grids");
-        put_in_order();
-        find_size();
-        for (const Grid& grid : grids_) leaves_.push_back(find_leaves(grid));
+    explicit Box(const Vector& size) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // A slab is allocated for whatever the file says.
+            expect(size[axis] > 0 && size[axis] <= most_voxels, "its size is damaged");
+            size_[axis] = static_cast<int>(size[axis]);
+        }
     }
 
     const std::array<int, 3>& size() const { return size_; }
 
+    // The part of the leaf that is in the box. Throws where there is none.
+    VoxelBox leaf_at(const Coord& corner) const {
+        VoxelBox box;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int from = corner[axis];
+            expect(from >= 0 && from < size_[axis], "it has leaves outside of its size");
+            box.origin[axis] = from;
+            box.size[axis] = std::min(vdb_leaf_edge, size_[axis] - from);
+        }
+        return box;
+    }
+
+  private:
+    static constexpr std::int64_t most_voxels = 16384;  // that a recipe may ask for along an axis
+    std::array<int, 3> size_{};
+};
+
+std::array<std::uint16_t, 3> leaf_number(const VoxelBox& leaf) {
+    std::array<std::uint16_t, 3> number{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        number[axis] = static_cast<std::uint16_t>(leaf.origin[axis] / vdb_leaf_edge);
+    }
+    return number;
+}
+
+// The leaves of a tree, in the file's order, without their positions.
+std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
+    expect(read_raw<std::int32_t>(in) == 1, "its leaves have several buffers");
+    expect(read_raw<float>(in) == 0, "its background is not 0");
+    expect(read_raw<openvdb::Index>(in) == 0, "it has tiles of 4096 voxels");
+    std::vector<LeafEntry> leaves;
+    for (auto children = read_raw<openvdb::Index>(in); children > 0; --children) {
+        Coord corner;
+        corner.read(in);
+        expect((corner & (vdb_upper_node_edge - 1)) == Coord(0), "a node is not in its place");
+        for (const Coord& lower : read_node<UpperNode>(in, corner, half)) {
+            for (const Coord& leaf : read_node<LowerNode>(in, lower, half)) {
+                leaves.push_back({leaf_number(box.leaf_at(leaf)), 0});
+                in.seekg(sizeof(VdbLeafMask), std::ios::cur);  // it is with the voxels too
+            }
+        }
+    }
+    return leaves;
+}
+
+// --- Voxels -------------------------------------------------------------------------------------
+
+// The voxels of a file whose grids have one size.
+class Volume {
+  public:
+    Volume(Input& input, std::vector<Grid> grids)
+        : input_(input), grids_(std::move(grids)), box_(find_size(grids_)) {
+        for (const Grid& grid : grids_) leaves_.push_back(find_leaves(grid));
+    }
+
+    const std::array<int, 3>& size() const { return box_.size(); }
+
     // `slab` begins at a multiple of 8 and is a layer of leaves.
     void read(VdbSlab& slab) {
-        slab.voxels.resize(
-            grids_.size() *
-            static_cast<std::size_t>(VoxelBox{{}, {size_[0], size_[1], slab.depth}}.count()));
-        const VoxelBox layer = {{0, 0, slab.first_z}, {size_[0], size_[1], slab.depth}};
+        const VoxelBox layer = {{}, {size()[0], size()[1], slab.depth}};
+        slab.voxels.assign(grids_.size() * static_cast<std::size_t>(layer.count()), 0.0F);
         for (std::size_t channel = 0; channel < grids_.size(); ++channel) {
             use(grids_[channel]);
-            for (const VoxelBox& leaf : cells_in_tree_order(layer, vdb_leaf_edge)) {
-                read_leaf(channel, leaf, slab);
+            const std::vector<LeafEntry>& leaves = leaves_[channel];
+            const auto is_below = [](const LeafEntry& leaf, int z) { return leaf.leaf[2] < z; };
+            auto leaf = std::lower_bound(leaves.begin(), leaves.end(), slab.first_z / vdb_leaf_edge,
+                                         is_below);
+            for (; leaf != leaves.end() && leaf->leaf[2] * vdb_leaf_edge == slab.first_z; ++leaf) {
+                read_leaf(channel, *leaf, slab);
             }
         }
     }
 
   private:
-    void put_in_order();
-    void find_size();
-    std::vector<std::int64_t> find_leaves(const Grid& grid);
-    void read_leaf(std::size_t channel, const VoxelBox& leaf, VdbSlab& slab);
+    static Vector find_size(const std::vector<Grid>& grids);
+    std::vector<LeafEntry> find_leaves(const Grid& grid);
+    void read_leaf(std::size_t channel, const LeafEntry& entry, VdbSlab& slab);
 
     // Makes the stream one of the grid.
     void use(const Grid& grid) {
@@ -249,102 +307,80 @@ class DenseVolume {
         io::setDataCompression(input_.stream(), grid.compression);
         io::setGridBackgroundValuePtr(input_.stream(), &background);
     }
-    std::size_t leaf_index(const std::array<int, 3>& origin) const {
-        const auto at = [&](std::size_t axis) {
-            return static_cast<std::size_t>(origin[axis] / vdb_leaf_edge);
-        };
-        return (at(0) * leaf_counts_[1] + at(1)) * leaf_counts_[2] + at(2);
-    }
 
     Input& input_;
     std::vector<Grid> grids_;
-    std::array<int, 3> size_{};
-    std::array<std::size_t, 3> leaf_counts_{};
-    std::vector<std::vector<std::int64_t>> leaves_;  // per grid, by leaf_index
+    Box box_;
+    std::vector<std::vector<LeafEntry>> leaves_;  // per grid, layer after layer of z
 };
 
-// Puts the grids in the order of channels.
-void DenseVolume::put_in_order() {
-    constexpr std::string_view channels = "RGBA";
-    const auto rank = [&](const Grid& grid) {
-        const std::string& name = grid.descriptor.gridName();
-        if (name == "density" && grids_.size() == 1) return std::size_t{0};
-        const std::size_t found = name.size() == 1 ? channels.find(name) : std::string::npos;
-        expect(found != std::string::npos, "its grids have other names than density or R, G, B, A");
-        return found;
-    };
-    std::vector<Grid> sorted(channels.size());
-    for (Grid& grid : grids_) {
+void expect_voxels_within(const std::array<int, 3>& size, const Leaf::NodeMaskType& active,
+                          const std::array<float, Leaf::NUM_VALUES>& values) {
+    for (auto voxel = active.beginOff(); voxel; ++voxel) {
+        expect(values[voxel.pos()] == 0, "it has inactive voxels that are not 0");
+    }
+    if (size == std::array{vdb_leaf_edge, vdb_leaf_edge, vdb_leaf_edge}) return;
+    for (auto voxel = active.beginOn(); voxel; ++voxel) {
+        const Coord at = Leaf::offsetToLocalCoord(voxel.pos());
+        expect(at[0] < size[0] && at[1] < size[1] && at[2] < size[2],
+               "it has voxels outside of its size");
+    }
+}
+
+Vector Volume::find_size(const std::vector<Grid>& grids) {
+    expect(!grids.empty(), "it has no grids");
+    const Vector size = describe(grids[0]).size;
+    for (const Grid& grid : grids) {
         expect(grid.grid->isType<openvdb::FloatGrid>(), "a grid does not hold floats");
         expect(!grid.descriptor.isInstance(), "grids share a tree");
-        Grid& place = sorted[rank(grid)];
-        expect(place.grid == nullptr, "two grids have one name");
-        place = grid;
-    }
-    sorted.resize(grids_.size());
-    for (const Grid& grid : sorted) expect(grid.grid != nullptr, "a channel is missing");
-    grids_ = std::move(sorted);
-}
-
-void DenseVolume::find_size() {
-    const VdbGrid first = describe(grids_[0]);
-    double leaves = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::int64_t last = first.last_active[axis];
-        expect(last >= 0 && last < std::numeric_limits<int>::max(), "its bounds are damaged");
-        size_[axis] = static_cast<int>(last) + 1;
-        leaf_counts_[axis] = static_cast<std::size_t>(last) / vdb_leaf_edge + 1;
-        leaves *= static_cast<double>(leaf_counts_[axis]);
-    }
-    // A damaged size must not have memory allocated: each leaf takes its mask at least.
-    expect(leaves * sizeof(Leaf::NodeMaskType) < static_cast<double>(input_.file_size()),
-           "it is too small for its bounds");
-    for (const Grid& grid : grids_) {
         const VdbGrid described = describe(grid);
-        expect(described.first_active == std::array<std::int64_t, 3>{} &&
-                   described.last_active == first.last_active,
-               "its grids do not have one box that begins at the origin");
+        expect(described.size == size, "its grids have different sizes");
+        const bool says_size = vector_of(*grid.grid, vdb_size_name).has_value();
+        expect(says_size || described.first_active == Vector{},
+               "its voxels do not begin at the origin");
     }
+    return size;
 }
 
-std::vector<std::int64_t> DenseVolume::find_leaves(const Grid& grid) {
+std::vector<LeafEntry> Volume::find_leaves(const Grid& grid) {
     std::istream& in = input_.stream();
     const bool half = grid.descriptor.saveFloatAsHalf();
     use(grid);
     in.seekg(grid.tree_at);
-    expect_dense_tree(in, size_, half);
+    std::vector<LeafEntry> leaves = read_tree(in, box_, half);
     grid.descriptor.seekToBlocks(in);
-    std::vector<std::int64_t> positions(leaf_counts_[0] * leaf_counts_[1] * leaf_counts_[2]);
-    for (const VoxelBox& upper : cells_in_tree_order({{}, size_}, vdb_upper_node_edge)) {
-        for (const VoxelBox& lower : cells_in_tree_order(upper, vdb_node_edge)) {
-            for (const VoxelBox& leaf : cells_in_tree_order(lower, vdb_leaf_edge)) {
-                positions[leaf_index(leaf.origin)] = input_.position();
-                Leaf::NodeMaskType active;
-                active.load(in);
-                // Null: skip the values.
-                io::readCompressedValues<float>(in, nullptr, Leaf::NUM_VALUES, active, half);
-            }
-        }
+    for (LeafEntry& leaf : leaves) {
+        leaf.position = input_.position();
+        Leaf::NodeMaskType active;
+        active.load(in);
+        // Null: skip the values.
+        io::readCompressedValues<float>(in, nullptr, Leaf::NUM_VALUES, active, half);
     }
     expect(input_.position() == grid.descriptor.getEndPos(),
            "its voxels do not end where they should");
-    return positions;
+    // Within a layer the order stays that of the file, so that it is read forwards.
+    std::stable_sort(leaves.begin(), leaves.end(),
+                     [](const LeafEntry& a, const LeafEntry& b) { return a.leaf[2] < b.leaf[2]; });
+    return leaves;
 }
 
-void DenseVolume::read_leaf(std::size_t channel, const VoxelBox& leaf, VdbSlab& slab) {
+void Volume::read_leaf(std::size_t channel, const LeafEntry& entry, VdbSlab& slab) {
     std::istream& in = input_.stream();
-    in.seekg(leaves_[channel][leaf_index(leaf.origin)]);
+    in.seekg(entry.position);
     Leaf::NodeMaskType active;
     active.load(in);
-    expect(active == voxels_within(leaf.size), "its voxels are not a dense box");
     std::array<float, Leaf::NUM_VALUES> values;
     io::readCompressedValues(in, values.data(), Leaf::NUM_VALUES, active,
                              grids_[channel].descriptor.saveFloatAsHalf());
+    const auto [x0, y0, z0] = entry.leaf;
+    const VoxelBox leaf =
+        box_.leaf_at(Coord(x0 * vdb_leaf_edge, y0 * vdb_leaf_edge, z0 * vdb_leaf_edge));
+    expect_voxels_within(leaf.size, active, values);
     const std::size_t channels = grids_.size();
     for (int z = 0; z < leaf.size[2]; ++z) {
         for (int y = 0; y < leaf.size[1]; ++y) {
-            const std::int64_t row = std::int64_t{z} * size_[1] + leaf.origin[1] + y;
-            const std::int64_t voxel = row * size_[0] + leaf.origin[0];
+            const std::int64_t row = std::int64_t{z} * size()[1] + leaf.origin[1] + y;
+            const std::int64_t voxel = row * size()[0] + leaf.origin[0];
             float* const to =
                 slab.voxels.data() + static_cast<std::size_t>(voxel) * channels + channel;
             for (int x = 0; x < leaf.size[0]; ++x) {
@@ -395,7 +431,7 @@ Outcome<bool> read_voxels(const std::filesystem::path& path,
         Input input(path);
         openvdb::MetaMap metadata;
         input.read_metadata(metadata);
-        DenseVolume volume(input, read_grid_heads(input));
+        Volume volume(input, read_grid_heads(input));
         VdbSlab slab;
         slab.size = volume.size();
         for (; slab.first_z < slab.size[2]; slab.first_z += vdb_leaf_edge) {

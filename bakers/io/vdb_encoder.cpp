@@ -3,11 +3,13 @@
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>
 
-#include <map>
+#include <algorithm>
+#include <bit>
 #include <ostream>
 #include <stdexcept>
 #include <streambuf>
 
+#include "bakers/core/half_conversion.h"
 #include "bakers/io/vdb_library.h"
 
 namespace skybake::vdb {
@@ -103,26 +105,29 @@ openvdb::math::Transform::Ptr transform_of(const VdbGridDescription& grid) {
     return openvdb::math::Transform::Ptr(new openvdb::math::Transform(map));
 }
 
+openvdb::Vec3IMetadata vector_of(const std::array<int, 3>& v) {
+    return openvdb::Vec3IMetadata(openvdb::Vec3i(v[0], v[1], v[2]));
+}
+
 // The figures that readers take instead of visiting the tree. How much memory the tree takes is not
 // among them: it depends on the reader.
-void insert_statistics(openvdb::MetaMap& map, const std::array<int, 3>& size,
+void insert_statistics(openvdb::MetaMap& map, const VdbActiveVoxels& active,
                        std::uint32_t compression) {
     using openvdb::GridBase;
-    map.insertMeta(GridBase::META_FILE_BBOX_MIN, openvdb::Vec3IMetadata(openvdb::Vec3i(0)));
-    map.insertMeta(GridBase::META_FILE_BBOX_MAX,
-                   openvdb::Vec3IMetadata(openvdb::Vec3i(size[0] - 1, size[1] - 1, size[2] - 1)));
-    map.insertMeta(GridBase::META_FILE_VOXEL_COUNT,
-                   openvdb::Int64Metadata(VoxelBox{{}, size}.count()));
+    map.insertMeta(GridBase::META_FILE_BBOX_MIN, vector_of(active.first));
+    map.insertMeta(GridBase::META_FILE_BBOX_MAX, vector_of(active.last));
+    map.insertMeta(GridBase::META_FILE_VOXEL_COUNT, openvdb::Int64Metadata(active.count));
     map.insertMeta(GridBase::META_FILE_COMPRESSION,
                    openvdb::StringMetadata(io::compressionToString(compression)));
 }
 
 // --- Trees --------------------------------------------------------------------------------------
 
-// A node with children within `size` and nothing else, up to those children.
+// A node with these children and nothing else, up to those children.
 template <class Node>
-void write_node(StringOutput& out, const std::array<int, 3>& size, int child_edge, bool half) {
-    const auto children = entries_within<Node>(size, child_edge);
+void write_node(StringOutput& out, const std::vector<std::uint16_t>& places, bool half) {
+    typename Node::NodeMaskType children;
+    for (const std::uint16_t place : places) children.setOn(place);
     const typename Node::NodeMaskType active_tiles;
     children.save(out);
     active_tiles.save(out);
@@ -130,69 +135,44 @@ void write_node(StringOutput& out, const std::array<int, 3>& size, int child_edg
     io::writeCompressedValues(out, tiles.data(), Node::NUM_VALUES, active_tiles, children, half);
 }
 
-std::string root_bytes(std::size_t children) {
-    std::string bytes;
-    StringOutput out(bytes);
-    write_raw(out, std::int32_t{1});  // buffers per leaf
-    write_raw(out, background);
-    write_raw(out, openvdb::Index{0});  // tiles
-    write_raw(out, static_cast<openvdb::Index>(children));
-    return bytes;
-}
-
-std::string upper_node_bytes(const VoxelBox& box, VdbEncoding encoding) {
-    std::string bytes;
-    StringOutput out(bytes, compression_flags(encoding.compression));
-    for (const std::int32_t coordinate : box.origin) write_raw(out, coordinate);
-    write_node<UpperNode>(out, box.size, vdb_node_edge, encoding.half);
-    return bytes;
-}
-
-// A node of 128^3 with its leaves: it depends on its size alone.
-std::string lower_node_bytes(const std::array<int, 3>& size, VdbEncoding encoding) {
-    std::string bytes;
-    StringOutput out(bytes, compression_flags(encoding.compression));
-    write_node<LowerNode>(out, size, vdb_leaf_edge, encoding.half);
-    for (const VoxelBox& leaf : cells_in_tree_order({{}, size}, vdb_leaf_edge)) {
-        voxels_within(leaf.size).save(out);
-    }
-    return bytes;
-}
-
 // --- Voxels -------------------------------------------------------------------------------------
 
-// The values of a leaf in the order of the file, z fastest.
-std::size_t gather(const VoxelBox& strip, const float* values, const VoxelBox& leaf, float* out) {
-    std::array<std::ptrdiff_t, 3> first{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        first[axis] = leaf.origin[axis] - strip.origin[axis];
-    }
-    const std::ptrdiff_t row = strip.size[0];
-    const std::ptrdiff_t plane = row * strip.size[1];
-    const float* const corner = values + first[2] * plane + first[1] * row + first[0];
-    const auto [width, height, depth] = leaf.size;
-    for (int z = 0; z < depth; ++z) {
-        for (int y = 0; y < height; ++y) {
-            const float* const from = corner + z * plane + y * row;
-            float* const to = out + y * depth + z;
-            for (int x = 0; x < width; ++x) to[x * height * depth] = from[x];
+// The active values of a leaf in the order of the file, z fastest; returns how many. The leaf's
+// first value is at `corner`; the others `row` further per y and `plane` further per z.
+std::size_t gather(const float* corner, std::ptrdiff_t row, std::ptrdiff_t plane,
+                   const VdbLeafMask& active, float* out) {
+    constexpr std::uint64_t all = ~std::uint64_t{0};
+    float* const begin = out;
+    for (std::size_t x = 0; x < active.size(); ++x) {
+        const float* const from = corner + x;
+        if (active[x] == all) {
+            for (int y = 0; y < vdb_leaf_edge; ++y) {
+                for (int z = 0; z < vdb_leaf_edge; ++z) *out++ = from[y * row + z * plane];
+            }
+            continue;
+        }
+        for (std::uint64_t left = active[x]; left != 0; left &= left - 1) {
+            const int voxel = std::countr_zero(left);
+            *out++ = from[voxel / vdb_leaf_edge * row + voxel % vdb_leaf_edge * plane];
         }
     }
-    return static_cast<std::size_t>(leaf.count());
+    return static_cast<std::size_t>(out - begin);
 }
 
 // As LeafNode::writeBuffers, for a leaf whose inactive values are all the background.
-void write_leaf(std::ostream& out, const Leaf::NodeMaskType& active, const float* values,
+void write_leaf(std::ostream& out, const VdbLeafMask& active, const float* values,
                 std::size_t count, VdbEncoding encoding) {
-    active.save(out);
+    write_raw(out, active);
     write_raw(out, std::int8_t{io::NO_MASK_OR_INACTIVE_VALS});
     const std::uint32_t flags = compression_flags(encoding.compression);
     const auto size = static_cast<openvdb::Index>(count);
-    if (encoding.half) {
-        io::HalfWriter<true, float>::write(out, values, size, flags);
-    } else {
+    if (!encoding.half) {
         io::writeData(out, values, size, flags);
+        return;
     }
+    std::array<std::uint16_t, Leaf::NUM_VALUES> halves;
+    std::transform(values, values + count, halves.begin(), half_of_float);
+    io::writeData(out, halves.data(), size, flags);
 }
 
 }  // namespace
@@ -220,7 +200,8 @@ VdbGridHead grid_head(const VdbGridDescription& description) {
     grid->setSaveFloatAsHalf(description.encoding.half);
     grid->setTransform(transform_of(description));
     insert(*grid, description.metadata);
-    insert_statistics(*grid, description.size, flags);
+    insert_statistics(*grid, description.active, flags);
+    if (description.size) grid->insertMeta(vdb_size_name, vector_of(*description.size));
 
     VdbGridHead head;
     StringOutput out(head.bytes);
@@ -246,35 +227,52 @@ std::string grid_positions(std::uint64_t grid, std::uint64_t voxels, std::uint64
     return bytes;
 }
 
-void topology(const std::array<int, 3>& size, VdbEncoding encoding,
-              const std::function<bool(std::string_view)>& sink) {
-    std::map<std::array<int, 3>, std::string> lower_nodes;  // at most eight sizes
-    const auto upper_boxes = cells_in_tree_order({{}, size}, vdb_upper_node_edge);
-    if (!sink(root_bytes(upper_boxes.size()))) return;
-    for (const VoxelBox& upper : upper_boxes) {
-        if (!sink(upper_node_bytes(upper, encoding))) return;
-        for (const VoxelBox& lower : cells_in_tree_order(upper, vdb_node_edge)) {
-            std::string& bytes = lower_nodes[lower.size];
-            if (bytes.empty()) bytes = lower_node_bytes(lower.size, encoding);
-            if (!sink(bytes)) return;
-        }
-    }
+std::string root(std::size_t upper_nodes) {
+    std::string bytes;
+    StringOutput out(bytes);
+    write_raw(out, std::int32_t{1});  // buffers per leaf
+    write_raw(out, background);
+    write_raw(out, openvdb::Index{0});  // tiles
+    write_raw(out, static_cast<openvdb::Index>(upper_nodes));
+    return bytes;
 }
 
-void encode_strip(const VoxelBox& strip, const float* values, VdbEncoding encoding,
-                  VdbStrip& encoded) {
+std::string upper_node(const std::array<int, 3>& corner, const std::vector<std::uint16_t>& places,
+                       VdbEncoding encoding) {
+    std::string bytes;
+    StringOutput out(bytes, compression_flags(encoding.compression));
+    for (const std::int32_t coordinate : corner) write_raw(out, coordinate);
+    write_node<UpperNode>(out, places, encoding.half);
+    return bytes;
+}
+
+std::string lower_node(const VdbLeaves& leaves, VdbEncoding encoding) {
+    std::string bytes;
+    StringOutput out(bytes, compression_flags(encoding.compression));
+    write_node<LowerNode>(out, leaves.places, encoding.half);
+    for (const VdbLeafMask& active : leaves.active) write_raw(out, active);
+    return bytes;
+}
+
+void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
+                  VdbEncoding encoding, VdbStrip& encoded) {
     encoded.bytes.clear();
-    encoded.column_ends.clear();
+    encoded.column_ends.fill(0);
     StringOutput out(encoded.bytes);
-    std::array<float, Leaf::NUM_VALUES> leaf_values;
-    int column = strip.origin[0];
-    for (const VoxelBox& leaf : cells_in_tree_order(strip, vdb_leaf_edge)) {
-        if (leaf.origin[0] != column) encoded.column_ends.push_back(encoded.bytes.size());
-        column = leaf.origin[0];
-        const std::size_t count = gather(strip, values, leaf, leaf_values.data());
-        write_leaf(out, voxels_within(leaf.size), leaf_values.data(), count, encoding);
+    const std::ptrdiff_t row = strip.size[0], plane = row * strip.size[1];
+    std::array<float, Leaf::NUM_VALUES> active_values;
+    for (std::size_t i = 0; i < leaves.places.size(); ++i) {
+        const std::uint16_t place = leaves.places[i];
+        const float* const corner = values + voxel_index(strip, leaf_origin(strip, place));
+        const VdbLeafMask& active = leaves.active[i];
+        const std::size_t count = gather(corner, row, plane, active, active_values.data());
+        write_leaf(out, active, active_values.data(), count, encoding);
+        encoded.column_ends[static_cast<std::size_t>(vdb_column(place))] = encoded.bytes.size();
     }
-    encoded.column_ends.push_back(encoded.bytes.size());
+    for (std::size_t column = 1; column < encoded.column_ends.size(); ++column) {
+        std::size_t& end = encoded.column_ends[column];
+        end = std::max(end, encoded.column_ends[column - 1]);  // a column may be empty
+    }
 }
 
 }  // namespace skybake::vdb

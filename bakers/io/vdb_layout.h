@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "bakers/core/volume.h"
@@ -17,5 +18,13 @@ inline constexpr int vdb_upper_node_edge = 4096;
 // fastest. The box begins at a multiple of the edges.
 std::vector<VoxelBox> cells_in_tree_order(const VoxelBox& box, const std::array<int, 3>& edge);
 std::vector<VoxelBox> cells_in_tree_order(const VoxelBox& box, int edge);
+
+// Where a voxel is among the values of its box, x fastest, then y, then z.
+inline std::ptrdiff_t voxel_index(const VoxelBox& box, const std::array<int, 3>& voxel) {
+    const auto from = [&](std::size_t axis) {
+        return std::ptrdiff_t{voxel[axis]} - box.origin[axis];
+    };
+    return (from(2) * box.size[1] + from(1)) * box.size[0] + from(0);
+}
 
 }  // namespace skybake

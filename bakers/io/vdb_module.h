@@ -7,9 +7,8 @@
 
 namespace skybake {
 
-// The codec, or null with the reason. The module, skybake_vdb.so, is looked for in lib/skybake of
-// the folders above the program, which is where installed trees and builds have it. It is loaded
-// once and stays.
+// The codec, or null with the reason. The module, skybake_vdb.so, is loaded once and stays; see
+// load_module.h for where it is.
 struct LoadedVdbCodec {
     const VdbCodec* codec = nullptr;
     std::string reason;

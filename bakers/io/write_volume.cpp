@@ -26,7 +26,10 @@ ManifestFile make_file(const BakedVolume& volume, VolumeFormat format, int level
     file.pixel_type = volume.pixel_type;
     file.level = level;
     file.compression = "none";
-    if (format == VolumeFormat::vdb) file.compression = spell(volume.vdb_compression);
+    if (format == VolumeFormat::vdb) {
+        file.compression = spell(volume.vdb_compression);
+        file.grids = vdb_grid_names(volume);
+    }
     if (format == VolumeFormat::exr) {
         file.compression = spell(volume.compression);
         file.layout = volume_layout(volume.levels[static_cast<std::size_t>(level)].size,
@@ -35,26 +38,13 @@ ManifestFile make_file(const BakedVolume& volume, VolumeFormat format, int level
     return file;
 }
 
-config::Outcome<bool> write_file(const BakedVolume& volume, const ManifestAsset& asset,
-                                 const ManifestFile& file, int threads, Progress* progress,
-                                 const std::filesystem::path& temporary) {
-    if (file.format == spell(VolumeFormat::bin)) {
-        return write_bin_volume(volume, file.level, threads, progress, temporary);
-    }
-    const Attributes attributes = volume_attributes(asset, file);
-    if (file.format == spell(VolumeFormat::vdb)) {
-        return write_vdb(volume, file.level, attributes, threads, progress, temporary);
-    }
-    return write_exr_volume(volume, file.level, attributes, threads, progress, temporary);
-}
-
 // Stages one file and takes down its length and hash.
 config::Outcome<WriteResult> stage_file(const BakedVolume& volume, const ManifestAsset& asset,
                                         ManifestFile& file, const std::filesystem::path& folder,
                                         AtomicFiles& files, int threads, Progress* progress) {
     const auto write = [&](const std::filesystem::path& temporary) {
         config::Outcome<bool> written =
-            write_file(volume, asset, file, threads, progress, temporary);
+            write_volume_file(volume, asset, file, threads, progress, temporary);
         if (!written.value || !*written.value) return written;
         config::Outcome<FileFingerprint> found = fingerprint(temporary);
         if (!found.value) return config::Outcome<bool>{{}, std::move(found.diagnostics)};
@@ -66,6 +56,19 @@ config::Outcome<WriteResult> stage_file(const BakedVolume& volume, const Manifes
 }
 
 }  // namespace
+
+config::Outcome<bool> write_volume_file(const BakedVolume& volume, const ManifestAsset& asset,
+                                        const ManifestFile& file, int threads, Progress* progress,
+                                        const std::filesystem::path& temporary) {
+    if (file.format == spell(VolumeFormat::bin)) {
+        return write_bin_volume(volume, file.level, threads, progress, temporary);
+    }
+    const Attributes attributes = volume_attributes(asset, file);
+    if (file.format == spell(VolumeFormat::vdb)) {
+        return write_vdb(volume, file.level, attributes, threads, progress, temporary);
+    }
+    return write_exr_volume(volume, file.level, attributes, threads, progress, temporary);
+}
 
 ManifestAsset describe_with_files(const BakedVolume& volume) {
     ManifestAsset asset = describe(volume);

@@ -20,6 +20,12 @@ using StagedVolume = std::vector<WriteResult>;
 // hashes staging fills in. Every level has been surveyed.
 ManifestAsset describe_with_files(const BakedVolume& volume);
 
+// Writes one file of `asset`, over an existing one. As the writers of its format: true when it is
+// complete, false once progress->cancelled().
+config::Outcome<bool> write_volume_file(const BakedVolume& volume, const ManifestAsset& asset,
+                                        const ManifestFile& file, int threads, Progress* progress,
+                                        const std::filesystem::path& path);
+
 // Makes the voxels of each file of `asset` again, writes and stages it for the folder; adds the
 // time it took to asset.timing.write_s. Memory does not grow with the volume. The last result is
 // `interrupted` where progress->cancelled(). E0301 with the system's reason; E0500 where a level

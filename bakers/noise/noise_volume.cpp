@@ -3,18 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "bakers/core/certify_volume.h"
+#include "bakers/core/finish_volume.h"
 #include "bakers/core/low_discrepancy.h"
-#include "bakers/core/mip_source.h"
-#include "bakers/core/stored_source.h"
-#include "bakers/core/survey_volume.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/noise_specification.h"
@@ -30,13 +26,6 @@ using config::NoiseVolumeBake;
 using config::Outcome;
 using noise::NoiseField;
 using noise::NoisePlan;
-
-constexpr int kQuickPoints = 1024;
-constexpr int kFullPoints = 16384;
-
-bool cancelled(const BakeOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
 
 std::array<bool, 3> centered_axes(NoiseSampling sampling) {
     const bool across = sampling != NoiseSampling::corners;
@@ -119,53 +108,6 @@ double seam_error(const NoiseField& field, const std::array<int, 3>& size) {
     return largest;
 }
 
-void add_levels(const NoiseVolumeBake& bake, std::shared_ptr<const NoiseField> field,
-                const BakeOptions& options, BakedVolume& volume) {
-    // Levels of no more floats than this are kept, so that those below need not make them again.
-    constexpr std::int64_t kKeptFloats = 1 << 23;
-    const int channels = field->plan().output_channels();
-    VolumeLevel level;
-    level.size = bake.size;
-    level.voxels = std::move(field);
-    volume.levels.push_back(level);
-    for (int i = 1; i < bake.mips; ++i) {
-        const std::array<int, 3> finer_size = level.size;
-        level.size = next_mip_size(finer_size);
-        level.voxels = std::make_shared<MipSource>(level.voxels, finer_size);
-        const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
-        if (floats <= kKeptFloats) {
-            level.voxels =
-                std::make_shared<StoredSource>(*level.voxels, level.size, channels, options);
-        }
-        volume.levels.push_back(level);
-        if (cancelled(options)) return;
-    }
-}
-
-std::string place_text(const std::array<double, 3>& uvw) {
-    return fmt::format("u {:.6g}, v {:.6g}, w {:.6g}", uvw[0], uvw[1], uvw[2]);
-}
-
-void certify(const Noise& noise, const BakeOptions& options, BakedVolume& volume) {
-    const VolumeLevel& level = volume.levels.front();
-    const VolumeReference reference = reference_of(noise, level.size);
-    const int points = options.certification == Certification::full ? kFullPoints : kQuickPoints;
-    const auto voxels =
-        static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
-    const VolumeErrors texel = measure_voxels(level, volume.pixel_type, reference, voxels, options);
-    const VolumeErrors lookup =
-        measure_lookups(level, volume.pixel_type, reference, points, options);
-    Certificate& certificate = volume.certificate;
-    certificate.texel = texel.figures;
-    certificate.texel_points = texel.points;
-    certificate.lookup = lookup.figures;
-    certificate.lookup_points = lookup.points;
-    certificate.reference = "the noise's definition in double precision, point by point";
-    certificate.scale = "share of the channel's value range, max - min";
-    certificate.worst = place_text(lookup.worst);
-    volume.certified = true;
-}
-
 // Lattices that are hashed, each once however many channels use it or derivatives it has.
 std::size_t distinct_octaves(const NoisePlan& plan) {
     std::set<std::uint64_t> keys;
@@ -186,35 +128,25 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
     volume.mapping = "tile";
     volume.axes = axes_of(bake.size, noise.sampling);
     volume.channel_names = channel_names(noise);
-    volume.pixel_type = bake.pixel_type;
-    volume.formats = bake.formats;
-    volume.layout = bake.layout;
-    volume.columns = bake.columns;
-    volume.compression = bake.compression;
-    volume.vdb_compression = bake.vdb_compression;
+    set_files(bake, volume);
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the tile is a metre wide
     volume.up_axis = "+z";
 
     const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
     volume.details.emplace_back("distinct_octaves",
                                 std::to_string(distinct_octaves(field->plan())));
-    add_levels(bake, field, options, volume);
-    Outcome<BakedVolume> outcome;
-    for (std::size_t i = 0; i < volume.levels.size(); ++i) {
-        if (cancelled(options)) return outcome;
-        const auto start = std::chrono::steady_clock::now();
-        outcome.diagnostics =
-            survey_level(volume, static_cast<int>(i), histogram_ranges(noise), options);
-        volume.bake_seconds +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
-        volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
-    }
+    VolumeLevel level;
+    level.size = bake.size;
+    level.voxels = field;
+    volume.levels.push_back(std::move(level));
+    add_mip_levels(bake.mips, options, volume);
     volume.seam_error = seam_error(*field, bake.size);
-    if (options.certification != Certification::off) certify(noise, options, volume);
-    if (cancelled(options)) return outcome;
-    outcome.value = std::move(volume);
-    return outcome;
+    return finish_volume(
+        std::move(volume),
+        {.histogram_ranges = histogram_ranges(noise),
+         .reference = reference_of(noise, bake.size),
+         .reference_name = "the noise's definition in double precision, point by point"},
+        options);
 }
 
 }  // namespace skybake

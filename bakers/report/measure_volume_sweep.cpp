@@ -6,9 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -17,13 +15,7 @@
 #include "bakers/core/stored_source.h"
 #include "bakers/core/survey_volume.h"
 #include "bakers/core/voxel_boxes.h"
-#include "bakers/io/bin_volume.h"
-#include "bakers/io/exr_volume.h"
-#include "bakers/io/metadata.h"
-#include "bakers/io/vdb_volume.h"
 #include "bakers/io/write_volume.h"
-#include "bakers/noise/noise_reference.h"
-#include "bakers/noise/tile_axis.h"
 #include "bakers/report/memory_file.h"
 #include "bakers/report/row_fronts.h"
 #include "bakers/report/thread_time.h"
@@ -31,7 +23,6 @@
 namespace skybake {
 
 using config::Diagnostic;
-using config::Noise;
 using config::Outcome;
 using config::PixelType;
 using config::VolumeFormat;
@@ -48,41 +39,6 @@ void advance(const ReportOptions& options, std::string_view step, double fractio
 }
 
 double milliseconds(double seconds) { return std::round(seconds * 1e9) / 1e6; }  // whole ns
-
-// The definition of a noise at places that many variants are compared at: computed once.
-class RememberedReference {
-  public:
-    explicit RememberedReference(const Noise& noise) : noise_(noise) {}
-
-    // By texture coordinates of a volume of this size.
-    VolumeReference of_size(const std::array<int, 3>& size) {
-        const std::array<noise::TileAxis, 3> axes = noise::tile_axes(size, noise_.sampling);
-        return [this, axes](const std::array<double, 3>& uvw) {
-            std::array<double, 3> place = uvw;
-            for (std::size_t i = 0; i < 3; ++i) {
-                // Voxel i, whose centre is at (i + 1/2) / size, may sample its lower corner.
-                if (axes[i].offset == 0) place[i] -= 0.5 / axes[i].size;
-            }
-            return at(place);
-        };
-    }
-
-  private:
-    std::vector<double> at(const std::array<double, 3>& place) {
-        {
-            const std::lock_guard lock(mutex_);
-            const auto known = values_.find(place);
-            if (known != values_.end()) return known->second;
-        }
-        std::vector<double> value = noise::noise_reference(noise_, place);
-        const std::lock_guard lock(mutex_);
-        return values_.emplace(place, std::move(value)).first->second;
-    }
-
-    const Noise& noise_;
-    std::mutex mutex_;
-    std::map<std::array<double, 3>, std::vector<double>> values_;
-};
 
 // Voxels that variants share: how they are stored does not change them.
 struct SharedVoxels {
@@ -138,23 +94,6 @@ bool time_voxels(std::vector<SharedVoxels>& all, std::size_t channels, int repet
     return !seconds.empty() || all.empty();
 }
 
-Outcome<bool> write_level(const BakedVolume& volume, const ManifestAsset& asset,
-                          const std::filesystem::path& path) {
-    constexpr int kLevel = 0;
-    constexpr int kThreads = 1;  // whose time is taken
-    const ManifestFile& file = asset.files.front();
-    switch (volume.formats.front()) {
-        case VolumeFormat::bin:
-            return write_bin_volume(volume, kLevel, kThreads, nullptr, path);
-        case VolumeFormat::exr:
-            return write_exr_volume(volume, kLevel, volume_attributes(asset, file), kThreads,
-                                    nullptr, path);
-        case VolumeFormat::vdb:
-            break;
-    }
-    return write_vdb(volume, kLevel, volume_attributes(asset, file), kThreads, nullptr, path);
-}
-
 struct Written {
     std::uint64_t bytes = 0;
     double seconds = 0;
@@ -166,9 +105,12 @@ Outcome<Written> write_to_memory(const BakedVolume& volume, int repetitions,
     const ManifestAsset asset = describe_with_files(volume);
     Outcome<Written> outcome;
     Written written;
+    constexpr int kThreads = 1;  // whose time is taken
     const auto write = [&] {
         const MemoryFile file;
-        outcome.diagnostics = write_level(volume, asset, file.path()).diagnostics;
+        outcome.diagnostics =
+            write_volume_file(volume, asset, asset.files.front(), kThreads, nullptr, file.path())
+                .diagnostics;
         written.bytes = file.bytes();
     };
     const std::vector<double> seconds = interleaved_medians(
@@ -182,14 +124,15 @@ Outcome<Written> write_to_memory(const BakedVolume& volume, int repetitions,
 
 class VolumeMeasurement {
   public:
-    VolumeMeasurement(const VolumeSweep& sweep, const BakedVolume& baked, const Noise& noise,
-                      int points, int write_repetitions, const ReportOptions& options)
+    VolumeMeasurement(const VolumeSweep& sweep, const BakedVolume& baked,
+                      const ReferenceOfSize& reference, int points, int write_repetitions,
+                      const ReportOptions& options)
         : sweep_(sweep),
           baked_(baked),
           points_(points),
           write_repetitions_(write_repetitions),
           options_(options),
-          reference_(noise),
+          reference_(reference),
           rows_(sweep.variants.size()) {
         notes_ = sweep.notes;
         for (const ValueStatistics& channel : baked.levels.front().statistics) {
@@ -249,7 +192,7 @@ class VolumeMeasurement {
         }
         VolumeLevel scaled = level;
         scaled.statistics = baked_.levels.front().statistics;
-        const VolumeReference reference = reference_.of_size(voxels.size);
+        const VolumeReference reference = reference_(voxels.size);
         const auto centres =
             static_cast<int>(std::min<std::int64_t>(points_, VoxelBox{{}, voxels.size}.count()));
         ReportRow row;
@@ -295,7 +238,7 @@ class VolumeMeasurement {
     const int points_;
     const int write_repetitions_;
     const ReportOptions& options_;
-    RememberedReference reference_;
+    const ReferenceOfSize& reference_;
     std::vector<std::array<double, 2>> histogram_ranges_;
     std::vector<std::optional<ReportRow>> rows_;  // in the order of the sweep
     std::vector<std::string> notes_;
@@ -321,15 +264,30 @@ void mark_bytes_front(std::vector<ReportRow>& rows) {
 
 }  // namespace
 
+RememberedReference::RememberedReference(VolumeReference definition)
+    : definition_(std::move(definition)) {}
+
+std::vector<double> RememberedReference::operator()(const std::array<double, 3>& place) {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto known = values_.find(place);
+        if (known != values_.end()) return known->second;
+    }
+    std::vector<double> value = definition_(place);
+    const std::lock_guard lock(mutex_);
+    return values_.emplace(place, std::move(value)).first->second;
+}
+
 std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep,
-                                                  const BakedVolume& baked, const Noise& noise,
-                                                  int points, const VolumeRepetitions& repetitions,
+                                                  const BakedVolume& baked,
+                                                  const ReferenceOfSize& reference, int points,
+                                                  const VolumeRepetitions& repetitions,
                                                   const ReportOptions& options) {
     std::vector<SharedVoxels> all = voxels_of(sweep);
     if (!time_voxels(all, baked.channel_names.size(), repetitions.voxels, options)) {
         return std::nullopt;
     }
-    VolumeMeasurement measurement(sweep, baked, noise, points, repetitions.writes, options);
+    VolumeMeasurement measurement(sweep, baked, reference, points, repetitions.writes, options);
     for (const SharedVoxels& voxels : all) {
         if (!measurement.measure(voxels)) return std::nullopt;
     }

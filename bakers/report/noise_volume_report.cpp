@@ -1,16 +1,13 @@
 #include "bakers/report/noise_volume_report.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <optional>
-#include <utility>
+#include <memory>
 #include <variant>
 
-#include "bakers/registry.h"
-#include "bakers/report/measure_volume_sweep.h"
+#include "bakers/named_parameters.h"
+#include "bakers/noise/noise_reference.h"
+#include "bakers/noise/tile_axis.h"
 #include "bakers/report/noise_volume_sweep.h"
-#include "bakers/report/sweep.h"
+#include "bakers/report/volume_report.h"
 
 namespace skybake {
 
@@ -20,66 +17,38 @@ using config::Outcome;
 
 namespace {
 
-// Writing a compressed file takes ten times as long as making its voxels.
-constexpr VolumeRepetitions kRepetitions = {.voxels = 9, .writes = 3};
-constexpr VolumeRepetitions kQuickRepetitions = {.voxels = 3, .writes = 1};
-// As of --certify=quick and --certify=full.
-constexpr int kPoints = 16384;
-constexpr int kQuickPoints = 1024;
-
-const Noise& noise_of(const config::Parameters& parameters, const std::string& name) {
-    return *std::find_if(parameters.noises.begin(), parameters.noises.end(),
-                         [&](const Noise& noise) { return noise.name == name; });
-}
-
-AssetReport describe(const BakedVolume& volume, const NoiseVolumeBake& asked, bool quick) {
-    const VolumeRepetitions repetitions = quick ? kQuickRepetitions : kRepetitions;
-    AssetReport report;
-    report.name = volume.name;
-    report.kind = volume.kind;
-    report.reference = volume.certificate.reference;
-    report.scale = fmt::format("{}, at {} as baked", volume.certificate.scale,
-                               size_text(volume.levels.front().size));
-    report.timing = "processor time of the voxels, one thread";
-    report.lookup_points = report.texel_points = quick ? kQuickPoints : kPoints;
-    report.repetitions = repetitions.voxels;
-    report.volume = VolumeFacts{volume.channel_names, volume.levels.front().statistics,
-                                volume.seam_error, repetitions.writes};
-    if (volume.levels.front().size != asked.size) {
-        report.notes.push_back(fmt::format(
-            "{}: left out, too many voxels to be measured{}; all figures are of smaller volumes",
-            size_text(asked.size), quick ? " quickly" : ""));
-    }
-    if (asked.mips > 1) report.notes.emplace_back("files are those of the first level of detail");
-    return report;
+// By texture coordinates of a volume of any size.
+ReferenceOfSize reference_of(const Noise& noise) {
+    const auto remembered =
+        std::make_shared<RememberedReference>([&noise](const std::array<double, 3>& place) {
+            return noise::noise_reference(noise, place);
+        });
+    return [&noise, remembered](const std::array<int, 3>& size) -> VolumeReference {
+        const std::array<noise::TileAxis, 3> axes = noise::tile_axes(size, noise.sampling);
+        return [remembered, axes](const std::array<double, 3>& uvw) {
+            std::array<double, 3> place = uvw;
+            for (std::size_t i = 0; i < 3; ++i) {
+                // Voxel i, whose centre is at (i + 1/2) / size, may sample its lower corner.
+                if (axes[i].offset == 0) place[i] -= 0.5 / axes[i].size;
+            }
+            return (*remembered)(place);
+        };
+    };
 }
 
 }  // namespace
 
 Outcome<AssetReport> report_noise_volume(const config::Recipe& recipe, const config::Bake& bake,
                                          const ReportOptions& options) {
+    const auto& asked = std::get<NoiseVolumeBake>(bake.asset);
+    const Noise& noise = noise_named(recipe.parameters, asked.noise);
     config::Bake subject = bake;
     auto& asset = std::get<NoiseVolumeBake>(subject.asset);
-    const NoiseVolumeBake asked = asset;
-    const Noise& noise = noise_of(recipe.parameters, asset.noise);
-    asset.size = report_size(noise, asset, options.quick);
+    asset.size = report_size(noise, asked, options.quick);
     asset.mips = 1;
-    Outcome<BakedAsset> baked = bake_asset(
-        recipe, subject, BakeOptions{.threads = options.threads, .progress = options.progress});
-    if (options.progress != nullptr && options.progress->cancelled()) return {};
-    Outcome<AssetReport> outcome;
-    outcome.diagnostics = std::move(baked.diagnostics);
-    if (!baked.value) return outcome;
-    const auto& volume = std::get<BakedVolume>(*baked.value);
-    AssetReport report = describe(volume, asked, options.quick);
     const VolumeSweep sweep = noise_volume_sweep(noise, asked, asset.size, options.quick);
-    auto measured = measure_volume_sweep(sweep, volume, noise, report.lookup_points,
-                                         options.quick ? kQuickRepetitions : kRepetitions, options);
-    if (!measured) return {};
-    report.rows = std::move(measured->rows);
-    report.notes.insert(report.notes.end(), measured->notes.begin(), measured->notes.end());
-    outcome.value = std::move(report);
-    return outcome;
+    return report_volume(recipe, {subject, asked.size, asked.mips, sweep, reference_of(noise)},
+                         options);
 }
 
 }  // namespace skybake

@@ -10,9 +10,11 @@
 
 #include "bakers/atmosphere/medium.h"
 #include "bakers/registry.h"
+#include "bakers/report/cloud_volume_report.h"
 #include "bakers/report/measure_sweep.h"
 #include "bakers/report/multiple_scattering_sweep.h"
 #include "bakers/report/noise_volume_report.h"
+#include "bakers/report/occupancy_report.h"
 #include "bakers/report/transmittance_sweep.h"
 
 namespace skybake {
@@ -114,6 +116,12 @@ Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake
                                   const ReportOptions& options) {
     if (std::holds_alternative<config::NoiseVolumeBake>(bake.asset)) {
         return report_noise_volume(recipe, bake, options);
+    }
+    if (std::holds_alternative<config::CloudVolumeBake>(bake.asset)) {
+        return report_cloud_volume(recipe, bake, options);
+    }
+    if (std::holds_alternative<config::OccupancyBake>(bake.asset)) {
+        return report_occupancy(recipe, bake, options);
     }
     return report_table_asset(recipe, bake, options);
 }

@@ -24,11 +24,12 @@ forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
 forbid '(OpenEXR|Imf)' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp|bakers/io/exr_library\.h'
 forbid 'bakers/io/exr_library\.h' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp'
 forbid 'openvdb/' 'config bakers cli' 'bakers/io/vdb_(decoder|encoder)\.cpp|bakers/io/vdb_library\.h'
+forbid 'OpenImageIO/' 'config bakers cli' 'bakers/io/map_reader\.cpp'
 forbid 'Imath' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp'
 forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/core/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/core/hash\.cpp'
 forbid '(thread|mutex|OpenEXR)' config "$none"
 # The reading and writing of files, and the console, are not a baker's business.
-forbid '(iostream|fstream|bakers/io/)' 'bakers/core bakers/atmosphere bakers/noise' "$none"
+forbid '(iostream|fstream|bakers/io/)' 'bakers/core bakers/atmosphere bakers/cloud bakers/noise' "$none"
 
 exit "$failures"

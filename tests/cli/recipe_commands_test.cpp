@@ -63,8 +63,15 @@ TEST(InitCommand, ListsThePresetsOfEachKind) {
         EXPECT_NE(at, std::string::npos) << preset.name;
         EXPECT_GT(at, noises) << preset.name;
     }
-    const std::size_t titles = config::presets().size() + config::noise_presets().size();
-    EXPECT_EQ(count_lines(result.out), static_cast<long>(titles + 3));
+    const std::size_t clouds = result.out.find("\nclouds: ");
+    ASSERT_NE(clouds, std::string::npos);
+    EXPECT_GT(clouds, noises);
+    for (const config::Preset& preset : config::cloud_presets()) {
+        EXPECT_NE(result.out.find(title_of(preset), clouds), std::string::npos) << preset.name;
+    }
+    const std::size_t titles =
+        config::presets().size() + config::noise_presets().size() + config::cloud_presets().size();
+    EXPECT_EQ(count_lines(result.out), static_cast<long>(titles + 5));
 }
 
 TEST(InitCommand, WritesARecipeOfANoise) {
@@ -86,6 +93,26 @@ TEST(InitCommand, WritesARecipeOfANoise) {
                          "skybake init nubis_shape.toml --preset nubis_shape"));
     EXPECT_TRUE(contains(run_words({"init", "-", "--preset", "nubis_shap"}).error,
                          "did you mean `nubis_shape`?"));
+}
+
+TEST(InitCommand, WritesARecipeOfACloud) {
+    const TemporaryFolder folder;
+    for (const config::Preset& preset : config::cloud_presets()) {
+        SCOPED_TRACE(preset.name);
+        const std::string name = "clouds." + std::string(preset.name);
+        const std::string file = (folder / (name + ".toml")).string();
+        EXPECT_EQ(run_words({"init", file, "--preset", name}).code, 0);
+        const Result check = run_words({"check", file});
+        EXPECT_EQ(check.code, 0) << check.error;
+        EXPECT_TRUE(contains(check.error, "1 cloud, 2 assets to bake")) << check.error;
+    }
+    // A name that only clouds have needs no prefix; one that noises have too is theirs.
+    EXPECT_TRUE(
+        contains(run_words({"init", "-", "--preset", "stratus"}).out, "\n[clouds.stratus]\n"));
+    EXPECT_TRUE(contains(run_words({"init", "-", "--preset", "thesis"}).out, "\n[noise.thesis]\n"));
+    EXPECT_TRUE(contains(run_words({"init", "-", "--preset", "clouds.thesis"}).out,
+                         "\n# [clouds.thesis.towers.2]\n"));
+    EXPECT_EQ(run_words({"init", "-", "--preset", "clouds.earth"}).code, 2);
 }
 
 TEST(InitCommand, UnknownPresetsAreSuggested) {

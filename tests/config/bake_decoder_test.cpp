@@ -34,10 +34,17 @@ TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
 
 TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
     for (const std::string_view asset : asset_names()) {
-        const Recipe recipe =
-            bake("[noise.n.channels.Y]\ntype = 'perlin'\n[bake." + std::string(asset) + "]\n" +
-                 (asset == "noise_volume" ? "noise = 'n'\n" : ""));
-        EXPECT_EQ(recipe.parameters.bakes.size(), 1u) << asset;
+        std::string keys;
+        if (asset == "noise_volume") keys = "noise = 'n'\n";
+        if (asset == "cloud_volume") keys = "cloud = 'c'\nsize = [16, 16, 16]\n";
+        if (asset == "occupancy") keys = "of = 'v'\n";
+        const Recipe recipe = bake(
+            "[noise.n.channels.Y]\ntype = 'perlin'\n[clouds.c]\nnoise = 'n'\n"
+            "extent = ['1 m', '1 m', '1 m']\n[bake.v]\nasset = 'cloud_volume'\n"
+            "cloud = 'c'\nsize = [16, 16, 16]\n[bake." +
+            std::string(asset) + "]\n" + keys);
+        ASSERT_EQ(recipe.parameters.bakes.size(), 2u) << asset;
+        EXPECT_EQ(recipe.parameters.bakes[1].name, asset);
     }
 }
 
@@ -78,7 +85,8 @@ TEST(BakeDecoder, RefusesUnknownAssets) {
     EXPECT_EQ(diagnostics[0].where.column, 7);
     EXPECT_EQ(diagnostics[1].code, "E0118");
     EXPECT_EQ(diagnostics[1].label,
-              "`asset` is one of transmittance, multiple_scattering, noise_volume");
+              "`asset` is one of transmittance, multiple_scattering, noise_volume, cloud_volume, "
+              "occupancy");
     EXPECT_EQ(diagnostics[1].where.line, 4);
     EXPECT_EQ(diagnostics[2].code, "E0103");
 }

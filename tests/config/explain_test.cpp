@@ -51,6 +51,19 @@ TEST(Explain, KnowsNoises) {
     EXPECT_TRUE(mentions(explain("atmosphere.layers"), "scale_height"));
 }
 
+TEST(Explain, KnowsClouds) {
+    EXPECT_TRUE(mentions(explain("clouds"), "[clouds.*.towers.*]"));
+    EXPECT_TRUE(mentions(explain("clouds.cumulus"), "edge_softness"));
+    EXPECT_TRUE(mentions(explain("clouds.cumulus.height_profile"), "top_falloff"));
+    EXPECT_TRUE(mentions(explain("towers"), "correlation"));
+    EXPECT_TRUE(
+        mentions(explain("clouds.cumulus.towers.0.amplitude"), "clouds.*.towers.*.amplitude"));
+    EXPECT_TRUE(mentions(explain("clouds.cumulus.edge_softness"), "0 or in [1e-06, 1000000]"));
+    EXPECT_TRUE(mentions(explain("erosion"), "only with detail\n"));
+    EXPECT_TRUE(mentions(explain("occupancy.cell"), "a power of two"));
+    EXPECT_TRUE(mentions(explain("voxel_size"), "not together with size"));
+}
+
 TEST(Explain, EveryCodeAndEveryKeyIsExplained) {
     for (const DiagnosticCode& code : diagnostic_codes()) {
         EXPECT_TRUE(mentions(explain(code.code), code.title)) << code.code;

@@ -44,6 +44,15 @@ constexpr Field size{.key = "s", .kind = Kind::size, .range = {1, 16384}};
 constexpr Field table{.key = "t", .kind = Kind::density_table, .range = {0, 10}};
 constexpr Field texts{.key = "x", .kind = Kind::text_list};
 constexpr Field flag{.key = "b", .kind = Kind::flag};
+constexpr Field angle{.key = "r", .kind = Kind::angle, .range = {-10, 10}};
+constexpr Field coefficient{.key = "e", .kind = Kind::coefficient, .range = {0, 1}};
+constexpr Field lengths{.key = "d", .kind = Kind::lengths, .range = {0, 1e6}};
+constexpr Field pair{.key = "p", .kind = Kind::pair, .range = {-5, 5}};
+constexpr Field bounds{.key = "o", .kind = Kind::bounds, .range = {-5, 5}};
+constexpr Field heights{.key = "h", .kind = Kind::height_table, .range = {0, 10}};
+constexpr Field power{.key = "2", .kind = Kind::power_of_two, .range = {1, 16}};
+constexpr Field zero_or_more{
+    .key = "z", .kind = Kind::number, .range = {.minimum = 0.5, .maximum = 1, .or_zero = true}};
 
 TEST(FieldReader, SpellsEqualValuesAlike) {
     for (const char* text : {"\"8 km\"", "\"8000 m\"", "\"8e3 m\"", "\"800000 cm\""}) {
@@ -126,6 +135,32 @@ TEST(FieldReader, ChecksDensityTables) {
     EXPECT_EQ(code(table, "[[\"-1 km\", 1], [\"1 km\", 1]]"), "E0110");
     EXPECT_EQ(code(table, "[[\"0 km\", -1], [\"1 km\", 1]]"), "E0110");
     EXPECT_EQ(code(table, "[[0, 1], [\"1 km\", 1]]"), "E0107");
+}
+
+TEST(FieldReader, ReadsWhatCloudsAreMadeOf) {
+    EXPECT_EQ(canonical(angle, "\"180 deg\""), "\"3.141592653589793 rad\"");
+    EXPECT_EQ(code(angle, "\"1 m\""), "E0107");
+    EXPECT_EQ(code(angle, "1"), "E0107");
+    EXPECT_EQ(canonical(coefficient, "\"40 /km\""), "\"0.04 /m\"");
+    EXPECT_EQ(code(coefficient, "[\"40 /km\"]"), "E0103");
+    EXPECT_EQ(canonical(lengths, "[\"1 km\", \"2 m\", \"3 cm\"]"),
+              "[\"1000 m\", \"2 m\", \"0.03 m\"]");
+    EXPECT_EQ(code(lengths, "[\"1 km\", \"2 m\"]"), "E0108");
+    EXPECT_EQ(code(lengths, "\"1 km\""), "E0103");
+    EXPECT_EQ(canonical(pair, "[2, -0.50]"), "[2, -0.5]");
+    EXPECT_EQ(code(pair, "[2, 3, 4]"), "E0108");
+    EXPECT_EQ(code(pair, "[2, inf]"), "E0110");
+    EXPECT_EQ(canonical(bounds, "[1, 1]"), "[1, 1]");
+    EXPECT_EQ(code(bounds, "[2, 1]"), "E0113");
+    EXPECT_EQ(canonical(heights, "[[0, 1], [0.50, 2]]"), "[[0, 1], [0.5, 2]]");
+    EXPECT_EQ(code(heights, "[[0, 1], [1.1, 2]]"), "E0110");
+    EXPECT_EQ(canonical(power, "8"), "8");
+    EXPECT_EQ(code(power, "6"), "E0110");
+    EXPECT_EQ(code(power, "32"), "E0110");
+    EXPECT_EQ(canonical(zero_or_more, "-0.0"), "0");
+    EXPECT_EQ(canonical(zero_or_more, "0.5"), "0.5");
+    EXPECT_EQ(code(zero_or_more, "0.4"), "E0110");
+    EXPECT_EQ(code(zero_or_more, "nan"), "E0110");
 }
 
 TEST(FieldReader, SuggestsUnits) {

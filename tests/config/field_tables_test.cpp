@@ -38,6 +38,11 @@ TEST(FieldTables, DefaultsAreWhatTheirFieldsTake) {
 TEST(FieldTables, SelectorsStandBeforeTheirKeysAndHaveTheirValues) {
     for (const Section& section : sections()) {
         for (auto field = section.fields.begin(); field != section.fields.end(); ++field) {
+            const auto needed =
+                std::find_if(section.fields.begin(), field,
+                             [&](const Field& other) { return other.key == field->needs; });
+            EXPECT_EQ(needed == field, field->needs.empty()) << field->key;
+            EXPECT_TRUE(needed == field || needed->kind == Kind::text) << field->key;
             if (field->selector.empty()) continue;
             const auto selector =
                 std::find_if(section.fields.begin(), field,
@@ -158,6 +163,44 @@ TEST(FieldTables, ChoicesOfNoisesStandInTheOrderOfTheirEnumerations) {
     expect_at(vdb, VdbCompression::none, "none");
     expect_at(vdb, VdbCompression::zip, "zip");
     expect_at(vdb, VdbCompression::blosc, "blosc");
+}
+
+TEST(FieldTables, ChoicesOfCloudsStandInTheOrderOfTheirEnumerations) {
+    using Names = std::vector<std::string_view>;
+    const auto names = [](std::string_view path, std::string_view key,
+                          std::string_view asset = "") {
+        return choice_names(*find_field(*find_section(path, asset), key));
+    };
+    EXPECT_EQ(names("clouds.*", "threshold_at"), (Names{"bake", "runtime"}));
+    EXPECT_EQ(static_cast<int>(ThresholdAt::runtime), 1);
+    EXPECT_EQ(names("clouds.*", "channels"), (Names{"density", "noise"}));
+    EXPECT_EQ(static_cast<int>(CloudChannels::noise), 1);
+    const auto type = names("clouds.*.height_profile", "type");
+    const auto at = [&](HeightProfileType profile) {
+        return type[static_cast<std::size_t>(profile)];
+    };
+    EXPECT_EQ(at(HeightProfileType::thesis), "thesis");
+    EXPECT_EQ(at(HeightProfileType::cumulus), "cumulus");
+    EXPECT_EQ(at(HeightProfileType::stratus), "stratus");
+    EXPECT_EQ(at(HeightProfileType::stratocumulus), "stratocumulus");
+    EXPECT_EQ(at(HeightProfileType::blended), "blended");
+    EXPECT_EQ(at(HeightProfileType::tabulated), "tabulated");
+    for (const char* map : {"clouds.*.coverage_map", "clouds.*.type_map"}) {
+        EXPECT_EQ(names(map, "wrap")[static_cast<std::size_t>(MapWrap::clamp)], "clamp");
+        EXPECT_EQ(names(map, "filter")[static_cast<std::size_t>(MapFilter::linear)], "linear");
+        EXPECT_EQ(names(map, "color_space")[static_cast<std::size_t>(MapColorSpace::srgb)], "srgb");
+    }
+    const auto filter = names("bake.*", "filter", "occupancy");
+    EXPECT_EQ(filter[static_cast<std::size_t>(OccupancyFilter::nearest)], "nearest");
+    EXPECT_EQ(filter[static_cast<std::size_t>(OccupancyFilter::trilinear)], "trilinear");
+    EXPECT_EQ(filter[static_cast<std::size_t>(OccupancyFilter::tricubic)], "tricubic");
+    const auto rule = names("bake.*", "rule", "occupancy");
+    EXPECT_EQ(rule[static_cast<std::size_t>(OccupancyRule::thesis)], "thesis");
+    const auto contents = names("bake.*", "contents", "occupancy");
+    EXPECT_EQ(contents[static_cast<std::size_t>(OccupancyContent::occupied)], "occupied");
+    EXPECT_EQ(contents[static_cast<std::size_t>(OccupancyContent::leap)], "leap");
+    EXPECT_EQ(contents[static_cast<std::size_t>(OccupancyContent::minimum)], "minimum");
+    EXPECT_EQ(contents[static_cast<std::size_t>(OccupancyContent::maximum)], "maximum");
 }
 
 }  // namespace

@@ -17,12 +17,14 @@ TEST(Fields, FindsSectionsAndFields) {
 }
 
 TEST(Fields, KnowsTheTablesWithinATable) {
-    EXPECT_EQ(subtables(""), (std::vector<std::string_view>{"atmosphere", "noise", "bake"}));
+    EXPECT_EQ(subtables(""),
+              (std::vector<std::string_view>{"atmosphere", "noise", "clouds", "bake"}));
     EXPECT_EQ(subtables("atmosphere"), (std::vector<std::string_view>{"layers"}));
     EXPECT_TRUE(subtables("atmosphere.layers.*").empty());
     EXPECT_EQ(subtables("noise.*"), (std::vector<std::string_view>{"channels"}));
-    EXPECT_EQ(asset_names(), (std::vector<std::string_view>{"transmittance", "multiple_scattering",
-                                                            "noise_volume"}));
+    EXPECT_EQ(asset_names(),
+              (std::vector<std::string_view>{"transmittance", "multiple_scattering", "noise_volume",
+                                             "cloud_volume", "occupancy"}));
 }
 
 TEST(Fields, KnowsWhereAKeyApplies) {

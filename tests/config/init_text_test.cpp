@@ -72,6 +72,34 @@ TEST(InitText, ANoiseStartsFromItsPreset) {
     EXPECT_EQ(noise_init_name("thesis"), "thesis");
 }
 
+// The recipe bakes, at a size that its noises can show; whoever takes the `#` off a value or a
+// table must get the same cloud.
+TEST(InitText, ACloudStartsFromItsPresetAndItsNoises) {
+    for (const Preset& preset : cloud_presets()) {
+        SCOPED_TRACE(preset.name);
+        const std::string text = cloud_init_text(preset);
+        const Recipe written = preset.name == "thesis" ? valid_with_warnings(text) : valid(text);
+        ASSERT_EQ(written.parameters.clouds.size(), 1u);
+        EXPECT_EQ(written.parameters.clouds[0].name, preset.name);
+        EXPECT_EQ(written.parameters.bakes.size(), 2u);
+        std::string uncommented;
+        for (std::size_t start = 0; start < text.size();) {
+            const std::size_t end = text.find('\n', start);
+            const std::string line = text.substr(start, end - start);
+            start = end + 1;
+            const bool is_toml =
+                line.starts_with("# [clouds.") ||
+                (line.starts_with("# ") && line[2] != '`' &&
+                 line.find(" = ") != std::string::npos && line.find(" = ") == line.find(' ', 2));
+            uncommented += (is_toml ? line.substr(2) : line) + '\n';
+        }
+        EXPECT_NE(uncommented.find(".height_profile]\n"), std::string::npos);
+        EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
+    }
+    const Recipe thesis = valid_with_warnings(cloud_init_text(*find_cloud_preset("thesis")));
+    EXPECT_EQ(thesis.parameters.noises.at(0).sampling, NoiseSampling::corners);
+}
+
 TEST(InitText, SaysUnitRangeAndMeaning) {
     const std::string text = init_text(*find_preset("earth"));
     EXPECT_NE(text.find("in (-1, 1); typical haze 0.76"), std::string::npos);

@@ -49,6 +49,26 @@ TEST(Merge, TablesMergeKeyByKeyAndArraysReplace) {
     EXPECT_EQ(merged("[a]\nb = 2", "a = 1"), "{ a = 1 }");
 }
 
+TEST(Merge, ATableThatStandsForAnArrayReplaces) {
+    Table base = table_of("a.x = 1");
+    Table over = table_of("a.y = 2");
+    find_entry(over, "a")->value.replaces = true;
+    merge(base, over);
+    EXPECT_EQ(spelled(base), "{ a = { y = 2 } }");
+    Table more = table_of("a.z = 3");
+    merge(base, more);
+    EXPECT_EQ(spelled(base), "{ a = { y = 2, z = 3 } }");
+    EXPECT_TRUE(find_entry(base, "a")->value.replaces) << "what lies below it stays replaced";
+}
+
+TEST(Merge, TakingAwayWhatKeysNeedDropsThem) {
+    EXPECT_EQ(
+        merged("[clouds.c]\ndetail = 'd'\nerosion = 1\nthreshold = 1", "[clouds.c]\ndetail = ''"),
+        "{ clouds = { c = { detail = \"\", threshold = 1 } } }");
+    EXPECT_EQ(merged("[clouds.c]\ndetail = 'd'\nerosion = 1", "[clouds.c]\ndetail = 'e'"),
+              "{ clouds = { c = { detail = \"e\", erosion = 1 } } }");
+}
+
 TEST(Merge, AnExclusiveKeyDropsTheOthers) {
     EXPECT_EQ(merged_layer("extinction = 1", "absorption = 2"), "{ absorption = 2 }");
     EXPECT_EQ(merged_layer("absorption = 1", "single_scattering_albedo = 2"),

@@ -50,6 +50,45 @@ TEST(Presets, OfNoisesAreThoseOfTheIssue) {
     }
 }
 
+TEST(Presets, OfCloudsAreThoseOfTheIssue) {
+    EXPECT_EQ(cloud_preset_names(),
+              (std::vector<std::string_view>{"cumulus_congestus", "cumulus_humilis",
+                                             "stratocumulus", "stratus", "thesis"}));
+    for (const Preset& entry : cloud_presets()) {
+        EXPECT_EQ(find_preset(entry.name), nullptr) << entry.name;
+        EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
+        EXPECT_FALSE(preset_title(entry).empty()) << entry.name;
+        EXPECT_LE(preset_title(entry).size(), 100u) << entry.name;
+    }
+}
+
+// Its towers by their variances, as they are printed.
+TEST(Presets, TheCloudOfTheThesisIsTheThesis) {
+    const Cloud cloud = valid("[noise.shape]\npreset = 'thesis'\n[clouds.c]\npreset = 'thesis'\n")
+                            .parameters.clouds.at(0);
+    EXPECT_EQ(cloud.height_profile.type, HeightProfileType::thesis);
+    EXPECT_EQ(cloud.height_profile.bottom_sharpness, 50);
+    EXPECT_EQ(cloud.height_profile.top_falloff, 4);
+    EXPECT_EQ(cloud.threshold, 0.35);
+    EXPECT_EQ(cloud.edge_softness, 0.05);
+    EXPECT_EQ(cloud.threshold_at, ThresholdAt::runtime);
+    EXPECT_EQ(cloud.channels, CloudChannels::noise);
+    EXPECT_EQ(cloud.coverage, 1);
+    EXPECT_EQ(cloud.detail, "");
+    for (const Length edge : cloud.extent) EXPECT_EQ(edge.meters, 600);
+    const double expected[3][5] = {
+        {0.4, 0.2, 0.3, 0.001, 0.004}, {0.4, 0.6, 0.4, 0.008, 0.01}, {0.2, 0.3, 0.8, 0.008, 0.002}};
+    ASSERT_EQ(cloud.towers.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Tower& tower = cloud.towers[i];
+        EXPECT_EQ(tower.amplitude, expected[i][0]);
+        EXPECT_EQ(tower.center[0], expected[i][1]);
+        EXPECT_EQ(tower.center[1], expected[i][2]);
+        EXPECT_NEAR(tower.sigma[0] * tower.sigma[0], expected[i][3], 1e-17);
+        EXPECT_NEAR(tower.sigma[1] * tower.sigma[1], expected[i][4], 1e-17);
+    }
+}
+
 // The recipe of the issue, number by number.
 TEST(Presets, EarthIsTheRecipeOfTheIssue) {
     const Parameters earth = preset("earth");

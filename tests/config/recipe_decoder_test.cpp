@@ -59,8 +59,8 @@ TEST(RecipeDecoder, ARecipeWithoutAtmosphereSaysSo) {
     EXPECT_EQ(diagnostics[0].where.source, "test.toml");
 }
 
-// Noises need no sky; bakes of a sky do.
-TEST(RecipeDecoder, NoisesNeedNoAtmosphere) {
+// Noises and clouds need no sky; bakes of a sky do.
+TEST(RecipeDecoder, NoisesAndCloudsNeedNoAtmosphere) {
     const std::string noise = "[noise.n.channels.Y]\ntype = 'worley'\n";
     const std::string volume = "[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n";
     for (const std::string& text : {noise, noise + volume}) {
@@ -69,6 +69,8 @@ TEST(RecipeDecoder, NoisesNeedNoAtmosphere) {
         EXPECT_EQ(recipe.parameters.atmosphere.ground_radius.meters, 0);
         EXPECT_TRUE(recipe.parameters.atmosphere.layers.empty());
     }
+    const std::string cloud = "[clouds.c]\nnoise = 'n'\nextent = ['1 m', '1 m', '1 m']\n";
+    EXPECT_EQ(valid(noise + cloud).parameters.clouds.size(), 1u);
     const auto diagnostics = parse(noise + volume + "[bake.transmittance]\n").diagnostics;
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0105");

@@ -37,6 +37,8 @@ const std::string shape =
     "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\nasset = \"noise_volume\"\n"
     "noise = \"shape\"\n";
 const std::string perlin = "[noise.n.channels.Y]\ntype = \"perlin\"\n";
+const std::string cloud =
+    perlin + "[clouds.c]\nnoise = \"n\"\n" + "extent = [\"1 km\", \"1 km\", \"1 km\"]\n";
 
 const std::vector<Fault> faults = {
     {"E0100", vacuum + "# \xff", 2, 3, 1, "a recipe is TOML text in UTF-8"},
@@ -84,6 +86,14 @@ const std::vector<Fault> faults = {
      "there are: n"},
     {"E0131", shape + "pixel_type = \"unorm8\"", 6, 14, 8,
      "unorm8 and unorm16 go with formats = [\"bin\"] alone; float and half with all"},
+    {"E0132", cloud + "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"d\"\nsize = [16, 16, 16]", 8,
+     9, 3, "there are: c"},
+    {"E0133", cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"o\"", 8, 6, 3,
+     "the recipe has no [bake.NAME] with asset = \"cloud_volume\""},
+    {"E0134",
+     cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"v\"\nchannel = \"R\"\n"
+             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
+     9, 11, 3, "channel is Y"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 
@@ -118,9 +128,11 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
     }
 }
 
-// What `explain` says of a code about noises is a recipe that earns it, and one that does not.
-TEST(Recipe, ExamplesOfNoiseCodesAreRight) {
-    for (const char* name : {"E0126", "E0127", "E0128", "E0129", "E0130", "E0131", "W0203"}) {
+// What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
+// does not.
+TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
+    for (const char* name : {"E0126", "E0127", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
+                             "E0134", "W0203", "W0204"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

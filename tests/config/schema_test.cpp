@@ -56,6 +56,29 @@ TEST(Schema, KnowsNoises) {
     EXPECT_EQ(rules.find(R"({"not":{"required":["frequency","octaves"]}})"), std::string::npos);
 }
 
+TEST(Schema, KnowsClouds) {
+    nlohmann::json cloud = schema()["definitions"]["cloud"];
+    const nlohmann::json properties = cloud["properties"];
+    for (const std::string_view name : subtables("clouds.*")) {
+        ASSERT_TRUE(properties.contains(name)) << name;
+        cloud["properties"].erase(std::string(name));
+        const Section* section = find_section("clouds.*." + std::string(name));
+        if (section) expect_fields(properties[std::string(name)], *section);
+    }
+    expect_fields(cloud, *find_section("clouds.*"));
+    expect_fields(schema()["definitions"]["tower"], *find_section("clouds.*.towers.*"));
+    EXPECT_EQ(properties["towers"]["anyOf"][0]["items"]["$ref"], "#/definitions/tower");
+    EXPECT_EQ(properties["towers"]["anyOf"][1]["additionalProperties"]["$ref"],
+              "#/definitions/tower");
+    EXPECT_EQ(properties["preset"]["examples"][0], "cumulus_congestus");
+    EXPECT_EQ(properties["edge_softness"]["anyOf"][0]["const"], 0);
+    EXPECT_EQ(properties["extent"]["maxItems"], 3);
+    EXPECT_EQ(schema()["properties"]["clouds"]["additionalProperties"]["$ref"],
+              "#/definitions/cloud");
+    EXPECT_EQ(schema()["definitions"]["occupancy"]["properties"]["cell"]["enum"],
+              (nlohmann::json{1, 2, 4, 8, 16}));
+}
+
 TEST(Schema, SaysRangesAndChoices) {
     const nlohmann::json& layer = schema()["definitions"]["layer"]["properties"];
     EXPECT_EQ(layer["g"]["exclusiveMinimum"], -1);

@@ -1,11 +1,13 @@
 // What must hold of every recipe that parses, checked for the fuzzers.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "config/recipe.h"
 
@@ -95,24 +97,123 @@ inline void check_noise(const Noise& noise) {
     for (const int voxels : noise.size) require(voxels >= 1 && voxels <= 16384, "size in range");
 }
 
-inline void check_asset(const NoiseVolumeBake& asset, const Parameters& parameters) {
-    bool found = false;
-    for (const Noise& noise : parameters.noises) found = found || noise.name == asset.noise;
-    require(found, "its noise is there");
+template <class T>
+const T* find_by_name(const std::vector<T>& things, const std::string& name) {
+    for (const T& thing : things) {
+        if (thing.name == name) return &thing;
+    }
+    return nullptr;
+}
+
+inline void check_profile(const HeightProfile& profile) {
+    require(within(profile.bottom_sharpness, 0, 1e6), "sharpness in range");
+    require(within(profile.top_falloff, 0, 1e6), "falloff in range");
+    require(within(profile.cloud_type, 0, 1), "cloud type in range");
+    require(profile.table.empty() == (profile.type != HeightProfileType::tabulated),
+            "a table where the profile is one");
+    double before = -1;
+    for (const HeightPoint& point : profile.table) {
+        require(point.height > before && within(point.height, 0, 1), "heights increase");
+        require(within(point.value, 0, 1e6), "values in range");
+        before = point.height;
+    }
+}
+
+inline void check_tower(const Tower& tower) {
+    for (const double tiles : tower.center) require(within(tiles, -16, 16), "center in range");
+    for (const double tiles : tower.sigma) require(within(tiles, 1e-6, 16), "sigma in range");
+    require(std::isfinite(tower.rotation.radians), "rotation is a number");
+    require(std::fabs(tower.correlation) <= 0.999999, "correlation in range");
+    require(within(tower.amplitude, 0, 1e6), "amplitude in range");
+}
+
+inline void check_scatter(const TowerScatter& scatter) {
+    require(scatter.count >= 0 && scatter.count <= 100000, "count in range");
+    for (const auto& bounds : {scatter.sigma, scatter.aspect, scatter.amplitude}) {
+        require(bounds[0] <= bounds[1], "bounds in order");
+    }
+    if (scatter.count == 0) return;
+    require(within(scatter.sigma[0], 1e-6, 16), "sigma in range");
+    require(within(scatter.aspect[1], 1, 100), "aspect in range");
+    require(within(scatter.amplitude[1], 0, 1e6), "amplitude in range");
+}
+
+inline void check_scaled(const Noise& noise, const std::array<int, 3>& scale) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        require(scale[axis] >= 1 && scale[axis] <= 1024, "scale in range");
+        if (noise.channels.empty()) continue;
+        for (const auto& frequency : noise.channels[0].octaves.frequencies) {
+            require(frequency[axis] * scale[axis] <= 1048576, "scaled frequency in range");
+        }
+    }
+}
+
+inline void check_cloud(const Cloud& cloud, const Parameters& parameters) {
+    const Noise* noise = find_by_name(parameters.noises, cloud.noise);
+    require(noise != nullptr, "its noise is there");
+    check_scaled(*noise, cloud.noise_scale);
+    const Noise* detail = find_by_name(parameters.noises, cloud.detail);
+    require(detail != nullptr || cloud.detail.empty(), "its detail is there");
+    if (detail) check_scaled(*detail, cloud.detail_scale);
+    for (const double strength : cloud.erosion) {
+        require(within(strength, 0, detail ? 0.95 : 0), "only a detail erodes");
+    }
+    for (const Length edge : cloud.extent)
+        require(within(edge.meters, 1e-3, 1e8), "extent in range");
+    require(within(cloud.base_altitude.meters, -1e8, 1e8), "altitude in range");
+    require(within(cloud.coverage, 0, 1) && within(cloud.wisp_height, 0, 1), "shares in range");
+    require(within(cloud.threshold, 0, 1e6), "threshold in range");
+    require(cloud.edge_softness == 0 || within(cloud.edge_softness, 1e-6, 1e6),
+            "softness in range");
+    require(within(cloud.extinction_scale.per_meter, 0, 1e6), "extinction in range");
+    require(cloud.type_map.file.empty() || cloud.height_profile.type == HeightProfileType::blended,
+            "a map of types where types are blended");
+    for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
+        require(map->file.empty() == map->path.empty(), "a map has a path");
+    }
+    check_profile(cloud.height_profile);
+    check_scatter(cloud.scatter);
+    for (const Tower& tower : cloud.towers) check_tower(tower);
+}
+
+// Of volumes of this size.
+inline void check_files(const VolumeFiles& files, const std::array<int, 3>& size) {
     double voxels = 1;
-    for (const int edge : asset.size) {
+    for (const int edge : size) {
         require(edge >= 1 && edge <= 16384, "size in range");
         voxels *= edge;
     }
     require(voxels <= 68719476736.0, "at most 2^36 voxels");
-    require(!asset.formats.empty() && asset.formats.size() <= 3, "one to three formats");
+    require(!files.formats.empty() && files.formats.size() <= 3, "one to three formats");
     const bool unorm =
-        asset.pixel_type == PixelType::unorm8 || asset.pixel_type == PixelType::unorm16;
-    for (const VolumeFormat format : asset.formats) {
+        files.pixel_type == PixelType::unorm8 || files.pixel_type == PixelType::unorm16;
+    for (const VolumeFormat format : files.formats) {
         require(!unorm || format == VolumeFormat::bin, "unorm in bin alone");
     }
-    require(asset.columns >= 0 && asset.columns <= asset.size[2], "no more columns than slices");
-    require(asset.mips >= 1 && asset.mips <= 15, "levels in range");
+    require(files.columns >= 0 && files.columns <= size[2], "no more columns than slices");
+    require(files.mips >= 1 && files.mips <= 15, "levels in range");
+}
+
+inline void check_asset(const NoiseVolumeBake& asset, const Parameters& parameters) {
+    require(find_by_name(parameters.noises, asset.noise) != nullptr, "its noise is there");
+    check_files(asset, asset.size);
+}
+
+inline void check_asset(const CloudVolumeBake& asset, const Parameters& parameters) {
+    require(find_by_name(parameters.clouds, asset.cloud) != nullptr, "its cloud is there");
+    check_files(asset, asset.size);
+}
+
+inline void check_asset(const OccupancyBake& asset, const Parameters& parameters) {
+    const Bake* of = find_by_name(parameters.bakes, asset.of);
+    require(of && std::holds_alternative<CloudVolumeBake>(of->asset), "its cloud volume is there");
+    require(asset.cell >= 1 && asset.cell <= 16 && (asset.cell & (asset.cell - 1)) == 0,
+            "a cell is a power of two");
+    std::array<int, 3> cells = std::get<CloudVolumeBake>(of->asset).size;
+    for (int& edge : cells) edge = (edge + asset.cell - 1) / asset.cell;
+    check_files(asset, cells);
+    const std::size_t contents = asset.contents.size();
+    require(contents == 1 || contents == 3 || contents == 4, "contents make a picture");
 }
 
 template <class Asset>
@@ -141,6 +242,7 @@ inline void check_parameters(const Parameters& parameters) {
     const std::size_t channels = parameters.wavelengths.size();
     require(channels == 1 || channels == 3, "one channel or three");
     for (const Noise& noise : parameters.noises) check_noise(noise);
+    for (const Cloud& cloud : parameters.clouds) check_cloud(cloud, parameters);
     for (const Bake& bake : parameters.bakes) {
         require(!bake.name.empty() && bake.name.find('/') == std::string::npos,
                 "a name for a file");

@@ -43,9 +43,9 @@ TEST(Manifest, ReadsBackAsItWasWritten) {
 // The text of a manifest with a volume of three levels in two formats.
 std::string volume_text() {
     const TemporaryFolder folder;
-    BakedVolume volume =
-        testing::sample_volume({12, 10, 7}, 3, config::PixelType::half,
-                               {config::VolumeFormat::exr, config::VolumeFormat::bin}, 3);
+    BakedVolume volume = testing::sample_volume(
+        {12, 10, 7}, 3, config::PixelType::half,
+        {config::VolumeFormat::exr, config::VolumeFormat::bin, config::VolumeFormat::vdb}, 3);
     volume.layout = config::VolumeLayout::atlas;
     volume.seam_error = 1.0 / 3;
     return manifest_json(testing::write_sample_volume(folder.path(), volume));
@@ -64,12 +64,13 @@ TEST(Manifest, ReadsAVolumeBackAsItWasWritten) {
     EXPECT_EQ(asset.levels[2].size, (std::array<int, 3>{3, 2, 1}));
     EXPECT_EQ(asset.levels[0].content_hash, asset.content_hash);
     EXPECT_EQ(asset.levels[1].statistics[2].histogram.size(), 32u);
-    ASSERT_EQ(asset.files.size(), 6u);
+    ASSERT_EQ(asset.files.size(), 9u);
     EXPECT_EQ(asset.files[2].level, 2);
     EXPECT_EQ(asset.files[0].layout->columns, 3);
     EXPECT_EQ(asset.files[0].layout->rows, 3);
     EXPECT_FALSE(asset.files[3].layout.has_value());
     EXPECT_EQ(asset.files[3].compression, "none");
+    EXPECT_EQ(asset.files[6].grids, (std::vector<std::string>{"R", "G", "B"}));
     EXPECT_EQ(asset.seam_error, 1.0 / 3);
 }
 
@@ -95,6 +96,7 @@ TEST(Manifest, NamesThePlaceOfDamageInAVolume) {
     EXPECT_TRUE(names(message("\"uvw\": [", "\"uvw\": [1, "), "3 values"));
     EXPECT_TRUE(names(message("\"mips\"", "\"mops\""), "`mips` is missing"));
     EXPECT_TRUE(names(message("\"bin\"", "\"raw\""), "no such format"));
+    EXPECT_TRUE(names(message("\"grids\": [", "\"grids\": [\"A\", "), "4 grids for 3 channels"));
     EXPECT_TRUE(names(message("\"w\": {", "\"x\": {"), "`w` is missing"));
 }
 

@@ -77,6 +77,29 @@ TEST(VerifyVolume, AcceptsOpenVdb) {
     }
 }
 
+TEST(VerifyVolume, AcceptsSparseOpenVdbWithGridsOfOtherNames) {
+    const TemporaryFolder folder;
+    BakedVolume volume =
+        sample_volume({17, 9, 21}, 1, PixelType::half, {VolumeFormat::exr, VolumeFormat::vdb}, 2);
+    volume.sparse = true;
+    volume.grid_names = {"extinction"};
+    Manifest manifest = testing::write_sample_volume(folder.path(), volume);
+    EXPECT_EQ(manifest.assets[0].files[2].grids, volume.grid_names);
+    EXPECT_EQ(failed_checks(folder.path()), Checks{});
+    manifest.assets[0].files[2].grids = {"density"};
+    save(folder.path(), manifest);
+    EXPECT_EQ(failed_checks(folder.path()), Checks{"channels"});
+}
+
+TEST(VerifyVolume, FindsGridsInAnotherOrder) {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_volume(
+        folder.path(), sample_volume({8, 8, 8}, 3, PixelType::half, {VolumeFormat::vdb}));
+    std::swap(manifest.assets[0].files[0].grids[0], manifest.assets[0].files[0].grids[2]);
+    save(folder.path(), manifest);
+    EXPECT_EQ(failed_checks(folder.path()), Checks{"channels"});
+}
+
 TEST(VerifyVolume, FindsSlicesInAnotherOrder) {
     const TemporaryFolder folder;
     const BakedVolume volume =

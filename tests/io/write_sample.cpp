@@ -8,7 +8,9 @@ int main(int argc, char** argv) {
     manifest.assets[1].error.reset();  // one that was not measured
     auto volume = skybake::testing::sample_volume(
         {12, 10, 7}, 3, skybake::config::PixelType::half,
-        {skybake::config::VolumeFormat::exr, skybake::config::VolumeFormat::bin}, 2);
+        {skybake::config::VolumeFormat::exr, skybake::config::VolumeFormat::bin,
+         skybake::config::VolumeFormat::vdb},
+        2);
     volume.layout = skybake::config::VolumeLayout::atlas;
     manifest.assets.push_back(skybake::testing::write_sample_volume(argv[1], volume).assets[0]);
     const auto written = skybake::write_file_atomically(

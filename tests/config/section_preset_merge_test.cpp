@@ -1,8 +1,8 @@
-#include "config/noise_preset_merge.h"
+#include "config/section_preset_merge.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/config/noises.h"
+#include "tests/config/clouds.h"
 
 namespace skybake::config {
 namespace {
@@ -16,7 +16,7 @@ Noise noise_of(const std::string& text, const std::vector<std::string>& settings
     return recipe.parameters.noises.empty() ? Noise{} : recipe.parameters.noises[0];
 }
 
-TEST(NoisePresetMerge, TheSectionOverridesItsPreset) {
+TEST(SectionPresetMerge, TheSectionOverridesItsPreset) {
     const Noise plain = noise_of("[noise.n]\npreset = 'nubis_shape'\n");
     const Noise changed = noise_of(
         "[noise.n]\npreset = 'nubis_shape'\nsize = [64, 64, 64]\n"
@@ -32,14 +32,14 @@ TEST(NoisePresetMerge, TheSectionOverridesItsPreset) {
     EXPECT_EQ(changed.channels[3].value, 1);
 }
 
-TEST(NoisePresetMerge, ASettingMayNameThePreset) {
+TEST(SectionPresetMerge, ASettingMayNameThePreset) {
     const Noise noise =
         noise_of("[noise.n]\npreset = 'nubis_shape'\n", {"noise.n.preset=nubis_detail"});
     EXPECT_EQ(noise.channels.size(), 3u);
     EXPECT_EQ(noise_of("", {"noise.n.preset=nubis_detail"}).size[0], 32);
 }
 
-TEST(NoisePresetMerge, EachNoiseHasItsOwn) {
+TEST(SectionPresetMerge, EachNoiseHasItsOwn) {
     const Recipe recipe = valid(
         "[noise.b]\npreset = 'nubis_shape'\n[noise.a]\npreset = 'nubis_shape'\nseed = 3\n"
         "[noise.c.channels.Y]\ntype = 'curl'\n");
@@ -50,7 +50,7 @@ TEST(NoisePresetMerge, EachNoiseHasItsOwn) {
     EXPECT_EQ(recipe.parameters.noises[2].channels.size(), 1u);
 }
 
-TEST(NoisePresetMerge, UnknownPresetsAreOneError) {
+TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
     const Diagnostic slip = only_diagnostic(
         "[noise.n]\npreset = 'nubis_shap'\n[noise.n.channels.G]\nseed = 1\n"
         "[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n");
@@ -62,7 +62,7 @@ TEST(NoisePresetMerge, UnknownPresetsAreOneError) {
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
 }
 
-TEST(NoisePresetMerge, PresetsOfTheOtherKindAreSentHome) {
+TEST(SectionPresetMerge, PresetsOfTheOtherKindAreSentHome) {
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'earth'\n").label,
               "it is a preset of an atmosphere: preset = \"earth\" at the top level");
     const Diagnostic diagnostic = only_diagnostic("preset = 'nubis_shape'\n");
@@ -70,8 +70,44 @@ TEST(NoisePresetMerge, PresetsOfTheOtherKindAreSentHome) {
     EXPECT_EQ(diagnostic.label, "a preset of noises: it stands below [noise.NAME]");
 }
 
+TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
+    const std::string noises =
+        "[noise.shape]\npreset = 'nubis_shape'\n[noise.detail]\npreset = 'nubis_detail'\n";
+    const auto cloud = [&](const std::string& keys) {
+        return valid(noises + "[clouds.c]\n" + keys).parameters.clouds.at(0);
+    };
+    const Cloud plain = cloud("preset = 'cumulus_congestus'\n");
+    const Cloud changed = cloud(
+        "preset = 'cumulus_congestus'\ncoverage = 1\nscatter.seed = 5\n"
+        "height_profile.type = 'thesis'\n");
+    EXPECT_EQ(changed.detail, "detail");
+    EXPECT_EQ(changed.coverage, 1);
+    EXPECT_EQ(changed.scatter.seed, 5u);
+    EXPECT_EQ(changed.scatter.count, plain.scatter.count);
+    EXPECT_EQ(changed.height_profile.top_falloff, 4);
+    const Cloud plainer = cloud("preset = 'cumulus_congestus'\ndetail = ''\n");
+    EXPECT_EQ(plainer.erosion[1], 0);
+    EXPECT_EQ(plainer.extent[0].meters, plain.extent[0].meters);
+    EXPECT_EQ(only_diagnostic(noises + "[clouds.c]\npreset = 'cumulus_humulis'\n").label,
+              "did you mean `cumulus_humilis`?");
+}
+
+// A noise and a cloud may start from presets of one name.
+TEST(SectionPresetMerge, KindsDoNotMixUp) {
+    const Recipe recipe =
+        valid("[noise.shape]\npreset = 'thesis'\n[clouds.shape]\npreset = 'thesis'\n");
+    EXPECT_EQ(recipe.parameters.noises.at(0).channels.size(), 4u);
+    EXPECT_EQ(recipe.parameters.clouds.at(0).towers.size(), 3u);
+    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'stratus'\n").label,
+              "it is a preset of a cloud: it stands below [clouds.NAME]");
+    EXPECT_EQ(only_diagnostic("[clouds.n]\npreset = 'nubis_shape'\n").label,
+              "it is a preset of a noise: it stands below [noise.NAME]");
+    EXPECT_EQ(only_diagnostic("preset = 'stratus'\n").label,
+              "a preset of clouds: it stands below [clouds.NAME]");
+}
+
 // Places of what the user adds to a preset are the user's.
-TEST(NoisePresetMerge, FaultsStandWhereTheUserMadeThem) {
+TEST(SectionPresetMerge, FaultsStandWhereTheUserMadeThem) {
     const Diagnostic extra = only_diagnostic(
         "[noise.n]\npreset = 'nubis_shape'\n[noise.n.channels.Y]\ntype = 'perlin'\n");
     EXPECT_EQ(extra.code, "E0129");

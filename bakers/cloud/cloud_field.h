@@ -1,0 +1,23 @@
+// A cloud over its voxels, on demand. Bounds on profile, towers, coverage and noise prove regions
+// empty, and no noise is made there: the time follows the cloud, not the box.
+#pragma once
+
+#include <vector>
+
+#include "bakers/cloud/cloud_plan.h"
+#include "bakers/core/volume.h"
+
+namespace skybake::cloud {
+
+class CloudField : public VoxelSource {
+  public:
+    explicit CloudField(CloudPlan plan);
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
+    bool is_empty(const VoxelBox& box) const override;
+    const CloudPlan& plan() const { return plan_; }
+
+  private:
+    CloudPlan plan_;
+};
+
+}  // namespace skybake::cloud

@@ -1,0 +1,152 @@
+#include "bakers/cloud/cloud_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bakers/cloud/cloud_field.h"
+#include "bakers/cloud/cloud_reference.h"
+#include "bakers/cloud/cloud_specification.h"
+#include "bakers/core/finish_volume.h"
+#include "bakers/core/low_discrepancy.h"
+#include "bakers/noise/noise_plan.h"
+
+namespace skybake {
+
+namespace {
+
+using cloud::CloudField;
+using cloud::CloudReference;
+using config::Cloud;
+using config::CloudVolumeBake;
+using config::Outcome;
+
+std::array<AxisMapping, 3> axes_of(const Cloud& cloud) {
+    const double base = cloud.base_altitude.meters;
+    std::array<AxisMapping, 3> axes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        axes[i].quantity = i == 0 ? "x_m" : "y_m";
+        axes[i].last = cloud.extent[i].meters;
+        axes[i].formula = fmt::format("{} = {} / {}", i == 0 ? "u" : "v", i == 0 ? "x" : "y",
+                                      cloud.extent[i].meters);
+        axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
+    }
+    axes[2].quantity = "altitude_m";
+    axes[2].first = base;
+    axes[2].last = base + cloud.extent[2].meters;
+    axes[2].formula = fmt::format("w = (altitude - {}) / {}", base, cloud.extent[2].meters);
+    axes[2].convention = "clamped; voxel i samples (i + 1/2) / size";
+    return axes;
+}
+
+std::string content_of(const Cloud& cloud) {
+    const double extinction = cloud.extinction_scale.per_meter;
+    if (cloud.threshold_at == config::ThresholdAt::bake) {
+        return fmt::format("cloud density, dimensionless; extinction is density * {} /m",
+                           extinction);
+    }
+    return fmt::format(
+        "cloud value v before its threshold, dimensionless; density is v * smoothstep({}, {}, v), "
+        "extinction is density * {} /m",
+        cloud.threshold, cloud.threshold + cloud.edge_softness, extinction);
+}
+
+// What a runtime needs to know beyond the axes.
+void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, BakedVolume& volume) {
+    const auto add = [&](const char* key, const auto& value) {
+        volume.details.emplace_back(key, fmt::format("{}", value));
+    };
+    const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
+    add("threshold", cloud.threshold);
+    add("edge_softness", cloud.edge_softness);
+    add("threshold_at", in_file ? "bake" : "runtime");
+    add("extinction_scale_per_m", cloud.extinction_scale.per_meter);
+    add("shaped_channels", plan.shaped_channels);
+}
+
+// The grids' names: density first, since runtimes look for it.
+std::vector<std::string> grid_names(const std::vector<std::string>& channels) {
+    std::vector<std::string> names = channels;
+    names.front() = "density";
+    return names;
+}
+
+// Differences between voxels of the faces x = 0 and y = 0 and those a tile's length away.
+double seam_error(const CloudField& field, const std::array<int, 3>& size) {
+    constexpr int kPoints = 32;
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (int i = 0; i < kPoints; ++i) {
+            const std::array<double, 3> point = low_discrepancy_point(i);
+            noise::Voxel near;
+            for (std::size_t k = 0; k < 3; ++k) {
+                near[k] = static_cast<std::int64_t>(std::floor(point[k] * size[k]));
+            }
+            near[axis] = 0;
+            noise::Voxel far = near;
+            far[axis] = size[axis];
+            const std::vector<float> here = cloud_at(field.plan(), near);
+            const std::vector<float> there = cloud_at(field.plan(), far);
+            for (std::size_t c = 0; c < here.size(); ++c) {
+                largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
+            }
+        }
+    }
+    return largest;
+}
+
+}  // namespace
+
+BakedVolume make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
+                              const CloudInputs& inputs, BakedVolume volume) {
+    static constexpr std::array<const char*, 4> kChannels = {"R", "G", "B", "A"};
+    const auto field = std::make_shared<const CloudField>(
+        make_cloud_plan(cloud, *inputs.base, inputs.detail, bake.size, inputs.maps));
+    const int channels = field->plan().channels;
+    volume.kind = "cloud_volume";
+    volume.content = content_of(cloud);
+    volume.mapping = "layer";
+    volume.axes = axes_of(cloud);
+    volume.channel_names = {"Y"};
+    if (channels > 1) volume.channel_names.assign(kChannels.begin(), kChannels.begin() + channels);
+    volume.grid_names = grid_names(volume.channel_names);
+    volume.sparse = true;
+    set_files(bake, volume);
+    for (std::size_t i = 0; i < 3; ++i) {
+        volume.voxel_size_m[i] = cloud.extent[i].meters / bake.size[i];
+    }
+    volume.minimum_m = {0, 0, cloud.base_altitude.meters};
+    volume.up_axis = "+z";
+    add_details(cloud, field->plan(), volume);
+    volume.seam_error = seam_error(*field, bake.size);
+    VolumeLevel level;
+    level.size = bake.size;
+    level.repeats = repeating_axes(volume.mapping);
+    level.voxels = field;
+    volume.levels.push_back(std::move(level));
+    return volume;
+}
+
+Outcome<BakedVolume> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
+                                       const CloudInputs& inputs, const BakeOptions& options,
+                                       BakedVolume volume) {
+    volume = make_cloud_volume(cloud, bake, inputs, std::move(volume));
+    add_mip_levels(bake.mips, options, volume);
+    // Densities are shares of 1, and so is noise.
+    const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});
+    const auto reference =
+        std::make_shared<CloudReference>(cloud, *inputs.base, inputs.detail, inputs.maps);
+    return finish_volume(
+        std::move(volume),
+        {.histogram_ranges = ranges,
+         .reference =
+             [reference](const std::array<double, 3>& place) { return (*reference)(place); },
+         .reference_name = "the cloud's definition in double precision, point by point"},
+        options);
+}
+
+}  // namespace skybake

@@ -1,0 +1,46 @@
+#include "bakers/cloud_inputs.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "bakers/io/map_image.h"
+#include "bakers/named_parameters.h"
+
+namespace skybake {
+
+namespace {
+
+using config::CloudMap;
+using config::Diagnostic;
+using config::Outcome;
+using Details = std::vector<std::pair<std::string, std::string>>;
+
+// None where the cloud names no map, and after an error.
+std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, Details& details,
+                                         std::vector<Diagnostic>& diagnostics) {
+    if (map.file.empty()) return std::nullopt;
+    Outcome<MapImage> image = read_map_image(map);
+    for (Diagnostic& diagnostic : image.diagnostics) diagnostics.push_back(std::move(diagnostic));
+    if (!image.value) return std::nullopt;
+    details.emplace_back(fmt::format("{}_hash", key), image.value->content_hash);
+    return cloud::MapLookup(std::move(*image.value), map.wrap, map.filter);
+}
+
+}  // namespace
+
+Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
+                                  const config::CloudVolumeBake& bake, Details& details) {
+    Outcome<CloudInputs> outcome;
+    const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
+    CloudInputs inputs;
+    inputs.base = &noise_named(parameters, cloud.noise);
+    if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
+    inputs.maps.coverage =
+        read_map(cloud.coverage_map, "coverage_map", details, outcome.diagnostics);
+    inputs.maps.type = read_map(cloud.type_map, "type_map", details, outcome.diagnostics);
+    if (outcome.diagnostics.empty()) outcome.value = std::move(inputs);
+    return outcome;
+}
+
+}  // namespace skybake

@@ -1,0 +1,100 @@
+#include "bakers/core/finish_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "bakers/core/mip_source.h"
+#include "bakers/core/stored_source.h"
+#include "bakers/core/survey_volume.h"
+
+namespace skybake {
+
+namespace {
+
+bool cancelled(const BakeOptions& options) {
+    return options.progress != nullptr && options.progress->cancelled();
+}
+
+std::string place_text(const std::array<double, 3>& uvw) {
+    return fmt::format("u {:.6g}, v {:.6g}, w {:.6g}", uvw[0], uvw[1], uvw[2]);
+}
+
+void certify(const VolumeFinish& finish, const BakeOptions& options, BakedVolume& volume) {
+    constexpr int kQuickPoints = 1024;
+    constexpr int kFullPoints = 16384;
+    const VolumeLevel& level = volume.levels.front();
+    const int points = options.certification == Certification::full ? kFullPoints : kQuickPoints;
+    const auto voxels =
+        static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
+    const VolumeErrors texel =
+        measure_voxels(level, volume.pixel_type, finish.reference, voxels, options);
+    const VolumeErrors lookup =
+        measure_lookups(level, volume.pixel_type, finish.reference, points, options);
+    Certificate& certificate = volume.certificate;
+    certificate.texel = texel.figures;
+    certificate.texel_points = texel.points;
+    certificate.lookup = lookup.figures;
+    certificate.lookup_points = lookup.points;
+    certificate.reference = finish.reference_name;
+    certificate.scale = finish.scale;
+    certificate.worst = place_text(lookup.worst);
+    volume.certified = true;
+}
+
+}  // namespace
+
+void set_files(const config::VolumeFiles& files, BakedVolume& volume) {
+    volume.pixel_type = files.pixel_type;
+    volume.formats = files.formats;
+    volume.layout = files.layout;
+    volume.columns = files.columns;
+    volume.compression = files.compression;
+    volume.vdb_compression = files.vdb_compression;
+}
+
+void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume) {
+    // Levels of no more floats than this are kept, so that those below need not make them again.
+    constexpr std::int64_t kKeptFloats = 1 << 23;
+    const auto channels = static_cast<int>(volume.channel_names.size());
+    while (static_cast<int>(volume.levels.size()) < count && !cancelled(options)) {
+        const VolumeLevel& finer = volume.levels.back();
+        VolumeLevel level;
+        level.size = next_mip_size(finer.size);
+        level.repeats = finer.repeats;
+        level.voxels = std::make_shared<MipSource>(finer.voxels, finer.size);
+        const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
+        if (floats <= kKeptFloats) {
+            level.voxels =
+                std::make_shared<StoredSource>(*level.voxels, level.size, channels, options);
+        }
+        volume.levels.push_back(std::move(level));
+    }
+}
+
+config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinish& finish,
+                                           const BakeOptions& options) {
+    config::Outcome<BakedVolume> outcome;
+    for (std::size_t i = 0; i < volume.levels.size(); ++i) {
+        if (cancelled(options)) return outcome;
+        const auto start = std::chrono::steady_clock::now();
+        outcome.diagnostics =
+            survey_level(volume, static_cast<int>(i), finish.histogram_ranges, options);
+        volume.bake_seconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
+        volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
+    }
+    if (finish.reference && options.certification != Certification::off) {
+        certify(finish, options, volume);
+    }
+    if (cancelled(options)) return outcome;
+    outcome.value = std::move(volume);
+    return outcome;
+}
+
+}  // namespace skybake

@@ -1,0 +1,36 @@
+// What every volume goes through once its voxels can be made: levels of detail, statistics, range,
+// hash, probes, certificate.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bakers/core/bake_options.h"
+#include "bakers/core/certify_volume.h"
+#include "bakers/core/volume.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// How the files are to be, as a recipe says it.
+void set_files(const config::VolumeFiles& files, BakedVolume& volume);
+
+// Adds levels that are box means of volume.levels[0], until there are `count`.
+void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume);
+
+struct VolumeFinish {
+    std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
+    VolumeReference reference;                            // none: no certificate
+    std::string reference_name;
+    std::string scale = "share of the channel's value range, max - min";
+};
+
+// Surveys all levels, makes their probes, and measures level 0 against the reference unless
+// options.certification is off. E0401, E0402: a voxel that the pixel type cannot hold. No value and
+// no diagnostics after an interruption.
+config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinish& finish,
+                                           const BakeOptions& options);
+
+}  // namespace skybake

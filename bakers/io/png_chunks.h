@@ -1,0 +1,17 @@
+// The chunks of a PNG file, before its pixels are decoded.
+#pragma once
+
+#include <istream>
+#include <optional>
+#include <string>
+
+namespace skybake {
+
+// What is wrong with the chunks of the PNG file in `file`, or nothing: each has the checksum that
+// goes with it, and the last is IEND. (What follows that is not the picture's.)
+//
+// The library that decodes pixels stops reading with the last pixel: it takes files that lack their
+// end, and rows from a chunk whose checksum it has not come to yet. It also prints what it finds.
+std::optional<std::string> png_damage(std::istream& file);
+
+}  // namespace skybake

@@ -1,0 +1,135 @@
+#include "bakers/noise/noise_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace skybake::noise {
+
+namespace {
+
+using config::NoiseChannel;
+using config::NoiseFractal;
+using config::NoiseType;
+using config::WorleyFeature;
+using config::WorleyValue;
+
+using Interval = std::array<double, 2>;
+
+constexpr Interval kEverything = {-std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::infinity()};
+
+// Improved noise is a blend of eight dot products g . d with g = (0, ±1, ±1) or a permutation, each
+// at most the sum of the two greater |d_i|. With the best gradient at every corner the blend
+// reaches 1.03635 (noise_bounds_test searches the cell).
+constexpr double kGradientNoiseBound = 1.0364;
+
+// The nearest point is no farther than the one of the own cell.
+constexpr double kFarthestNearest = std::numbers::sqrt3;
+// Nor is the second nearest farther than both that one and the one in the cell beyond the nearest
+// face, which is at most half a cell away: sqrt(1.5^2 + 1 + 1).
+constexpr double kFarthestSecond = 2.0615528128088303;
+
+template <class Function>
+Interval over_corners(const Interval& a, const Interval& b, const Function& function) {
+    const std::array<double, 4> values = {function(a[0], b[0]), function(a[0], b[1]),
+                                          function(a[1], b[0]), function(a[1], b[1])};
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return {*least, *most};
+}
+
+Interval gradient_bounds(NoiseFractal fractal) {
+    constexpr double kBound = kGradientNoiseBound;
+    switch (fractal) {
+        case NoiseFractal::fbm:
+            return {0.5 - 0.5 * kBound, 0.5 + 0.5 * kBound};
+        case NoiseFractal::ridged:
+            return {1 - kBound, 1};
+        case NoiseFractal::rectified:
+        case NoiseFractal::billow:
+            break;
+    }
+    return {0, kBound};
+}
+
+double worley_value(WorleyValue form, double distance) {
+    switch (form) {
+        case WorleyValue::distance:
+            return distance;
+        case WorleyValue::one_minus_distance:
+            return std::max(0.0, 1 - distance);
+        case WorleyValue::one_minus_distance_over_sqrt3:
+            return 1 - distance / std::numbers::sqrt3;
+        case WorleyValue::one_minus_distance_squared:
+            return std::max(0.0, 1 - distance * distance);
+    }
+    return distance;
+}
+
+// A weighted mean of octaves is bounded as each of them is.
+Interval cell_bounds(const NoiseChannel& channel) {
+    const double farthest =
+        channel.feature == WorleyFeature::f1 ? kFarthestNearest : kFarthestSecond;
+    const double near = worley_value(channel.value_form, 0);
+    const double far = worley_value(channel.value_form, farthest);
+    return {std::min(near, far), std::max(near, far)};
+}
+
+Interval plain_bounds(const NoiseChannel& channel) {
+    switch (channel.type) {
+        case NoiseType::constant:
+            return {channel.value, channel.value};
+        case NoiseType::perlin:
+            return gradient_bounds(channel.fractal);
+        case NoiseType::worley:
+            return cell_bounds(channel);
+        case NoiseType::perlin_worley:
+            return over_corners(gradient_bounds(channel.fractal), cell_bounds(channel),
+                                [](double g, double c) { return c + g * (1 - c); });
+        case NoiseType::curl:
+            break;
+    }
+    return kEverything;
+}
+
+Interval channel_bounds(const NoiseChannel& channel) {
+    Interval bounds = plain_bounds(channel);
+    if (!std::isfinite(bounds[1])) return kEverything;
+    const auto& [low_in, high_in, low_out, high_out] = channel.remap;
+    for (double& bound : bounds) {
+        bound = low_out + (bound - low_in) * (high_out - low_out) / (high_in - low_in);
+        if (channel.invert) bound = 1 - bound;
+        // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.
+        if (bound > 0 && bound < 1) bound /= (1 / channel.bias - 2) * (1 - bound) + 1;
+    }
+    if (bounds[0] > bounds[1]) std::swap(bounds[0], bounds[1]);
+    return bounds;
+}
+
+Interval weighted(const Interval& a, const Interval& b, const Interval& c) {
+    return {0.625 * a[0] + 0.25 * b[0] + 0.125 * c[0], 0.625 * a[1] + 0.25 * b[1] + 0.125 * c[1]};
+}
+
+}  // namespace
+
+std::array<double, 2> value_bounds(const config::Noise& noise, std::size_t channel) {
+    std::array<Interval, 4> channels{};
+    for (std::size_t i = 0; i < noise.channels.size(); ++i) {
+        channels[i] = channel_bounds(noise.channels[i]);
+    }
+    switch (noise.pack) {
+        case config::NoisePacking::none:
+            return channels[channel];
+        case config::NoisePacking::detail:
+            return weighted(channels[0], channels[1], channels[2]);
+        case config::NoisePacking::shape:
+            break;
+    }
+    // (r + 1 - w) / (2 - w) is monotonic in r and in w while w < 2.
+    const Interval w = weighted(channels[1], channels[2], channels[3]);
+    if (!(w[1] < 2) || !std::isfinite(channels[0][1])) return kEverything;
+    return over_corners(channels[0], w, [](double r, double v) { return (r + 1 - v) / (2 - v); });
+}
+
+}  // namespace skybake::noise

@@ -1,0 +1,54 @@
+// The rows of voxels about blocks of cells, from memory or from a source.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "bakers/core/bake_options.h"
+#include "bakers/occupancy/cell_grid.h"
+#include "bakers/occupancy/cell_range.h"
+
+namespace skybake::occupancy {
+
+// All cells along x; some along y and z.
+struct CellBlock {
+    Span y;
+    Span z;
+};
+
+// Rows of voxels of a block and `halo` rows and planes about it, wrapped along y, clamped along z.
+class BlockRows {
+  public:
+    BlockRows(const CellGrid& grid, const CellBlock& block, int halo);
+
+    Span y() const { return y_; }  // first and last may lie beyond the volume
+    Span z() const { return z_; }
+    std::size_t length() const { return length_; }  // of a row: the voxels along x
+    const float*& at(int y, int z) { return rows_[index(y, z)]; }
+    const float* at(int y, int z) const { return rows_[index(y, z)]; }
+
+  private:
+    std::size_t index(int y, int z) const {
+        return static_cast<std::size_t>(z - z_.first) * static_cast<std::size_t>(y_.count()) +
+               static_cast<std::size_t>(y - y_.first);
+    }
+    Span y_;
+    Span z_;
+    std::size_t length_ = 0;
+    std::vector<const float*> rows_;
+};
+
+// Called for each block once, in any order, on several threads.
+using BlockWork = std::function<void(const CellBlock& block, const BlockRows& rows)>;
+
+void for_each_block(const float* voxels, const CellGrid& grid, int halo, int threads,
+                    const BlockWork& work);
+
+// The same with the voxels of a source, rounded as they are stored, at most 16 MiB of them a thread
+// where cells and rows allow. Not called for blocks whose rows are known to be 0. Ends early once
+// options.progress is cancelled.
+void for_each_block(const ChannelSource& source, const CellGrid& grid, int halo,
+                    const BakeOptions& options, const BlockWork& work);
+
+}  // namespace skybake::occupancy

@@ -1,0 +1,55 @@
+// A ray marcher with fixed steps, as runtimes have it, with and without skipping: it counts what an
+// occupancy grid saves, and shows that the exact rule changes nothing that a ray sees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "bakers/occupancy/cell_grid.h"
+#include "bakers/occupancy/occupied_cells.h"
+
+namespace skybake::occupancy {
+
+// A volume in memory, repeated along x and y and 0 below and above, and what becomes of its values.
+struct MarchedVolume {
+    const float* voxels = nullptr;  // x fastest
+    CellGrid grid;
+    std::array<double, 3> extent{};  // of the tile, in the units of rays
+    // The extinction of value v is v * smoothstep(threshold, threshold + edge_softness, v) where the
+    // threshold comes after filtering, else v; 0 where v is not greater than the threshold.
+    bool has_edge = false;
+    float threshold = 0;
+    double edge_softness = 0;
+};
+
+struct Ray {
+    std::array<double, 3> origin{};
+    std::array<double, 3> direction{};  // of length 1; z is up
+};
+
+enum class Skipping {
+    none,
+    cells,  // from an empty cell to the next cell
+    leaps   // from an empty cell over all within its leap distance - 1
+};
+
+struct MarchResult {
+    double optical_depth = 0;
+    int density_fetches = 0;
+    int structure_fetches = 0;  // one for each cell that is looked at
+};
+
+// Looks at the volume at k * step, k = 0, 1 ... up to `length`, where that is within its height,
+// trilinearly in double, rounded to float as a texture unit does; a place on a face belongs to the
+// cell above it. The optical depth is the step times the sum of extinctions in the order of k.
+//
+// Skipping never jumps over a sample in an occupied cell, as cells of samples are compared as
+// integers; so with cells of the exact rule and the volume's threshold, and values >= 0 or a
+// threshold > 0, all three give the same bits. `leaps` are those of `cells`; neither is looked at
+// without skipping.
+MarchResult march(const MarchedVolume& volume, const Ray& ray, double length, double step,
+                  Skipping skipping, const OccupiedCells& cells,
+                  const std::vector<std::uint8_t>& leaps);
+
+}  // namespace skybake::occupancy

@@ -1,0 +1,24 @@
+// The asset occupancy: which cells of a volume a runtime may skip, and how far.
+#pragma once
+
+#include "bakers/core/bake_options.h"
+#include "bakers/core/volume.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// What an occupancy grid is of.
+struct OccupiedVolume {
+    const BakedVolume& volume;  // its level 0 need not have been surveyed
+    double threshold = 0;       // a lookup above it is something
+};
+
+// Fills everything of `volume` but its name and parameters: a voxel of it is a cell of `of`, its
+// channels are bake.contents. E0401, E0402 as of volumes; E0403: the grid failed its own check. No
+// value and no diagnostics after an interruption.
+config::Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of,
+                                            const config::OccupancyBake& bake,
+                                            const BakeOptions& options, BakedVolume volume);
+
+}  // namespace skybake

@@ -1,0 +1,27 @@
+// The report of any volume.
+#pragma once
+
+#include <array>
+
+#include "bakers/report/measure_volume_sweep.h"
+#include "bakers/report/report.h"
+#include "bakers/report/volume_sweep.h"
+#include "config/diagnostic.h"
+#include "config/recipe.h"
+
+namespace skybake {
+
+struct VolumeReportSubject {
+    config::Bake bake;                // of the size that the report is about, with one level
+    std::array<int, 3> asked_size{};  // what the recipe asks for
+    int asked_mips = 1;
+    const VolumeSweep& sweep;
+    const ReferenceOfSize& reference;
+};
+
+// Bakes the subject and measures its sweep. As report_asset.
+config::Outcome<AssetReport> report_volume(const config::Recipe& recipe,
+                                           const VolumeReportSubject& subject,
+                                           const ReportOptions& options);
+
+}  // namespace skybake

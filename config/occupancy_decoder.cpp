@@ -1,0 +1,129 @@
+#include "config/occupancy_decoder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "config/cloud_channels.h"
+#include "config/key_path.h"
+#include "config/named_reference.h"
+#include "config/suggest.h"
+#include "config/volume_files_decoder.h"
+
+namespace skybake::config {
+namespace {
+
+template <class T>
+const T* find_by_name(std::span<const T> things, std::string_view name) {
+    const auto found = std::find_if(things.begin(), things.end(),
+                                    [&](const T& thing) { return thing.name == name; });
+    return found == things.end() ? nullptr : &*found;
+}
+
+// One section while it is resolved.
+struct OccupancyResolver {
+    DecodedSection& bake;
+    const OccupancySources& sources;
+    Decoder& decoder;
+
+    std::vector<std::string_view> volume_names() const {
+        std::vector<std::string_view> names;
+        for (const Bake& other : sources.bakes) {
+            if (std::holds_alternative<CloudVolumeBake>(other.asset)) names.push_back(other.name);
+        }
+        return names;
+    }
+
+    void report_no_volume(const std::string& name, bool is_other_asset) const {
+        const std::vector<std::string_view> names = volume_names();
+        std::string label = did_you_mean(name, names);
+        if (label.empty() && names.empty()) {
+            label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
+        }
+        if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
+        decoder.diagnostics.error(
+            "E0133", bake.at("of").source->place,
+            fmt::format("`{}` names {}: `{}`", join_path(bake.path, "of"),
+                        is_other_asset ? "a bake of another asset than cloud_volume"
+                                       : "no bake of the recipe",
+                        shorten(name)),
+            std::move(label));
+    }
+
+    const CloudVolumeBake* find_volume() const {
+        const std::string* name = text_of(bake.at("of"));
+        if (!name) return nullptr;
+        const Bake* found = find_by_name(sources.bakes, *name);
+        const auto* volume = found ? std::get_if<CloudVolumeBake>(&found->asset) : nullptr;
+        const auto& unreadable = sources.unreadable;
+        const bool is_reported =
+            std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
+        if (!volume && !is_reported && decoder.complete) report_no_volume(*name, found != nullptr);
+        return volume;
+    }
+
+    // Empty if the volume's cloud or noise is at fault.
+    std::vector<std::string> channels_of(const CloudVolumeBake& volume) const {
+        const Cloud* cloud = find_by_name(sources.clouds, volume.cloud);
+        const Noise* noise = cloud ? find_by_name(sources.noises, cloud->noise) : nullptr;
+        if (!noise) return {};
+        return cloud_channel_names(*noise, cloud->channels);
+    }
+
+    void check_channel(const CloudVolumeBake& volume) const {
+        const DecodedField& decoded = bake.at("channel");
+        const std::string* name = text_of(decoded);
+        const std::vector<std::string> channels = channels_of(volume);
+        if (!name || name->empty() || channels.empty()) return;
+        if (std::find(channels.begin(), channels.end(), *name) != channels.end()) return;
+        decoder.diagnostics.error(
+            "E0134", decoded.source->place,
+            fmt::format("`{}` names no channel of `{}`: `{}`", join_path(bake.path, "channel"),
+                        *text_of(bake.at("of")), shorten(*name)),
+            fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
+                        fmt::join(channels, ", ")));
+    }
+
+    std::size_t check_contents() const {
+        const DecodedField& decoded = bake.at("contents");
+        if (!decoded.value) return 1;
+        const std::size_t count = std::get<std::vector<ChoiceIndex>>(*decoded.value).size();
+        if (count != 2) return count;
+        decoder.diagnostics.error(
+            "E0129", decoded.source->place,
+            fmt::format("`{}` has two channels", join_path(bake.path, "contents")),
+            "a picture has one, three or four channels: give one more, or bake them apart");
+        return count;
+    }
+
+    // Cells along each axis, those that stick out among them.
+    VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) const {
+        VoxelCounts cells{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            cells[axis] = (volume.size[axis] + cell - 1) / cell;
+        }
+        return cells;
+    }
+};
+
+}  // namespace
+
+void resolve_occupancy(DecodedSection& bake, const OccupancySources& sources, Decoder& decoder) {
+    const OccupancyResolver resolver{bake, sources, decoder};
+    check_pixel_type(bake, decoder);
+    const std::size_t contents = resolver.check_contents();
+    const CloudVolumeBake* volume = resolver.find_volume();
+    if (!volume) return;
+    resolver.check_channel(*volume);
+    const DecodedField& cell = bake.at("cell");
+    if (!cell.value || volume->size[0] == 0) return;
+    const VoxelCounts cells =
+        resolver.cells_of(*volume, static_cast<int>(std::get<double>(*cell.value)));
+    resolve_volume_files(bake, cells, decoder);
+    check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
+}
+
+}  // namespace skybake::config

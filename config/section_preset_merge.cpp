@@ -1,0 +1,95 @@
+#include "config/section_preset_merge.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <optional>
+#include <utility>
+
+#include "config/key_path.h"
+#include "config/merge.h"
+#include "config/presets.h"
+#include "config/suggest.h"
+#include "config/toml_source.h"
+#include "config/tower_list.h"
+
+namespace skybake::config {
+namespace {
+
+// Where a preset of another kind belongs; empty if there is none of that name.
+std::string home_of(const std::string& name) {
+    if (find_preset(name)) {
+        return fmt::format("it is a preset of an atmosphere: preset = \"{}\" at the top level",
+                           name);
+    }
+    const SectionPresets* kind = find_section_presets(name);
+    if (!kind) return "";
+    return fmt::format("it is a preset of a {}: it stands below [{}.NAME]", kind->noun,
+                       kind->section);
+}
+
+void report_unknown_preset(const SectionPresets& kind, const std::string& name, const Place& place,
+                           DiagnosticList& diagnostics) {
+    const auto names = preset_names(kind.all());
+    std::string label = home_of(name);
+    if (label.empty()) label = did_you_mean(name, names);
+    if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
+    diagnostics.error("E0115", place,
+                      fmt::format("unknown {} preset `{}`", kind.noun, shorten(name)),
+                      std::move(label));
+}
+
+// The keys of the preset that a section names. None if it names none, or there is none of that
+// name.
+std::optional<Table> preset_of(const SectionPresets& kind, const Value& name,
+                               std::deque<Source>& sources, DiagnosticList& diagnostics) {
+    const auto* text = std::get_if<std::string>(&name.data);
+    if (!text) return std::nullopt;  // the decoder reports a value that is no text
+    const Preset* preset = find_preset(kind.all(), *text);
+    if (!preset) {
+        report_unknown_preset(kind, *text, name.place, diagnostics);
+        return std::nullopt;
+    }
+    sources.push_back({Source::Kind::preset, -1, fmt::format("preset {}", preset->name),
+                       std::string(preset->text)});
+    std::optional<Table> keys = parse_toml(sources.back(), diagnostics);
+    if (keys) name_listed_towers_of_cloud(*keys);
+    return keys;
+}
+
+bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source>& sources,
+                      DiagnosticList& diagnostics) {
+    const Entry* sections = find_entry(root, kind.section);
+    const Table* named = sections ? as_table(sections->value) : nullptr;
+    if (!named) return true;
+    bool complete = true;
+    Table presets;
+    for (const Entry& entry : *named) {
+        const Table* table = as_table(entry.value);
+        const Entry* preset = table ? find_entry(*table, "preset") : nullptr;
+        if (!preset) continue;
+        std::optional<Table> keys = preset_of(kind, preset->value, sources, diagnostics);
+        complete = complete && keys;
+        if (!keys) continue;
+        presets.push_back({entry.key, entry.key_place, {std::move(*keys), entry.value.place}});
+    }
+    Table base;
+    base.push_back(
+        {sections->key, sections->key_place, {std::move(presets), sections->value.place}});
+    merge(base, root);
+    root = std::move(base);
+    return complete;
+}
+
+}  // namespace
+
+bool lay_sections_over_presets(Table& root, std::deque<Source>& sources,
+                               DiagnosticList& diagnostics) {
+    bool complete = true;
+    for (const SectionPresets& kind : section_presets()) {
+        complete = lay_over_presets(kind, root, sources, diagnostics) && complete;
+    }
+    return complete;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,108 @@
+// What a cloud costs beside its noise, and what is saved where there is none: in one run, thread
+// CPU time. tests/benchmarks/README.md keeps the figures reached.
+//
+// Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
+// --benchmark_report_aggregates_only=true. items_per_second are voxels.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "bakers/cloud/cloud_field.h"
+#include "bakers/core/aligned_floats.h"
+#include "bakers/core/keep_memory.h"
+#include "config/recipe.h"
+
+namespace skybake::cloud {
+namespace {
+
+using Size = std::array<int, 3>;
+
+// The cloud of a recipe's text, without maps.
+CloudPlan plan_of(const std::string& text, const Size& size) {
+    const auto recipe = config::parse_recipe(text, "benchmark");
+    const config::Parameters& parameters = recipe.value->parameters;
+    const config::Cloud& cloud = parameters.clouds.front();
+    const auto named = [&](const std::string& name) -> const config::Noise* {
+        for (const config::Noise& noise : parameters.noises) {
+            if (noise.name == name) return &noise;
+        }
+        return nullptr;
+    };
+    return make_cloud_plan(cloud, *named(cloud.noise), named(cloud.detail), size, {});
+}
+
+// Box by box, as writers take them, into the same memory.
+void fill(benchmark::State& state, const VoxelSource* source, Size size, int channels) {
+    VoxelBox box{{}, {size[0], size[1], 16}};
+    const auto plane = static_cast<std::size_t>(box.count());
+    AlignedFloats memory(plane * static_cast<std::size_t>(channels));
+    std::vector<float*> targets;
+    for (int c = 0; c < channels; ++c) targets.push_back(memory.data() + plane * std::size_t(c));
+    std::int64_t filled = 0;
+    for (auto _ : state) {
+        filled = 0;
+        for (int z = 0; z < size[2]; z += box.size[2]) {
+            box.origin[2] = z;
+            source->fill(box, targets);
+            benchmark::ClobberMemory();
+            state.PauseTiming();
+            filled += std::count_if(memory.begin(), memory.begin() + std::ptrdiff_t(plane),
+                                    [](float value) { return value > 0; });
+            state.ResumeTiming();
+        }
+    }
+    const double voxels = double(size[0]) * size[1] * size[2];
+    state.SetItemsProcessed(static_cast<std::int64_t>(voxels) * state.iterations());
+    state.counters["filled"] = static_cast<double>(filled) / voxels;
+}
+
+const std::string kThesis =
+    "[noise.shape]\npreset = 'thesis'\n[clouds.thesis]\npreset = 'thesis'\n";
+
+std::string cumulus(const std::string& keys) {
+    return "[noise.shape]\npreset = 'nubis_shape'\npack = 'shape'\n"
+           "[noise.detail]\npreset = 'nubis_detail'\npack = 'detail'\n"
+           "[clouds.c]\nnoise = 'shape'\nnoise_scale = [4, 4, 1]\ndetail = 'detail'\n"
+           "detail_scale = [16, 16, 4]\nextent = ['6 km', '6 km', '1.5 km']\n" +
+           keys;
+}
+
+// Full from base to top; and towers alone, which leave 5 % of it.
+const std::string kFull =
+    cumulus("threshold = 0.05\nheight_profile = { type = 'tabulated', table = [[0, 1]] }\n");
+const std::string kTowers = cumulus(
+    "threshold = 0.05\nheight_profile = { type = 'tabulated', table = [[0, 0]] }\n"
+    "scatter = { count = 12, seed = 1, sigma = [0.02, 0.03], aspect = [1, 1.5], "
+    "amplitude = [0.8, 1] }\n");
+const std::string kCoverage = cumulus("coverage = '5 %'\n");
+
+void register_all() {
+    const auto add = [](const char* name, const CloudPlan& plan) {
+        const auto* field = new CloudField(plan);
+        benchmark::RegisterBenchmark(name, fill, field, plan.size, plan.channels)
+            ->Unit(benchmark::kMillisecond);
+    };
+    const Size thesis_size = {128, 128, 128};
+    const CloudPlan thesis = plan_of(kThesis, thesis_size);
+    add("thesis_128", thesis);
+    benchmark::RegisterBenchmark("thesis_128_noise_alone", fill, thesis.base.get(), thesis_size,
+                                 thesis.channels)
+        ->Unit(benchmark::kMillisecond);
+    const Size wide = {512, 512, 128};
+    add("cumulus_512_full", plan_of(kFull, wide));
+    add("cumulus_512_towers", plan_of(kTowers, wide));
+    add("cumulus_512_coverage_5_percent", plan_of(kCoverage, wide));
+}
+
+}  // namespace
+}  // namespace skybake::cloud
+
+int main(int argc, char** argv) {
+    skybake::keep_freed_memory();  // as the program does
+    skybake::cloud::register_all();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

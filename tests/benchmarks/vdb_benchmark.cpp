@@ -1,0 +1,189 @@
+// Writing a sparse volume as VDB, against OpenVDB's own io::File and a tree that it has in memory:
+// 512^3 halves of which 12 % are active, Blosc, to a file system in memory. In one run, wall clock;
+// tests/benchmarks/README.md keeps the figures reached.
+//
+// Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
+// --benchmark_report_aggregates_only=true. peak_memory is what a write adds to the process's
+// memory, divided by the length of the file.
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Dense.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bakers/core/keep_memory.h"
+#include "bakers/core/parallel.h"
+#include "bakers/io/vdb_volume.h"
+
+namespace skybake {
+namespace {
+
+constexpr int size = 512;
+constexpr std::size_t row = size;
+const VoxelBox whole = {{}, {size, size, size}};
+
+// Balls on a lattice, whose density falls off towards their rim.
+float ball_density(int x, int y, int z) {
+    constexpr int period = 64;
+    constexpr double radius = 19.6;  // 4/3 pi radius^3 / period^3 = 0.12
+    const auto offset = [](int i) { return i % period - (period - 1) / 2.0; };
+    const double squared = offset(x) * offset(x) + offset(y) * offset(y) + offset(z) * offset(z);
+    return static_cast<float>(std::max(0.0, 1 - squared / (radius * radius)));
+}
+
+// The voxels in memory, so that making them takes no time worth speaking of.
+class Balls : public VoxelSource {
+  public:
+    Balls() : values_(static_cast<std::size_t>(whole.count())) {
+        parallel_for(size, 0, [&](int z) {
+            float* out = values_.data() + static_cast<std::size_t>(z) * row * row;
+            for (int y = 0; y < size; ++y) {
+                for (int x = 0; x < size; ++x) *out++ = ball_density(x, y, z);
+            }
+        });
+    }
+
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        float* out = channels[0];
+        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                const auto at =
+                    (static_cast<std::size_t>(z) * row + static_cast<std::size_t>(y)) * row +
+                    static_cast<std::size_t>(box.origin[0]);
+                const auto width = static_cast<std::size_t>(box.size[0]);
+                std::memcpy(out, values_.data() + at, width * sizeof(float));
+                out += width;
+            }
+        }
+    }
+
+    const std::vector<float>& values() const { return values_; }
+
+  private:
+    std::vector<float> values_;  // [z][y][x]
+};
+
+std::shared_ptr<const Balls> balls() {
+    static const auto source = std::make_shared<const Balls>();
+    return source;
+}
+
+BakedVolume volume_of_balls() {
+    BakedVolume volume;
+    volume.channel_names = {"Y"};
+    volume.sparse = true;
+    volume.voxel_size_m = {10, 10, 10};
+    volume.up_axis = "+z";
+    volume.levels.resize(1);
+    volume.levels[0].size = whole.size;
+    volume.levels[0].voxels = balls();
+    volume.levels[0].content_hash = "0123456789abcdef0123456789abcdef";
+    return volume;
+}
+
+openvdb::FloatGrid::Ptr grid_of_balls() {
+    openvdb::initialize();
+    const openvdb::CoordBBox box(openvdb::Coord(0), openvdb::Coord(size - 1));
+    const openvdb::tools::Dense<const float, openvdb::tools::LayoutXYZ> dense(
+        box, balls()->values().data());
+    openvdb::FloatGrid::Ptr grid = openvdb::FloatGrid::create(0.0F);
+    openvdb::tools::copyFromDense(dense, *grid, 0.0F);
+    grid->setName("density");
+    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    grid->setSaveFloatAsHalf(true);
+    return grid;
+}
+
+// A file in memory that vanishes.
+class MemoryFile {
+  public:
+    MemoryFile() { std::ofstream file(path_); }
+    ~MemoryFile() { std::filesystem::remove(path_); }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    const std::filesystem::path path_ = "/dev/shm/skybake_vdb_benchmark.vdb";
+};
+
+double status_kib(const std::string& wanted) {
+    std::ifstream status("/proc/self/status");
+    std::string name;
+    double value = 0;
+    while (status >> name) {
+        if (name == wanted && status >> value) return value;
+    }
+    return NAN;
+}
+
+template <class Write>
+void measure(benchmark::State& state, Write&& write) {
+    const MemoryFile file;
+    ::malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins anew
+    const double before = status_kib("VmRSS:");
+    write(file.path());
+    const double peak = status_kib("VmHWM:") - before;
+    for (auto _ : state) write(file.path());
+    const auto bytes = static_cast<double>(std::filesystem::file_size(file.path()));
+    state.counters["file_MiB"] = bytes / (1 << 20);
+    state.counters["peak_memory"] = peak * 1024 / bytes;
+}
+
+void write_with_skybake(benchmark::State& state, int threads, std::size_t most_kept_bytes) {
+    const BakedVolume volume = volume_of_balls();
+    measure(state, [&](const std::filesystem::path& path) {
+        const auto written = write_vdb(volume, 0, {}, threads, nullptr, path, most_kept_bytes);
+        if (!written.value) state.SkipWithError(written.diagnostics.at(0).message.c_str());
+    });
+}
+
+void write_with_openvdb(benchmark::State& state, int threads) {
+    static const openvdb::FloatGrid::Ptr grid = grid_of_balls();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    state.counters["active"] =
+        static_cast<double>(grid->activeVoxelCount()) / static_cast<double>(whole.count());
+    measure(state, [&](const std::filesystem::path& path) {
+        openvdb::io::File file(path.string());
+        file.setCompression(openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_BLOSC);
+        file.write(openvdb::GridPtrVec{grid});
+    });
+}
+
+void register_all() {
+    for (const int threads : {1, 2}) {
+        const auto named = [&](const std::string& name) {
+            return name + "_wall_threads" + std::to_string(threads);
+        };
+        const auto in_milliseconds = [](benchmark::internal::Benchmark* b) {
+            b->Unit(benchmark::kMillisecond)->UseRealTime();
+        };
+        using benchmark::RegisterBenchmark;
+        in_milliseconds(
+            RegisterBenchmark(named("vdb_512_openvdb").c_str(), write_with_openvdb, threads));
+        in_milliseconds(RegisterBenchmark(named("vdb_512").c_str(), write_with_skybake, threads,
+                                          vdb_most_kept_bytes));
+        in_milliseconds(RegisterBenchmark(named("vdb_512_nothing_kept").c_str(), write_with_skybake,
+                                          threads, std::size_t{0}));
+    }
+}
+
+}  // namespace
+}  // namespace skybake
+
+int main(int argc, char** argv) {
+    skybake::keep_freed_memory();  // as the program does
+    skybake::register_all();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

@@ -1,0 +1,136 @@
+#include "config/cloud_volume_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/config/clouds.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::cloud_recipe;
+using testing::only_diagnostic;
+using testing::parse;
+using testing::valid;
+
+// The bake's keys begin on line 4.
+std::string volume_recipe(const std::string& bake, const std::string& cloud = "") {
+    return "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\n" + bake + "\n" + cloud_recipe(cloud);
+}
+
+CloudVolumeBake volume(const std::string& bake) {
+    const Recipe recipe = valid(volume_recipe(bake));
+    if (recipe.parameters.bakes.size() != 1) return {};
+    return std::get<CloudVolumeBake>(recipe.parameters.bakes[0].asset);
+}
+
+Diagnostic fault(const std::string& bake, const std::string& cloud = "") {
+    return only_diagnostic(volume_recipe(bake, cloud));
+}
+
+using Size = std::array<int, 3>;
+
+TEST(CloudVolumeDecoder, HasItsDefaults) {
+    EXPECT_EQ(testing::spell(volume("size = [64, 32, 16]")), "c [64, 32, 16] 1 0 0 1 1 2 1");
+}
+
+TEST(CloudVolumeDecoder, ReadsEveryKey) {
+    EXPECT_EQ(testing::spell(
+                  volume("size = [64, 32, 16]\nformats = ['vdb', 'exr']\npixel_type = 'float'\n"
+                         "layout = 'atlas'\ncolumns = 4\nmips = 'all'\ncompression = 'piz'\n"
+                         "vdb_compression = 'none'")),
+              "c [64, 32, 16] 0 1 4 7 3 0 1 0");
+    EXPECT_EQ(volume("size = [16, 16, 16]\nformats = 'bin'\npixel_type = 'unorm8'").pixel_type,
+              PixelType::unorm8);
+}
+
+// The cloud is 1 km by 2 km by 500 m.
+TEST(CloudVolumeDecoder, VoxelsHaveASize) {
+    EXPECT_EQ(volume("voxel_size = '10 m'").size, (Size{100, 200, 50}));
+    EXPECT_EQ(volume("voxel_size = '30 m'").size, (Size{33, 67, 17})) << "rounded";
+    const Recipe flat = testing::valid_with_warnings(volume_recipe("voxel_size = '1001 m'"));
+    EXPECT_EQ(std::get<CloudVolumeBake>(flat.parameters.bakes.at(0).asset).size, (Size{1, 2, 1}))
+        << "and at least 1";
+    const Recipe recipe = valid(volume_recipe("voxel_size = '10 m'"));
+    EXPECT_EQ(testing::value_at(recipe, "bake.c.size").origin, "derived");
+    EXPECT_EQ(testing::all_parameters(recipe).find("voxel_size"), std::string::npos);
+    const Diagnostic small = fault("voxel_size = '1 cm'");
+    EXPECT_EQ(small.code, "E0110");
+    EXPECT_EQ(small.message, "`bake.c.voxel_size` makes 100000 voxels along x");
+    EXPECT_EQ(small.label, "at most 16384 of 1000 m");
+    EXPECT_EQ(small.where.line, 4);
+    EXPECT_EQ(fault("voxel_size = '10 m'\nsize = [16, 16, 16]").code, "E0109");
+    EXPECT_EQ(fault("").code, "E0105");
+    EXPECT_EQ(fault("").message, "`bake.c.size` is missing");
+    EXPECT_EQ(std::get<CloudVolumeBake>(
+                  valid(volume_recipe("size = [16, 16, 16]"), {"bake.c.voxel_size=50 m"})
+                      .parameters.bakes[0]
+                      .asset)
+                  .size,
+              (Size{20, 40, 10}))
+        << "a later source chooses";
+}
+
+TEST(CloudVolumeDecoder, ItsCloudIsThere) {
+    const Diagnostic slip = only_diagnostic(
+        cloud_recipe("") + "[bake.x]\nasset = 'cloud_volume'\ncloud = 'd'\nsize = [8, 8, 8]\n");
+    EXPECT_EQ(slip.code, "E0132");
+    EXPECT_EQ(slip.message, "`bake.x.cloud` names no cloud of the recipe: `d`");
+    EXPECT_EQ(slip.label, "there are: c");
+    EXPECT_EQ(
+        only_diagnostic("[bake.x]\nasset = 'cloud_volume'\ncloud = 'd'\nsize = [8, 8, 8]\n").label,
+        "the recipe has no [clouds.NAME]");
+    EXPECT_EQ(only_diagnostic("[noise.n.channels.Y]\ntype = 'worley'\n[clouds]\nc = 3\n[bake.x]\n"
+                              "asset = 'cloud_volume'\ncloud = 'c'\nvoxel_size = '1 m'\n")
+                  .code,
+              "E0103");
+}
+
+TEST(CloudVolumeDecoder, FilesAreThoseOfVolumes) {
+    EXPECT_EQ(fault("size = [16384, 16384, 16384]").code, "E0126");
+    EXPECT_EQ(fault("size = [8, 8, 8]\nmips = 5").code, "E0110");
+    EXPECT_EQ(fault("size = [8, 8, 8]\npixel_type = 'unorm8'").code, "E0131");
+    EXPECT_EQ(fault("size = [8, 8, 8]\nlayout = 'atlas'\ncolumns = 9").label, "there are 8 slices");
+    EXPECT_EQ(fault("size = [8, 8, 16385]").code, "E0110");
+}
+
+// The noise has two cells a tile.
+TEST(CloudVolumeDecoder, OctavesAreScaled) {
+    EXPECT_EQ(volume("size = [8, 8, 8]").size[0], 8);
+    const Diagnostic coarse = fault("size = [16, 16, 16]", "noise_scale = [3, 1, 1]");
+    EXPECT_EQ(coarse.code, "W0203");
+    EXPECT_EQ(coarse.where.line, 4);
+    EXPECT_EQ(coarse.message,
+              "octave 1 of channel Y of noise `n` (frequency 2 times [3, 1, 1]) has fewer than 4 "
+              "voxels a cell at size 16x16x16");
+    const Diagnostic detail = fault("size = [32, 32, 32]", "detail = 'd'\ndetail_scale = 2");
+    EXPECT_EQ(detail.code, "W0203") << "of the first channel alone";
+    EXPECT_NE(detail.message.find("channel R of noise `d`"), std::string::npos);
+    const auto nothing = only_diagnostic(
+        "[noise.n.channels.Y]\ntype = 'perlin'\nfrequency = 4\n[noise.n]\nsampling = 'corners'\n"
+        "[clouds.c]\nnoise = 'n'\nnoise_scale = 8\nextent = ['1 m', '1 m', '1 m']\n"
+        "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]\n");
+    EXPECT_EQ(nothing.code, "E0127") << "clouds are sampled at the centres of voxels";
+}
+
+TEST(CloudVolumeDecoder, WarnsOfTowersBetweenVoxels) {
+    const auto tower = [](const std::string& name, const std::string& sigma) {
+        return "[clouds.c.towers." + name + "]\ncenter = [0, 0]\namplitude = 1\nsigma = " + sigma +
+               "\n";
+    };
+    const std::string size = "size = [100, 50, 16]";
+    const Diagnostic narrow = fault(size, tower("a", "[0.1, 0.1]") + tower("b", "[0.02, 0.019]") +
+                                              tower("e", "[0.009, 1]") + tower("f", "[0.009, 1]"));
+    EXPECT_EQ(narrow.code, "W0204");
+    EXPECT_EQ(narrow.severity, Severity::warning);
+    EXPECT_EQ(narrow.where.line, 4);
+    EXPECT_EQ(
+        narrow.message,
+        "tower b of cloud `c`, as 2 more, has a sigma of less than a voxel at size 100x50x16");
+    EXPECT_TRUE(parse(volume_recipe(size, tower("a", "[0.011, 0.021]"))).diagnostics.empty());
+    EXPECT_EQ(fault(size, tower("a", "[0.011, 0.021]") + "rotation = '90 deg'").code, "W0204");
+    EXPECT_EQ(fault(size, "scatter.count = 1\nscatter.sigma = [0.015, 0.1]").code, "W0204");
+    EXPECT_TRUE(parse(volume_recipe(size, "scatter.sigma = [0.015, 0.1]")).diagnostics.empty());
+}
+
+}  // namespace
+}  // namespace skybake::config

@@ -1,0 +1,95 @@
+#include "config/tower_list.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/config/clouds.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::cloud_of;
+using testing::cloud_recipe;
+using testing::TemporaryFolder;
+
+std::string tower(const std::string& header, double amplitude) {
+    return header +
+           "\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = " + fmt::format("{}\n", amplitude);
+}
+
+const std::string listed = "[[clouds.c.towers]]";
+
+// "0:1 big:2": names and amplitudes, in the order of summation.
+std::string towers_of(const Cloud& cloud) {
+    std::string text;
+    for (const Tower& each : cloud.towers) {
+        text += fmt::format("{}{}:{}", text.empty() ? "" : " ", each.name, each.amplitude);
+    }
+    return text;
+}
+
+TEST(TowerList, ItemsAreNamedByTheirPlace) {
+    EXPECT_EQ(towers_of(cloud_of(tower(listed, 1) + tower(listed, 2))), "0:1 1:2");
+    EXPECT_EQ(towers_of(cloud_of("towers = []")), "");
+    std::string many;
+    std::string expected;
+    for (int i = 0; i < 12; ++i) {
+        many += tower(listed, i);
+        expected += fmt::format("{}{}:{}", i == 0 ? "" : " ", i, i);
+    }
+    EXPECT_EQ(towers_of(cloud_of(many)), expected) << "as numbers, not as text";
+}
+
+TEST(TowerList, NumbersStandBeforeNames) {
+    EXPECT_EQ(
+        towers_of(cloud_of(tower("[clouds.c.towers.big]", 1) + tower("[clouds.c.towers.10]", 2) +
+                           tower("[clouds.c.towers.9]", 3) + tower("[clouds.c.towers.-1]", 4) +
+                           tower("[clouds.c.towers.009]", 5))),
+        "009:5 9:3 10:2 -1:4 big:1");
+    EXPECT_EQ(towers_of(cloud_of(tower("[clouds.c.towers.99999999999999999999999]", 1) +
+                                 tower("[clouds.c.towers.100000000000000000000000]", 2))),
+              "99999999999999999999999:1 100000000000000000000000:2");
+}
+
+TEST(TowerList, SettingsReachOneTower) {
+    const std::string two = tower(listed, 1) + tower(listed, 2);
+    EXPECT_EQ(towers_of(cloud_of(two, {"clouds.c.towers.1.amplitude=5"})), "0:1 1:5");
+    EXPECT_EQ(towers_of(cloud_of(two, {"clouds.c.towers=[]"})), "");
+    EXPECT_EQ(towers_of(cloud_of(two, {"clouds.c.towers=[{center=[0,0], sigma=[1,1], amplitude=7}]",
+                                       "clouds.c.towers.0.amplitude=8"})),
+              "0:8");
+}
+
+// As arrays do, and as tables do.
+TEST(TowerList, AListReplacesEarlierTowersAndNamesMerge) {
+    const TemporaryFolder folder;
+    folder.write("base.toml", cloud_recipe(tower(listed, 1) + tower(listed, 2)));
+    const auto towers = [&](const std::string& over) {
+        const auto file = folder.write("over.toml", "include = 'base.toml'\n" + over);
+        const auto outcome = load_recipe(file);
+        EXPECT_TRUE(outcome.value) << over;
+        return outcome.value ? towers_of(outcome.value->parameters.clouds.at(0)) : "none";
+    };
+    EXPECT_EQ(towers(""), "0:1 1:2");
+    EXPECT_EQ(towers(tower(listed, 3)), "0:3");
+    EXPECT_EQ(towers("clouds.c.towers = []"), "");
+    EXPECT_EQ(towers(tower("[clouds.c.towers.x]", 3)), "0:1 1:2 x:3");
+    EXPECT_EQ(towers("[clouds.c.towers.1]\namplitude = 3"), "0:1 1:3");
+}
+
+TEST(TowerList, ListsOfPresetsAreReplacedAndReachedAlike) {
+    const std::string thesis = "[noise.shape]\npreset = 'thesis'\n[clouds.c]\npreset = 'thesis'\n";
+    const auto towers = [&](const std::string& over,
+                            const std::vector<std::string>& settings = {}) {
+        const Recipe recipe = testing::valid(thesis + over, settings);
+        return towers_of(recipe.parameters.clouds.at(0));
+    };
+    EXPECT_EQ(towers(""), "0:0.4 1:0.4 2:0.2");
+    EXPECT_EQ(towers("towers.2.amplitude = 1"), "0:0.4 1:0.4 2:1");
+    EXPECT_EQ(towers("", {"clouds.c.towers.0.amplitude=0.5"}), "0:0.5 1:0.4 2:0.2");
+    EXPECT_EQ(towers(tower(listed, 3)), "0:3");
+    EXPECT_EQ(towers(tower(listed, 3), {"clouds.c.towers.0.amplitude=4"}), "0:4")
+        << "a setting does not bring the preset's towers back";
+}
+
+}  // namespace
+}  // namespace skybake::config

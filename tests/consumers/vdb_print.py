@@ -1,0 +1,39 @@
+"""vdb_print, which comes with OpenVDB, lists what the manifest says."""
+
+import re
+
+import consumer
+
+
+def field(text, name):
+    found = re.search(rf"^\s*{re.escape(name)}:\s*(.*?)\s*$", text, re.MULTILINE)
+    return found.group(1) if found else None
+
+
+def main():
+    vdb_print = consumer.program("vdb_print", "libopenvdb-tools")
+    failures = consumer.Failures()
+    for volume in consumer.baked_volumes():
+        text = consumer.output_of(vdb_print, "-l", volume.path("vdb"))
+        head, *grids = re.split(r"^Name: ", text, flags=re.MULTILINE)
+        failures.expect(field(head, "skybake/content_hash"), volume.asset["content_hash"], "the hash")
+        names = [grid.splitlines()[0] for grid in grids]
+        failures.expect(names, volume.grids(), f"the list of grids of {volume.name}")
+        for grid, values in zip(grids, volume.voxels()):
+            active = sum(value != 0 for value in values)
+            for name, wanted in {
+                "Type": "Tree_float_5_4_3",
+                "Background value": "0",
+                "Number of active voxels": f"{active:,}",
+                "Number of active tiles": "0",
+                "class": "fog volume",
+                "file_voxel_count": str(active),
+                "is_saved_as_half_float": "true",
+                "skybake/size": str(volume.size),
+                "units": "metres",
+            }.items():
+                failures.expect(field(grid, name), wanted, f"{volume.name}: {name}")
+    failures.exit()
+
+
+main()

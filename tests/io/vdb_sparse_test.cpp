@@ -1,0 +1,391 @@
+// Sparse files of write_vdb against OpenVDB's own reader, and against trees that OpenVDB built and
+// wrote.
+#include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <sstream>
+
+#include "bakers/io/vdb_volume.h"
+#include "tests/io/files.h"
+#include "tests/io/vdb_samples.h"
+
+namespace skybake {
+namespace {
+
+using config::PixelType;
+using config::VdbCompression;
+using openvdb::Coord;
+using openvdb::FloatGrid;
+using testing::FunctionVoxels;
+using testing::TemporaryFolder;
+using Size = std::array<int, 3>;
+using Function = FunctionVoxels::Function;
+
+BakedVolume sparse_sample(const Size& size, int channels, Function function,
+                          PixelType type = PixelType::half,
+                          VdbCompression compression = VdbCompression::none) {
+    BakedVolume volume = testing::vdb_sample(size, channels, type, compression);
+    volume.sparse = true;
+    volume.levels[0].voxels = std::make_shared<FunctionVoxels>(std::move(function));
+    return volume;
+}
+
+// What the file is to hold of a channel: x fastest, then y, then z.
+std::vector<float> stored_values(const BakedVolume& volume, int channel) {
+    const VoxelBox box = {{}, volume.levels[0].size};
+    std::vector<float> values(static_cast<std::size_t>(box.count()));
+    std::vector<float*> channels(volume.channel_names.size(), nullptr);
+    channels[static_cast<std::size_t>(channel)] = values.data();
+    volume.levels[0].voxels->fill(box, channels);
+    for (float& value : values) {
+        value = round_to_pixel_type(double{value}, volume.pixel_type);
+        if (value == 0) value = 0;  // not -0
+    }
+    return values;
+}
+
+// The plain way: a tree in which the voxels that are not 0 are set.
+FloatGrid::Ptr sparse_grid(const std::vector<float>& values, const Size& size) {
+    FloatGrid::Ptr grid = FloatGrid::create(0.0F);
+    FloatGrid::Accessor accessor = grid->getAccessor();
+    const float* value = values.data();
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x, ++value) {
+                if (*value != 0) accessor.setValueOn(Coord(x, y, z), *value);
+            }
+        }
+    }
+    return grid;
+}
+
+// The bytes that OpenVDB makes of a tree.
+std::string tree_bytes(const FloatGrid& grid, const BakedVolume& volume) {
+    std::uint32_t flags = openvdb::io::COMPRESS_ACTIVE_MASK;
+    if (volume.vdb_compression == VdbCompression::zip) flags |= openvdb::io::COMPRESS_ZIP;
+    if (volume.vdb_compression == VdbCompression::blosc) flags |= openvdb::io::COMPRESS_BLOSC;
+    std::ostringstream out;
+    openvdb::io::setDataCompression(out, flags);
+    const bool half = volume.pixel_type == PixelType::half;
+    grid.tree().writeTopology(out, half);
+    grid.tree().writeBuffers(out, half);
+    return out.str();
+}
+
+// Whether two trees have the same nodes, active voxels and values, bit by bit.
+bool are_equal(const FloatGrid& a, const FloatGrid& b) {
+    if (!a.tree().hasSameTopology(b.tree())) return false;
+    auto other = b.cbeginValueAll();
+    for (auto value = a.cbeginValueAll(); value; ++value, ++other) {
+        if (!other || *value != *other || std::signbit(*value) != std::signbit(*other)) {
+            return false;
+        }
+    }
+    return !other;
+}
+
+std::vector<std::string> grid_names(const BakedVolume& volume) {
+    if (!volume.grid_names.empty()) return volume.grid_names;
+    if (volume.channel_names.size() == 1) return {"density"};
+    return volume.channel_names;
+}
+
+// What is wrong with a file that write_vdb made of the volume, as OpenVDB reads it.
+std::string wrong_for_openvdb(const BakedVolume& volume, const std::filesystem::path& path) {
+    openvdb::initialize();
+    const Size& size = volume.levels[0].size;
+    openvdb::io::File file(path.string());
+    file.open();
+    for (std::size_t channel = 0; channel < volume.channel_names.size(); ++channel) {
+        const std::vector<float> values = stored_values(volume, static_cast<int>(channel));
+        const FloatGrid::Ptr wanted = sparse_grid(values, size);
+        const auto grid =
+            openvdb::gridPtrCast<FloatGrid>(file.readGrid(grid_names(volume)[channel]));
+        if (!are_equal(*grid, *wanted)) return "the tree of a grid";
+        if (grid->getGridClass() != openvdb::GRID_FOG_VOLUME) return "the class";
+        openvdb::CoordBBox bounds = wanted->evalActiveVoxelBoundingBox();
+        if (wanted->empty()) bounds = {Coord(0), Coord(size[0], size[1], size[2]).offsetBy(-1)};
+        if (grid->metaValue<openvdb::Vec3i>("file_bbox_min") != bounds.min().asVec3i() ||
+            grid->metaValue<openvdb::Vec3i>("file_bbox_max") != bounds.max().asVec3i()) {
+            return "the bounds";
+        }
+        const auto count = static_cast<std::int64_t>(wanted->activeVoxelCount());
+        if (grid->metaValue<openvdb::Int64>("file_voxel_count") != count) return "the count";
+        if (grid->metaValue<openvdb::Vec3i>("skybake/size") != openvdb::Vec3i(size.data())) {
+            return "the size";
+        }
+        if (channel + 1 < volume.channel_names.size()) continue;
+        const std::string bytes = testing::read_bytes(path);
+        if (!bytes.ends_with(tree_bytes(*wanted, volume))) return "the bytes of the last tree";
+    }
+    return "";
+}
+
+// What is wrong with it as read_vdb_voxels reads it.
+std::string wrong_for_us(const BakedVolume& volume, const std::filesystem::path& path) {
+    std::vector<std::vector<float>> wanted;
+    for (std::size_t channel = 0; channel < volume.channel_names.size(); ++channel) {
+        wanted.push_back(stored_values(volume, static_cast<int>(channel)));
+    }
+    const Size& size = volume.levels[0].size;
+    std::size_t voxel = 0;
+    bool same = true;
+    const auto read = read_vdb_voxels(path, [&](const VdbSlab& slab) {
+        same &= slab.size == size &&
+                slab.voxels.size() ==
+                    wanted.size() * static_cast<std::size_t>(size[0] * size[1] * slab.depth);
+        for (std::size_t i = 0; same && i < slab.voxels.size(); ++voxel) {
+            for (const auto& values : wanted) same &= slab.voxels[i++] == values[voxel];
+        }
+        return same;
+    });
+    if (!read.value) return read.diagnostics.at(0).message;
+    return same && voxel == wanted[0].size() ? "" : "the voxels of slabs";
+}
+
+std::string wrong_with(const BakedVolume& volume, int threads = 2) {
+    const TemporaryFolder folder;
+    const auto written = testing::write_sample(volume, folder / "v.vdb", threads);
+    if (!written.value) return written.diagnostics.at(0).message;
+    const std::string wrong = wrong_for_openvdb(volume, folder / "v.vdb");
+    return wrong.empty() ? wrong_for_us(volume, folder / "v.vdb") : wrong;
+}
+
+// 0, values that are stored as 0, values that nearly are, and others.
+float speckle(int x, int y, int z, int channel) {
+    const float value = testing::sample_voxel(x, y, z, channel);
+    switch (static_cast<int>(value * 1e6F) % 9) {
+        case 0:
+            return 0.0F;
+        case 1:
+            return -0.0F;
+        case 2:
+            return 0x1p-25F;  // a tie between 0 and the least half
+        case 3:
+            return std::nextafter(0x1p-25F, 1.0F);
+        case 4:
+            return -0x1p-26F;
+        case 5:
+            return -value;
+        default:
+            return value;
+    }
+}
+
+// Speckles within boxes, 0 outside of them.
+struct Boxes {
+    std::vector<VoxelBox> boxes;
+    float operator()(int x, int y, int z, int channel) const {
+        for (const VoxelBox& box : boxes) {
+            const auto inside = [&](int at, std::size_t axis) {
+                return at >= box.origin[axis] && at < box.origin[axis] + box.size[axis];
+            };
+            if (inside(x, 0) && inside(y, 1) && inside(z, 2)) return speckle(x, y, z, channel);
+        }
+        return (x + y) % 2 == 0 ? 0.0F : -0.0F;
+    }
+};
+
+BakedVolume random_volume() {
+    // One axis is so long that the tree has several nodes.
+    Size size = {*rc::gen::inRange(1, 30), *rc::gen::inRange(1, 30), *rc::gen::inRange(1, 30)};
+    size[*rc::gen::inRange<std::size_t>(0, 3)] = *rc::gen::inRange(1, 400);
+    Boxes content;
+    for (int left = *rc::gen::inRange(0, 4); left > 0; --left) {
+        VoxelBox box;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            box.origin[axis] = *rc::gen::inRange(0, size[axis]);
+            box.size[axis] = *rc::gen::inRange(1, 20);
+        }
+        content.boxes.push_back(box);
+    }
+    const auto compression = static_cast<VdbCompression>(*rc::gen::inRange(0, 3));
+    const PixelType type = *rc::gen::element(PixelType::half, PixelType::float32);
+    return sparse_sample(size, *rc::gen::inRange(1, 3), content, type, compression);
+}
+
+RC_GTEST_PROP(VdbSparse, HoldsWhatOpenVdbWouldAndGivesItBack, ()) {
+    const BakedVolume volume = random_volume();
+    RC_ASSERT(wrong_with(volume) == "");
+}
+
+TEST(VdbSparseCases, TheFewestAndTheMostVoxels) {
+    const auto none = [](int, int, int, int) { return -0.0F; };
+    const auto all = [](int, int, int, int) { return 0.5F; };
+    const auto one = [](int x, int y, int z, int) { return x == 129 && y == 7 && z == 8; };
+    for (const VdbCompression compression :
+         {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
+        for (const PixelType type : {PixelType::half, PixelType::float32}) {
+            const Size size = {131, 9, 17};
+            EXPECT_EQ(wrong_with(sparse_sample(size, 1, none, type, compression)), "");
+            EXPECT_EQ(wrong_with(sparse_sample(size, 1, all, type, compression)), "");
+            EXPECT_EQ(wrong_with(sparse_sample(size, 1, one, type, compression)), "");
+        }
+    }
+}
+
+TEST(VdbSparseCases, NodesOf4096Voxels) {
+    const auto far = [](int x, int, int z, int) { return x == 4096 || z == 4097 ? 0.25F : 0.0F; };
+    EXPECT_EQ(wrong_with(sparse_sample({4100, 3, 2}, 1, far)), "");
+    EXPECT_EQ(wrong_with(sparse_sample({2, 3, 4100}, 1, far)), "");
+    const auto both = [](int x, int, int, int) { return x == 0 || x == 4099 ? 0.25F : 0.0F; };
+    EXPECT_EQ(wrong_with(sparse_sample({4100, 3, 2}, 1, both)), "");
+}
+
+TEST(VdbSparseCases, ChannelsHaveVoxelsOfTheirOwn) {
+    // None in the first, second and last, whose grids must be there all the same.
+    const auto third = [](int x, int y, int, int channel) {
+        return channel == 2 && x > 100 && y < 9 ? 0.125F : 0.0F;
+    };
+    EXPECT_EQ(wrong_with(sparse_sample({150, 20, 9}, 4, third)), "");
+    BakedVolume named = sparse_sample({20, 20, 20}, 2, speckle);
+    named.grid_names = {"density", "temperature"};
+    EXPECT_EQ(wrong_with(named), "");
+}
+
+// As dense volumes: the same places, the same values.
+TEST(VdbSparseCases, VoxelsNeedNotBeCubes) {
+    const TemporaryFolder folder;
+    BakedVolume volume = sparse_sample({20, 20, 20}, 1, speckle);
+    volume.voxel_size_m = {10, 20, 40};
+    ASSERT_TRUE(testing::write_sample(volume, folder / "v.vdb").value);
+    openvdb::initialize();
+    openvdb::io::File file((folder / "v.vdb").string());
+    file.open();
+    const auto grid = file.readGrid("density");
+    EXPECT_EQ(grid->indexToWorld(Coord(0)), openvdb::Vec3d(-95, 10.25, 10020));
+    EXPECT_EQ(grid->indexToWorld(Coord(1, 2, 3)), openvdb::Vec3d(-85, 50.25, 10140));
+    const auto read = read_vdb(folder / "v.vdb");
+    ASSERT_TRUE(read.value.has_value());
+    EXPECT_EQ(read.value->grids[0].voxel_size, (std::array{10.0, 20.0, 40.0}));
+    EXPECT_EQ(read.value->grids[0].size, (std::array<std::int64_t, 3>{20, 20, 20}));
+}
+
+// --- How the file is made -----------------------------------------------------------------------
+
+// Balls, most of them in a corner; knows where there are none, and counts what it is asked for.
+class CountedBalls : public VoxelSource {
+  public:
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        ++fills;
+        FunctionVoxels([](int x, int y, int z, int channel) {
+            const int squared = x * x + y * y + z * z;
+            return squared < 90 * 90 ? testing::sample_voxel(x, y, z, channel) : 0.0F;
+        }).fill(box, channels);
+    }
+    bool is_empty(const VoxelBox& box) const override {
+        return box.origin[0] >= 90 || box.origin[1] >= 90 || box.origin[2] >= 90;
+    }
+    mutable std::atomic<int> fills = 0;
+};
+
+struct Written {
+    std::string bytes;
+    int fills = 0;
+};
+
+Written write_balls(int threads, std::size_t most_kept_bytes) {
+    const TemporaryFolder folder;
+    const auto balls = std::make_shared<CountedBalls>();
+    BakedVolume volume = sparse_sample({300, 140, 120}, 2, speckle);
+    volume.levels[0].voxels = balls;
+    testing::write_bytes(folder / "v.vdb", "");
+    EXPECT_TRUE(
+        write_vdb(volume, 0, {}, threads, nullptr, folder / "v.vdb", most_kept_bytes).value);
+    return {testing::read_bytes(folder / "v.vdb"), balls->fills};
+}
+
+TEST(VdbSparseBytes, DependOnNeitherThreadsNorWhatIsKept) {
+    const Written first = write_balls(1, vdb_most_kept_bytes);
+    // Of three nodes one is not empty; of its strips three have voxels of each channel.
+    EXPECT_EQ(first.fills, 2 * 3);
+    for (const std::size_t kept : {std::size_t{0}, first.bytes.size() / 2, first.bytes.size()}) {
+        for (const int threads : {1, 2, 7}) {
+            const Written again = write_balls(threads, kept);
+            EXPECT_TRUE(again.bytes == first.bytes) << threads << " threads, " << kept << " kept";
+            EXPECT_GE(again.fills, first.fills);
+            EXPECT_EQ(again.fills == 2 * first.fills, kept == 0);
+            EXPECT_EQ(again.fills == first.fills, kept == first.bytes.size());
+        }
+    }
+}
+
+TEST(VdbSparseWriteFails, ForValuesThatFilesCannotHold) {
+    const TemporaryFolder folder;
+    const auto code = [&](float value, PixelType type) {
+        const auto one = [=](int x, int y, int z, int channel) {
+            return x == 129 && y == 33 && z == 7 && channel == 1 ? value : 0.0F;
+        };
+        const auto written =
+            testing::write_sample(sparse_sample({130, 40, 20}, 2, one, type), folder / "v.vdb");
+        if (written.diagnostics.empty()) return std::string();
+        EXPECT_NE(written.diagnostics[0].message.find("(129, 33, 7), channel G"), std::string::npos)
+            << written.diagnostics[0].message;
+        return written.diagnostics[0].code;
+    };
+    EXPECT_EQ(code(NAN, PixelType::float32), "E0401");
+    EXPECT_EQ(code(-NAN, PixelType::half), "E0401");
+    EXPECT_EQ(code(INFINITY, PixelType::half), "E0401");
+    EXPECT_EQ(code(65520, PixelType::half), "E0402");
+    EXPECT_EQ(code(65504, PixelType::half), "");
+}
+
+TEST(VdbSparseWriteFails, WhereTheDiskIsFullOrVoxelsThrow) {
+    const auto full = testing::write_sample(sparse_sample({64, 64, 64}, 1, speckle), "/dev/full");
+    EXPECT_EQ(testing::first_code(full.diagnostics), "E0301");
+    const TemporaryFolder folder;
+    const auto thrown = testing::write_sample(
+        sparse_sample({64, 64, 64}, 1, [](int, int, int, int) -> float { throw std::bad_alloc(); }),
+        folder / "v.vdb");
+    EXPECT_EQ(testing::first_code(thrown.diagnostics), "E0301");
+}
+
+TEST(VdbSparseWriteFails, ForNamesThatAreNotOnePerGrid) {
+    const TemporaryFolder folder;
+    const auto code = [&](std::vector<std::string> names) {
+        BakedVolume volume = sparse_sample({4, 4, 4}, 2, speckle);
+        volume.grid_names = std::move(names);
+        return testing::first_code(testing::write_sample(volume, folder / "v.vdb").diagnostics);
+    };
+    EXPECT_EQ(code({"density", "ice"}), "");
+    EXPECT_EQ(code({"density"}), "E0500");
+    EXPECT_EQ(code({"density", "density"}), "E0500");
+    EXPECT_EQ(code({"density", "ice", "ice"}), "E0500");
+    EXPECT_EQ(code({"density", ""}), "E0500");
+}
+
+class CancelledAt : public Progress {
+  public:
+    explicit CancelledAt(double fraction) : fraction_(fraction) {}
+    void advance(std::string_view, double fraction) override {
+        EXPECT_GE(fraction, reached_);
+        reached_ = fraction;
+    }
+    bool cancelled() const override { return reached_ >= fraction_; }
+
+  private:
+    const double fraction_;
+    std::atomic<double> reached_ = 0;
+};
+
+TEST(VdbSparseWriteInterrupted, WhileStripsAreSurveyedAndWhileTheyAreWritten) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "v.vdb", "");
+    const BakedVolume volume = sparse_sample({300, 140, 120}, 1, speckle);
+    for (const double fraction : {0.1, 0.4, 0.6, 0.9}) {
+        CancelledAt progress(fraction);
+        const auto written = write_vdb(volume, 0, {}, 2, &progress, folder / "v.vdb", 0);
+        ASSERT_TRUE(written.value.has_value());
+        EXPECT_FALSE(*written.value) << fraction;
+    }
+    CancelledAt never(2);
+    EXPECT_EQ(write_vdb(volume, 0, {}, 2, &never, folder / "v.vdb", 0).value, true);
+}
+
+}  // namespace
+}  // namespace skybake
