@@ -74,51 +74,118 @@ int count_below_normal(const float* values, std::size_t count, PixelType type) {
     return below;
 }
 
-// In eight lanes, so that no addition waits for the one before; their order is fixed.
-void add_extremes_and_sum(const float* values, std::size_t count, Summary& summary) {
-    constexpr std::size_t kLanes = 8;
-    std::array<float, kLanes> least;
-    std::array<float, kLanes> most;
-    std::array<double, kLanes> sums{};
-    least.fill(values[0]);
-    most.fill(values[0]);
-    std::size_t i = 0;
-    for (; i + kLanes <= count; i += kLanes) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            const float value = values[i + lane];
-            least[lane] = value < least[lane] ? value : least[lane];
-            most[lane] = value > most[lane] ? value : most[lane];
-            sums[lane] += double{value};
-        }
-    }
-    for (; i < count; ++i) {
-        least[0] = std::min(least[0], values[i]);
-        most[0] = std::max(most[0], values[i]);
-        sums[0] += double{values[i]};
-    }
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        summary.min = std::min(summary.min, double{least[lane]});
-        summary.max = std::max(summary.max, double{most[lane]});
-        summary.sum += sums[lane];
-    }
+bool is_zero(const float* values, std::size_t count) {
+    int others = 0;
+    for (std::size_t i = 0; i < count; ++i) others |= values[i] == 0 ? 0 : 1;
+    return others == 0;
 }
 
-void add_histogram(const float* values, std::size_t count, std::array<double, 2> range,
-                   Summary& summary) {
-    const double scale = kHistogramBins / (range[1] - range[0]);
-    // Two counters a bin: neighbours are alike, and the second need not wait for the first. The
-    // last bin is for values outside.
-    std::array<std::array<int, kHistogramBins + 1>, 2> counts{};
-    for (std::size_t i = 0; i < count; ++i) {
-        const double value = values[i];
-        const bool inside = value >= range[0] && value <= range[1];
-        const int bin = std::min(static_cast<int>((inside ? value - range[0] : 0.0) * scale),
-                                 kHistogramBins - 1);
-        ++counts[i % 2][static_cast<std::size_t>(inside ? bin : kHistogramBins)];
+// Extremes and sum of one channel, in eight lanes, so that no addition waits for the one before;
+// their order is fixed: value i of a box belongs to lane i mod 8.
+class LaneSummary {
+  public:
+    void add(const float* values, std::size_t count) {
+        std::size_t i = 0;
+        for (; i + kLanes <= count; i += kLanes) {
+            for (std::size_t lane = 0; lane < kLanes; ++lane) add(lane, values[i + lane]);
+        }
+        for (std::size_t lane = 0; i < count; ++i, ++lane) add(lane, values[i]);
     }
-    for (std::size_t bin = 0; bin < kHistogramBins; ++bin) {
-        summary.histogram[bin] += counts[0][bin] + counts[1][bin];
+
+    // What adding zeros alone would do: no sum changes.
+    void add_zeros() {
+        least_[0] = std::min(least_[0], 0.0f);
+        most_[0] = std::max(most_[0], 0.0f);
     }
+
+    void finish(Summary& summary) const {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            summary.min = std::min(summary.min, double{least_[lane]});
+            summary.max = std::max(summary.max, double{most_[lane]});
+            summary.sum += sums_[lane];
+        }
+    }
+
+  private:
+    static constexpr std::size_t kLanes = 8;
+
+    void add(std::size_t lane, float value) {
+        least_[lane] = value < least_[lane] ? value : least_[lane];
+        most_[lane] = value > most_[lane] ? value : most_[lane];
+        sums_[lane] += double{value};
+    }
+
+    static constexpr std::array<float, kLanes> all(float value) {
+        std::array<float, kLanes> lanes;
+        lanes.fill(value);
+        return lanes;
+    }
+
+    std::array<float, kLanes> least_ = all(std::numeric_limits<float>::infinity());
+    std::array<float, kLanes> most_ = all(-std::numeric_limits<float>::infinity());
+    std::array<double, kLanes> sums_{};
+};
+
+// The bin of a value; the one past the last for values outside.
+std::size_t bin_of(double value, std::array<double, 2> range, double scale) {
+    const bool inside = value >= range[0] && value <= range[1];
+    const int bin =
+        std::min(static_cast<int>((inside ? value - range[0] : 0.0) * scale), kHistogramBins - 1);
+    return static_cast<std::size_t>(inside ? bin : kHistogramBins);
+}
+
+// Counts of one channel. Two counters a bin: neighbours are alike, and the second need not wait for
+// the first.
+class Histogram {
+  public:
+    explicit Histogram(std::array<double, 2> range)
+        : range_(range), scale_(kHistogramBins / (range[1] - range[0])) {}
+
+    void add(const float* values, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            ++counts_[i % 2][bin_of(double{values[i]}, range_, scale_)];
+        }
+    }
+
+    void add_zeros(std::size_t count) {
+        counts_[0][bin_of(0, range_, scale_)] += static_cast<int>(count);
+    }
+
+    void finish(Summary& summary) const {
+        for (std::size_t bin = 0; bin < kHistogramBins; ++bin) {
+            summary.histogram[bin] += counts_[0][bin] + counts_[1][bin];
+        }
+    }
+
+  private:
+    std::array<double, 2> range_;
+    double scale_;
+    std::array<std::array<int, kHistogramBins + 1>, 2> counts_{};
+};
+
+// Rounds the values of one channel of a box and sums them up, piece by piece while a piece is in
+// the first cache. Most pieces of a cloud's box are empty, and cost a look.
+Summary summarize(float* values, std::size_t count, std::array<double, 2> range, PixelType type) {
+    constexpr std::size_t kPiece = 4096;
+    Summary summary;
+    LaneSummary lanes;
+    Histogram histogram(range);
+    for (std::size_t i = 0; i < count; i += kPiece) {
+        const std::size_t piece = std::min(kPiece, count - i);
+        float* const from = values + i;
+        if (is_zero(from, piece)) {
+            lanes.add_zeros();
+            histogram.add_zeros(piece);
+            continue;
+        }
+        summary.below_normal += count_below_normal(from, piece, type);
+        round_values(from, piece, type);
+        lanes.add(from, piece);
+        histogram.add(from, piece);
+    }
+    lanes.finish(summary);
+    histogram.finish(summary);
+    return summary;
 }
 
 void add(const Summary& part, Summary& whole) {
@@ -196,13 +263,9 @@ class Survey {
         const std::vector<const float*> values(planes.begin(), planes.end());
         slot.bad = first_bad(values, count, volume_.pixel_type);
         if (slot.bad) return;
-        slot.channels.assign(channels, {});
+        slot.channels.clear();
         for (std::size_t c = 0; c < channels; ++c) {
-            Summary& summary = slot.channels[c];
-            summary.below_normal = count_below_normal(planes[c], count, volume_.pixel_type);
-            round_values(planes[c], count, volume_.pixel_type);
-            add_extremes_and_sum(planes[c], count, summary);
-            add_histogram(planes[c], count, ranges_[c], summary);
+            slot.channels.push_back(summarize(planes[c], count, ranges_[c], volume_.pixel_type));
         }
         slot.bytes.resize(count * channels *
                           static_cast<std::size_t>(bytes_per_value(volume_.pixel_type)));

@@ -14,7 +14,7 @@ namespace skybake {
 // has more. A pure function of its arguments: sums over boxes are the same on every machine.
 class BoxSequence {
   public:
-    static constexpr std::int64_t kFloats = 1 << 22;  // 16 MiB
+    static constexpr std::int64_t kFloats = 1 << 21;  // 8 MiB
 
     BoxSequence(std::array<int, 3> size, int channels, int columns = 1);
 

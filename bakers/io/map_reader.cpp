@@ -65,9 +65,8 @@ const char* format_of(const std::filesystem::path& path) {
     // The library would abort the program for a channel of unknown type in a deep image.
     constexpr std::size_t flags_at = 5;
     constexpr int deep_flag = 0x08;
-    expect(format->name != "openexr"sv ||
-               (begin.size() > flags_at && (begin[flags_at] & deep_flag) == 0),
-           "it is a deep image");
+    const bool deep = begin.size() > flags_at && (begin[flags_at] & deep_flag) != 0;
+    expect(format->name != "openexr"sv || !deep, "it is a deep image");
     return format->name;
 }
 
@@ -134,8 +133,8 @@ void expect_plain_samples(const ImageSpec& picture) {
 
 // --- Pixels -------------------------------------------------------------------------------------
 
-// Calls `row_ready` with rows [y_begin, y_end) of a channel, top to bottom, as the file's type or
-// whatever else `type` is.
+// Calls `rows_ready` with some rows of a channel after the other, top to bottom, as values of
+// `type`.
 //
 // Row by row where there are no tiles: for whole strips of TIFF the library decodes by itself, and
 // reports success where that fails.

@@ -69,13 +69,11 @@ class BlockVoxels {
         for (int y = rows_.y().first; y < rows_.y().last; y += boxes.back().size[1]) {
             const int first = wrapped(y, grid.voxels[1]);
             const int height = std::min(rows_.y().last - y, grid.voxels[1] - first);
-            boxes.push_back(
-                {{0, first, planes_.first}, {grid.voxels[0], height, planes_.count()}});
+            boxes.push_back({{0, first, planes_.first}, {grid.voxels[0], height, planes_.count()}});
             count += static_cast<std::size_t>(boxes.back().count());
         }
-        empty_ = std::all_of(boxes.begin(), boxes.end(), [&](const VoxelBox& box) {
-            return source.voxels.is_empty(box);
-        });
+        empty_ = std::all_of(boxes.begin(), boxes.end(),
+                             [&](const VoxelBox& box) { return source.voxels.is_empty(box); });
         if (empty_) return;
         voxels_.resize(count);
         float* target = voxels_.data();

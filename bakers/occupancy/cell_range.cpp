@@ -55,9 +55,7 @@ class SeenRows {
     }
 
     Magnitudes magnitudes(int y, int z) const { return magnitudes_[index(y, z)]; }
-    VoxelRow row(int y, int z) const {
-        return {rows_.at(y, z), &faces_[cells_ * index(y, z)]};
-    }
+    VoxelRow row(int y, int z) const { return {rows_.at(y, z), &faces_[cells_ * index(y, z)]}; }
 
   private:
     std::size_t index(int y, int z) const {

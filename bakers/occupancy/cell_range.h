@@ -47,7 +47,7 @@ CellRanges cell_ranges(const float* voxels, const CellGrid& grid, config::Occupa
 struct ChannelSource {
     const VoxelSource& voxels;
     int channel = 0;
-    int channels = 1;                                         // of the source
+    int channels = 1;                                           // of the source
     config::PixelType pixel_type = config::PixelType::float32;  // as which it is stored
 };
 

@@ -31,8 +31,8 @@ std::vector<double> positions_of(Span cell, OccupancyFilter filter) {
 
 double value_at(const float* voxels, const CellGrid& grid, OccupancyFilter filter, double x,
                 double y, double z) {
-    const OccupancyFilter lookup = filter == OccupancyFilter::trilinear ? filter
-                                                                        : OccupancyFilter::nearest;
+    const OccupancyFilter lookup =
+        filter == OccupancyFilter::trilinear ? filter : OccupancyFilter::nearest;
     const AxisTaps along_x = filter_taps(lookup, x, grid.voxels[0], true);
     const AxisTaps along_y = filter_taps(lookup, y, grid.voxels[1], true);
     const AxisTaps along_z = filter_taps(lookup, z, grid.voxels[2], false);

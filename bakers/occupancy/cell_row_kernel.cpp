@@ -194,8 +194,8 @@ std::size_t face_means_of_fours(const float* voxels, std::size_t length, double*
         const auto pairs = hn::BitCast(kFloats, hn::ConcatEven(kDoubles, second, first));
         const DoubleVector lower = hn::PromoteTo(kDoubles, hn::LowerHalf(kFewFloats, pairs));
         const DoubleVector upper = hn::PromoteTo(kDoubles, hn::UpperHalf(kFewFloats, pairs));
-        const DoubleVector sum = hn::Add(hn::ConcatEven(kDoubles, upper, lower),
-                                         hn::ConcatOdd(kDoubles, upper, lower));
+        const DoubleVector sum =
+            hn::Add(hn::ConcatEven(kDoubles, upper, lower), hn::ConcatOdd(kDoubles, upper, lower));
         hn::StoreU(hn::Mul(sum, half), kDoubles, means + k);
     }
     return k;
@@ -213,8 +213,8 @@ void join(const Extremes<double>& along, const Extremes<double>& faces, std::siz
         most[k] = along.most[k * cell];
     }
     for (std::size_t k = 0; k < count; k += kDoubleLanes) {
-        const auto low = hn::Min(hn::LoadU(kDoubles, &faces.least[k]),
-                                 hn::LoadU(kDoubles, &faces.least[k + 1]));
+        const auto low =
+            hn::Min(hn::LoadU(kDoubles, &faces.least[k]), hn::LoadU(kDoubles, &faces.least[k + 1]));
         const auto high =
             hn::Max(hn::LoadU(kDoubles, &faces.most[k]), hn::LoadU(kDoubles, &faces.most[k + 1]));
         hn::StoreU(hn::Min(hn::LoadU(kDoubles, least + k), low), kDoubles, least + k);

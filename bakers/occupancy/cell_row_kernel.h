@@ -25,8 +25,8 @@ Magnitudes magnitudes_of(const float* values, std::size_t count);
 // hold them if l + 4 - (s - 23) <= 53. Halving is exact, as floats are far from double's denormals.
 bool means_are_exact(const Magnitudes& magnitudes);
 
-// The filter's values where a row of voxels along x meets the lower faces of its cells: means of two
-// voxels, in `means` one per cell. The voxel before the first face is the row's last.
+// The filter's values where a row of voxels along x meets the lower faces of its cells: means of
+// two voxels, in `means` one per cell. The voxel before the first face is the row's last.
 void face_means(const float* voxels, std::size_t length, int cell, double* means);
 
 struct VoxelRow {

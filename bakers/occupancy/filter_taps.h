@@ -23,8 +23,8 @@ struct AxisTaps {
 //              "Fast third-order texture filtering", GPU Gems 2, 2005
 AxisTaps filter_taps(config::OccupancyFilter filter, double position, int size, bool repeats);
 
-// The filtered value in double; value(x, y, z) is that of a voxel. Weights >= 0 round it by 1e-15 of
-// the greatest voxel used.
+// The filtered value in double; value(x, y, z) is that of a voxel. Weights >= 0 round it by 1e-15
+// of the greatest voxel used.
 template <class Value>
 double filtered_in_double(const std::array<AxisTaps, 3>& taps, const Value& value) {
     double sum = 0;

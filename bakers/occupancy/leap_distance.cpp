@@ -110,10 +110,11 @@ bool step_from_row(const std::uint8_t* other, std::uint8_t* row, std::size_t wid
     auto changes = hn::Zero(kTag);
     std::size_t x = 0;
     const auto step = [&](std::size_t at) HWY_ATTR {
-        const auto beside = hn::Min(hn::LoadU(kTag, other + at - 1), hn::LoadU(kTag, other + at + 1));
+        const auto beside =
+            hn::Min(hn::LoadU(kTag, other + at - 1), hn::LoadU(kTag, other + at + 1));
         const auto before = hn::LoadU(kTag, row + at);
-        const auto after = hn::Min(
-            before, hn::SaturatedAdd(hn::Min(beside, hn::LoadU(kTag, other + at)), one));
+        const auto after =
+            hn::Min(before, hn::SaturatedAdd(hn::Min(beside, hn::LoadU(kTag, other + at)), one));
         hn::StoreU(after, kTag, row + at);
         return hn::Xor(before, after);
     };
@@ -250,9 +251,9 @@ std::vector<std::uint8_t> leap_distance_reference(const OccupiedCells& cells) {
     for_each_cell([&](int x, int y, int z) {
         int nearest = kFarthest;
         for (const auto& [other_x, other_y, other_z] : occupied) {
-            nearest = std::min(nearest, std::max({wrapped_distance(x, other_x, size[0]),
-                                                  wrapped_distance(y, other_y, size[1]),
-                                                  std::abs(z - other_z)}));
+            nearest = std::min(
+                nearest, std::max({wrapped_distance(x, other_x, size[0]),
+                                   wrapped_distance(y, other_y, size[1]), std::abs(z - other_z)}));
         }
         distances.push_back(static_cast<std::uint8_t>(nearest));
     });

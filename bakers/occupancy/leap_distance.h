@@ -18,17 +18,18 @@ namespace skybake::occupancy {
 //            after steps 1, 2, 4, ... 2^m any way of up to 2^(m + 1) - 1 cells is the sum of some.
 //   along y  d(x, y) = min(d(x, y), 1 + the least of d(x - 1 ... x + 1, y -+ 1)), upwards, then
 //            downwards, each going on around the tile until a row does not change.
-//   along z  d(x, y, z) = min(d(x, y, z), 1 + the least of the 3 x 3 of plane z -+ 1), upwards, then
+//   along z  d(x, y, z) = min(d(x, y, z), 1 + the least of the 3 x 3 of plane z -+ 1), upwards,
+//   then
 //            downwards.
 // Proof. Every value is the length of some way to an occupied cell, so never too small. A shortest
 // way of n steps between cells dx, dy, dz apart, n = max(|dx|, |dy|, |dz|), can be ordered to first
 // go |dx| - max(|dy|, |dz|) steps along x alone, if that is positive, then max(|dy|, |dz|) - |dz|
-// steps along y, each with a step along x if one is left, then |dz| steps along z with steps along x
-// and y as they are left, each coordinate in one direction only. The passes follow it in this order,
-// and none needs those before it again: the 3 (or 3 x 3) least of a 1-Lipschitz field, plus 1, and
-// the lesser of two such fields, are 1-Lipschitz along x (and y) themselves, so that further steps
-// along x alone change nothing. A row of y's second time around depends on the row before alone:
-// where that has not changed, nothing after it does.
+// steps along y, each with a step along x if one is left, then |dz| steps along z with steps along
+// x and y as they are left, each coordinate in one direction only. The passes follow it in this
+// order, and none needs those before it again: the 3 (or 3 x 3) least of a 1-Lipschitz field, plus
+// 1, and the lesser of two such fields, are 1-Lipschitz along x (and y) themselves, so that further
+// steps along x alone change nothing. A row of y's second time around depends on the row before
+// alone: where that has not changed, nothing after it does.
 std::vector<std::uint8_t> leap_distance(const OccupiedCells& cells);
 
 // The same by looking from each cell at every occupied one: for tests.

@@ -74,9 +74,9 @@ class March {
                 continue;
             }
             const CellIndex cell = cell_of(k);
-            const std::size_t index = index_of(cells.size, axes_[0].wrapped_cell(cell[0]),
-                                               axes_[1].wrapped_cell(cell[1]),
-                                               static_cast<int>(cell[2]));
+            const std::size_t index =
+                index_of(cells.size, axes_[0].wrapped_cell(cell[0]), axes_[1].wrapped_cell(cell[1]),
+                         static_cast<int>(cell[2]));
             ++structure_fetches_;
             const bool leap = how == Skipping::leaps;
             const bool empty = leap ? leaps[index] > 0 : cells.occupied[index] == 0;

@@ -16,8 +16,8 @@ struct MarchedVolume {
     const float* voxels = nullptr;  // x fastest
     CellGrid grid;
     std::array<double, 3> extent{};  // of the tile, in the units of rays
-    // The extinction of value v is v * smoothstep(threshold, threshold + edge_softness, v) where the
-    // threshold comes after filtering, else v; 0 where v is not greater than the threshold.
+    // The extinction of value v is v * smoothstep(threshold, threshold + edge_softness, v) where
+    // the threshold comes after filtering, else v; 0 where v is not greater than the threshold.
     bool has_edge = false;
     float threshold = 0;
     double edge_softness = 0;

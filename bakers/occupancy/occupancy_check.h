@@ -13,15 +13,15 @@
 namespace skybake::occupancy {
 
 struct OccupancyCheckResult {
-    std::int64_t points = 0;         // looked at
-    std::int64_t lost = 0;           // of them: in an empty cell, above the threshold
-    float worst_value = 0;           // the greatest of those lost
-    std::array<double, 3> place{};   // where: in voxel units, voxel i from i to i + 1
-    std::array<int, 3> cell{};       // which holds it
+    std::int64_t points = 0;        // looked at
+    std::int64_t lost = 0;          // of them: in an empty cell, above the threshold
+    float worst_value = 0;          // the greatest of those lost
+    std::array<double, 3> place{};  // where: in voxel units, voxel i from i to i + 1
+    std::array<int, 3> cell{};      // which holds it
 };
 
-// Takes the voxels of a volume once, in the order x, y, z, in pieces of any length, and looks at the
-// first so many points of Roberts' sequence (low_discrepancy_point) as soon as the planes about
+// Takes the voxels of a volume once, in the order x, y, z, in pieces of any length, and looks at
+// the first so many points of Roberts' sequence (low_discrepancy_point) as soon as the planes about
 // them are there. Memory: four planes of one channel and four bytes a point.
 class OccupancyCheck {
   public:

@@ -67,7 +67,8 @@ void add_ring(OccupiedCells& cells) {
 OccupiedCells occupied_cells(const CellRanges& ranges, float threshold) {
     OccupiedCells cells{ranges.size, {}};
     cells.occupied.reserve(ranges.maximum.size());
-    for (const float maximum : ranges.maximum) cells.occupied.push_back(maximum > threshold ? 1 : 0);
+    for (const float maximum : ranges.maximum)
+        cells.occupied.push_back(maximum > threshold ? 1 : 0);
     return cells;
 }
 

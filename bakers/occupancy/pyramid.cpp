@@ -60,8 +60,7 @@ CellRanges next_level(const CellRanges& ranges) {
 }
 
 OccupiedCells next_level(const OccupiedCells& cells) {
-    return {next_level_size(cells.size),
-            halved(cells.occupied, cells.size, greater<std::uint8_t>)};
+    return {next_level_size(cells.size), halved(cells.occupied, cells.size, greater<std::uint8_t>)};
 }
 
 }  // namespace skybake::occupancy

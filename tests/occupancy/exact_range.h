@@ -9,8 +9,8 @@
 
 namespace skybake::test {
 
-// 2^-kUnit is the unit of voxels, which are below 2^21 in magnitude and multiples of 2^-84, or below
-// 2^-40 and multiples of 2^-149: eight of them fit in 128 bits.
+// 2^-kUnit is the unit of voxels, which are below 2^21 in magnitude and multiples of 2^-84, or
+// below 2^-40 and multiples of 2^-149: eight of them fit in 128 bits.
 __extension__ using Wide = __int128;
 
 inline int unit_of(Values values) { return values == Values::denormals ? 149 : 84; }

@@ -1,0 +1,141 @@
+// Speed of occupancy grids on one thread, CPU time: bytes_per_second are of densities read.
+// tests/benchmarks/README.md keeps the figures reached.
+//
+// Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
+// --benchmark_report_aggregates_only=true.
+#include <benchmark/benchmark.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bakers/core/aligned_floats.h"
+#include "bakers/core/keep_memory.h"
+#include "bakers/occupancy/cell_range.h"
+#include "bakers/occupancy/leap_distance.h"
+#include "bakers/occupancy/occupied_cells.h"
+
+namespace skybake::occupancy {
+namespace {
+
+using config::OccupancyFilter;
+
+// Multiples of 2^-24 in [0, 1), none like its neighbour: no cell is easier than another.
+float noise_at(std::size_t index) {
+    auto bits = static_cast<std::uint32_t>(index);
+    bits = (bits ^ (bits >> 16)) * 0x7feb352dU;
+    bits = (bits ^ (bits >> 15)) * 0x846ca68bU;
+    return static_cast<float>(bits >> 8) * 0x1p-24F;
+}
+
+const AlignedFloats& noise_volume(int size) {
+    static AlignedFloats voxels;
+    const std::size_t count = count_of({size, size, size});
+    if (voxels.size() != count) {
+        voxels.resize(count);
+        for (std::size_t i = 0; i < count; ++i) voxels[i] = noise_at(i);
+    }
+    return voxels;
+}
+
+void ranges(benchmark::State& state, OccupancyFilter filter, int size, int cell) {
+    const AlignedFloats& voxels = noise_volume(size);
+    const CellGrid grid{{size, size, size}, cell};
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(cell_ranges(voxels.data(), grid, filter));
+    }
+    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
+                            static_cast<std::int64_t>(voxels.size() * sizeof(float)));
+}
+
+void ranges_on(benchmark::State& state, std::int64_t target, int size) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    ranges(state, OccupancyFilter::trilinear, size, 4);
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+// What reading alone takes.
+void reads(benchmark::State& state, int size) {
+    const AlignedFloats& voxels = noise_volume(size);
+    for (auto _ : state) {
+        float greatest[16] = {};
+        for (std::size_t i = 0; i < voxels.size(); i += 16) {
+            for (std::size_t lane = 0; lane < 16; ++lane) {
+                greatest[lane] = std::max(greatest[lane], voxels[i + lane]);
+            }
+        }
+        benchmark::DoNotOptimize(greatest);
+    }
+    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
+                            static_cast<std::int64_t>(voxels.size() * sizeof(float)));
+}
+
+// A layer of clouds over a fifth of the height: about one cell in eight is occupied.
+OccupiedCells cloud_layer(int size) {
+    OccupiedCells cells{{size, size, size}, {}};
+    for (int z = 0; z < size; ++z) {
+        for (int y = 0; y < size; ++y) {
+            for (int x = 0; x < size; ++x) {
+                const double wave = std::sin(x * 0.2) + std::sin(y * 0.17) + std::sin(z * 0.3);
+                cells.occupied.push_back(5 * z < size && wave > 0.3 ? 1 : 0);
+            }
+        }
+    }
+    return cells;
+}
+
+void leaps(benchmark::State& state, const OccupiedCells& cells) {
+    for (auto _ : state) benchmark::DoNotOptimize(leap_distance(cells));
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) *
+                            static_cast<std::int64_t>(cells.occupied.size()));
+}
+
+void register_all() {
+    using benchmark::RegisterBenchmark;
+    const auto milliseconds = [](benchmark::internal::Benchmark* b) {
+        b->Unit(benchmark::kMillisecond);
+    };
+    for (const int size : {128, 512}) {
+        const std::string name = std::to_string(size);
+        milliseconds(RegisterBenchmark(("read_" + name).c_str(), reads, size));
+        milliseconds(RegisterBenchmark(("range_nearest_" + name).c_str(), ranges,
+                                       OccupancyFilter::nearest, size, 4));
+        for (const int cell : {2, 4, 8, 16}) {
+            milliseconds(RegisterBenchmark(
+                ("range_trilinear_" + name + "_cell" + std::to_string(cell)).c_str(), ranges,
+                OccupancyFilter::trilinear, size, cell));
+        }
+        milliseconds(RegisterBenchmark(("range_tricubic_" + name).c_str(), ranges,
+                                       OccupancyFilter::tricubic, size, 4));
+        for (const auto& [on, target] :
+             {std::pair<const char*, std::int64_t>{"_on_avx512", HWY_AVX3},
+              {"_on_avx2", HWY_AVX2}}) {
+            if ((hwy::SupportedTargets() & target) == 0) continue;
+            milliseconds(RegisterBenchmark(("range_trilinear_" + name + on).c_str(), ranges_on,
+                                           target, size));
+        }
+    }
+    milliseconds(RegisterBenchmark("leap_128_cloud_layer", leaps, cloud_layer(128)));
+    OccupiedCells single{{128, 128, 128}, std::vector<std::uint8_t>(128 * 128 * 128)};
+    single.occupied[0] = 1;
+    milliseconds(RegisterBenchmark("leap_128_single_cell", leaps, single));
+    OccupiedCells dense = single;
+    for (std::size_t i = 0; i < dense.occupied.size(); i += 7) dense.occupied[i] = 1;
+    milliseconds(RegisterBenchmark("leap_128_one_cell_in_seven", leaps, dense));
+}
+
+}  // namespace
+}  // namespace skybake::occupancy
+
+int main(int argc, char** argv) {
+    skybake::keep_freed_memory();  // as the program does
+    skybake::occupancy::register_all();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}

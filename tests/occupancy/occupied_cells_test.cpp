@@ -1,0 +1,116 @@
+#include "bakers/occupancy/occupied_cells.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+
+#include "tests/occupancy/exact_range.h"
+#include "tests/support/volumes.h"
+
+namespace skybake::occupancy {
+namespace {
+
+using config::OccupancyFilter;
+using test::Values;
+using test::Volume;
+
+// Both ways: an occupied cell has a point whose filtered value is above the threshold, an empty one
+// has none; for thresholds of all kinds, those that voxels and their means hold among them.
+TEST(OccupiedCells, AreThoseThatLookupsCanFind) {
+    EXPECT_TRUE(rc::check([] {
+        const Values values = test::any_values();
+        const Volume volume = test::any_volume(20, values);
+        const int unit = test::unit_of(values);
+        const CellRanges ranges =
+            cell_ranges(volume.voxels.data(), volume.grid, OccupancyFilter::trilinear);
+        const auto any_voxel = [&] {
+            return volume.voxels[*rc::gen::inRange<std::size_t>(0, volume.voxels.size())];
+        };
+        const float mean = static_cast<float>((double{any_voxel()} + double{any_voxel()}) / 2);
+        const float of_cell =
+            ranges.maximum[*rc::gen::inRange<std::size_t>(0, ranges.maximum.size())];
+        for (const float threshold : {0.0F, 1.0F, any_voxel(), mean, of_cell}) {
+            if (values == Values::denormals && threshold == 1.0F) continue;  // beyond its units
+            const OccupiedCells cells = occupied_cells(ranges, threshold);
+            std::size_t index = 0;
+            for (int k = 0; k < cells.size[2]; ++k) {
+                for (int j = 0; j < cells.size[1]; ++j) {
+                    for (int i = 0; i < cells.size[0]; ++i) {
+                        const test::ExactRange range = test::exact_range(volume, {i, j, k}, unit);
+                        const bool above = range.most > 8 * test::in_units(threshold, unit);
+                        RC_ASSERT((cells.occupied[index++] != 0) == above);
+                    }
+                }
+            }
+        }
+    }));
+}
+
+OccupiedCells thesis_by_hand(const Volume& volume, float threshold) {
+    OccupiedCells cells{volume.grid.size(), {}};
+    cells.occupied.resize(count_of(cells.size));
+    std::vector<int> above(cells.occupied.size());
+    std::vector<int> voxels(cells.occupied.size());
+    const auto cell_of = [&](int x, int y, int z) {
+        const int cell = volume.grid.cell;
+        return index_of(cells.size, x / cell, y / cell, z / cell);
+    };
+    const auto for_each = [](const std::array<int, 3>& size, const auto& visit) {
+        for (int z = 0; z < size[2]; ++z) {
+            for (int y = 0; y < size[1]; ++y) {
+                for (int x = 0; x < size[0]; ++x) visit(x, y, z);
+            }
+        }
+    };
+    for_each(volume.grid.voxels, [&](int x, int y, int z) {
+        ++voxels[cell_of(x, y, z)];
+        above[cell_of(x, y, z)] += volume.at(x, y, z) > threshold ? 1 : 0;
+    });
+    for_each(cells.size, [&](int x, int y, int z) {
+        const std::size_t at = index_of(cells.size, x, y, z);
+        if (above[at] < voxels[at] / 8.0) return;
+        for_each({3, 3, 3}, [&](int i, int j, int k) {
+            const std::array<int, 3> other = {x + i - 1, y + j - 1, z + k - 1};
+            for (std::size_t a = 0; a < 3; ++a) {
+                if (other[a] < 0 || other[a] >= cells.size[a]) return;
+            }
+            cells.occupied[index_of(cells.size, other[0], other[1], other[2])] = 1;
+        });
+    });
+    return cells;
+}
+
+TEST(OccupiedCells, AsInThesisAreEighthsAndARing) {
+    EXPECT_TRUE(rc::check([] {
+        const Volume volume =
+            test::any_volume(40, *rc::gen::element(Values::uniform, Values::sparse, Values::steps));
+        const float threshold = *rc::gen::element(0.0F, 0.5F, 0.75F, 0.875F, 0.9F);
+        const OccupiedCells wanted = thesis_by_hand(volume, threshold);
+        const OccupiedCells found =
+            occupied_cells_as_in_thesis(volume.voxels.data(), volume.grid, threshold, 2);
+        RC_ASSERT(found.size == wanted.size);
+        RC_ASSERT(found.occupied == wanted.occupied);
+        const testing::FunctionVoxels source(
+            [&](int x, int y, int z, int) { return volume.at(x, y, z); });
+        RC_ASSERT(
+            occupied_cells_as_in_thesis({source, 0, 1}, volume.grid, threshold, {3}).occupied ==
+            wanted.occupied);
+    }));
+}
+
+TEST(OccupiedCells, AsInThesisCountEightOf64) {
+    Volume volume = test::volume_of({{20, 20, 20}, 4});
+    for (int i = 0; i < 7; ++i) volume.at(8 + i % 4, 8 + i / 4, 9) = 1;
+    const auto count = [&] {
+        const OccupiedCells cells =
+            occupied_cells_as_in_thesis(volume.voxels.data(), volume.grid, 0);
+        return std::count(cells.occupied.begin(), cells.occupied.end(), 1);
+    };
+    EXPECT_EQ(count(), 0);
+    volume.at(11, 11, 11) = 0x1p-149F;
+    EXPECT_EQ(count(), 27);
+}
+
+}  // namespace
+}  // namespace skybake::occupancy
