@@ -100,6 +100,36 @@ std::string volume_text(const VolumeFacts& volume) {
     return text + fmt::format("  seam: {:.2g}\n", volume.seam_error);
 }
 
+std::string notes_text(const AssetReport& asset) {
+    std::string text;
+    for (const std::string& note : asset.notes) text += fmt::format("  {}\n", note);
+    return text;
+}
+
+std::string skipping_text(const AssetReport& asset) {
+    const SkippingFacts& skipping = *asset.skipping;
+    TextTable table({Align::left, Align::right, Align::right, Align::right, Align::right,
+                     Align::right, Align::right, Align::right, Align::right});
+    table.add_row({"structure", "occupied", "lost samples", "rays changed", "up", "within", "down",
+                   "bytes", "time"});
+    for (const SkippingRow& row : skipping.rows) {
+        table.add_row({row.structure, fmt::format("{:.2f} %", 100 * row.occupied_share),
+                       fmt::format("{} of {}", row.lost_samples, row.samples),
+                       fmt::format("{}", row.changed_rays), fmt::format("{:.1f}", row.fetches[0]),
+                       fmt::format("{:.1f}", row.fetches[1]), fmt::format("{:.1f}", row.fetches[2]),
+                       bytes_text(row.structure_bytes), time_text(row.time_ms)});
+    }
+    return fmt::format(
+        "{} ({})\n"
+        "  cells of {} voxels over {}; the smallest share that is safe is {:.2f} %\n"
+        "  up, within, down: fetches of density and structure, mean of {} rays each, up to 500 "
+        "steps of 1/600 tile\n"
+        "  time: {}, median of {}\n\n{}",
+        asset.name, asset.kind, skipping.cell, size_text(skipping.size),
+        100 * skipping.smallest_safe_share, skipping.rays, asset.timing, asset.repetitions,
+        table.text());
+}
+
 std::string asset_text(const AssetReport& asset) {
     std::string text = fmt::format(
         "{}\n"
@@ -113,8 +143,11 @@ std::string asset_text(const AssetReport& asset) {
         asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
         asset.volume ? "; errors to two digits; bytes: none is closer in as few" : "");
     text += rows_text(asset);
-    for (const std::string& note : asset.notes) text += fmt::format("  {}\n", note);
-    return text;
+    return text + notes_text(asset);
+}
+
+std::string report_text(const AssetReport& asset) {
+    return asset.skipping ? skipping_text(asset) + notes_text(asset) : asset_text(asset);
 }
 
 }  // namespace
@@ -122,7 +155,7 @@ std::string asset_text(const AssetReport& asset) {
 std::string report_table(const std::vector<AssetReport>& assets) {
     std::string text;
     for (const AssetReport& asset : assets) {
-        text += fmt::format("{}{}", text.empty() ? "" : "\n", asset_text(asset));
+        text += fmt::format("{}{}", text.empty() ? "" : "\n", report_text(asset));
     }
     return text;
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bakers/probe_check.h"
+#include "bakers/skipping_check.h"
 #include "cli/command.h"
 #include "cli/console.h"
 
@@ -40,7 +41,8 @@ std::string as_text(const VerifyReport& report) {
 
 ExitCode run(const Invocation& invocation, Console& console) {
     const std::array checks = {probe_check()};
-    const auto outcome = verify_bake(invocation.arguments()[0], checks);
+    const std::array of_folder = {skipping_check()};
+    const auto outcome = verify_bake(invocation.arguments()[0], checks, of_folder);
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
     console.result(invocation.has("json") ? as_json(*outcome.value) : as_text(*outcome.value));

@@ -100,7 +100,8 @@ void check_file(VerifyReport& report, const std::filesystem::path& folder,
 }  // namespace
 
 config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
-                                          std::span<const AssetCheck> further) {
+                                          std::span<const AssetCheck> further,
+                                          std::span<const FolderCheck> of_folder) {
     const ManifestPlace place = manifest_place(path);
     config::Outcome<Manifest> manifest = read_manifest_file(place.file);
     if (!manifest.value) return {{}, std::move(manifest.diagnostics)};
@@ -108,6 +109,11 @@ config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
     for (const ManifestAsset& asset : manifest.value->assets) {
         for (const ManifestFile& file : asset.files)
             check_file(report, place.folder, asset, file, further);
+    }
+    for (const FolderCheck& check : of_folder) {
+        for (VerifyFailure& failure : check.run(*manifest.value, place.folder, report.checks)) {
+            report.failures.push_back(std::move(failure));
+        }
     }
     return {std::move(report), std::move(manifest.diagnostics)};
 }

@@ -34,12 +34,22 @@ struct AssetCheck {
         run;
 };
 
+// A further check of a whole folder, for what several assets say together.
+struct FolderCheck {
+    // Its failures; `checks` is increased by the number of things looked at.
+    std::function<std::vector<VerifyFailure>(const Manifest& manifest,
+                                             const std::filesystem::path& folder, int& checks)>
+        run;
+};
+
 // Re-reads every file that a manifest lists and makes every check that can still be made: presence,
 // byte count, hash of the file, size, channels, pixel type, each attribute against the manifest,
 // hash of the texels, finiteness, each probe (within its tolerance); of volumes the layout and the
 // extremes of their values too. `path` is the manifest or its folder. Volumes are read as streams.
-// `further` checks are made of tables. E0300 where there is no manifest, E0304 where it is damaged.
+// `further` checks are made of tables, `of_folder` of all together. E0300 where there is no
+// manifest, E0304 where it is damaged.
 config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
-                                          std::span<const AssetCheck> further = {});
+                                          std::span<const AssetCheck> further = {},
+                                          std::span<const FolderCheck> of_folder = {});
 
 }  // namespace skybake

@@ -2,6 +2,7 @@
 // its error and its bytes, beside the baselines of the papers.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -52,6 +53,27 @@ struct VolumeFacts {
     int write_repetitions = 0;  // write times are medians of so many
 };
 
+// What one way of skipping empty cells costs and saves.
+struct SkippingRow {
+    std::string structure;            // "no skipping", "exact, Chebyshev leaps"
+    double occupied_share = 0;        // of the cells
+    std::int64_t samples = 0;         // filtered samples drawn
+    std::int64_t lost_samples = 0;    // of them, above the threshold in a cell that is called empty
+    std::array<double, 3> fetches{};  // of density and structure, a ray: up, within, down
+    std::int64_t changed_rays = 0;    // with another optical depth than without skipping, in a bit
+    std::uint64_t structure_bytes = 0;
+    double time_ms = 0;
+};
+
+// What is said of an occupancy grid alone.
+struct SkippingFacts {
+    std::array<int, 3> size{};  // voxels of the volume
+    int cell = 0;               // voxels along each edge
+    int rays = 0;               // in each of the three sets
+    double smallest_safe_share = 0;
+    std::vector<SkippingRow> rows;
+};
+
 struct AssetReport {
     std::string name;
     std::string kind;       // "transmittance", "multiple_scattering", "noise_volume"
@@ -60,9 +82,10 @@ struct AssetReport {
     std::string timing;     // what the times are
     int texel_points = 0;   // at most so many texels were compared
     int lookup_points = 0;
-    int repetitions = 0;                // times are medians of so many
-    std::vector<std::string> notes;     // what was left out, and why
-    std::optional<VolumeFacts> volume;  // none of a table
+    int repetitions = 0;                    // times are medians of so many
+    std::vector<std::string> notes;         // what was left out, and why
+    std::optional<VolumeFacts> volume;      // of volumes with rows
+    std::optional<SkippingFacts> skipping;  // of occupancy grids, which have no rows
     std::vector<ReportRow> rows;
 };
 

@@ -30,8 +30,10 @@ std::string beginning_of(const fs::path& path) {
 std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets) {
     std::vector<ReportFile> files = {{"report.csv", report_csv(assets)},
                                      {"report.json", report_json(assets)}};
-    for (const AssetReport& asset : assets)
-        files.push_back({asset.name + ".svg", report_svg(asset)});
+    for (const AssetReport& asset : assets) {
+        // Without rows there is nothing to plot.
+        if (!asset.rows.empty()) files.push_back({asset.name + ".svg", report_svg(asset)});
+    }
     return files;
 }
 

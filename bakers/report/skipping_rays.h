@@ -1,0 +1,25 @@
+// The fixed rays that skipping is measured with: three sets through a tile that repeats.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bakers/occupancy/marcher.h"
+
+namespace skybake {
+
+struct RaySet {
+    std::string name;  // "up", "within", "down"
+    std::vector<occupancy::Ray> rays;
+};
+
+// `count` rays each, through a tile of this extent:
+//   up      from its base, the cosine of the zenith angle uniform in [cos 80 deg, 1]
+//   within  from its lower quarter, directions uniform on the sphere
+//   down    from its top, as up, mirrored
+// by Roberts' sequence in five dimensions. With a tile of 600 units each way they are those of
+// tests/data/rays_*.csv, to the digits printed there.
+std::array<RaySet, 3> skipping_rays(const std::array<double, 3>& extent, int count);
+
+}  // namespace skybake

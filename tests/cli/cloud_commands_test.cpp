@@ -1,0 +1,95 @@
+// Bakes of clouds and occupancy grids through the command line, and what verify proves of them.
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+using namespace skybake::cli::testing;
+namespace fs = std::filesystem;
+
+class CloudBake : public ::testing::Test {
+  protected:
+    CloudBake() { write(7); }
+    void write(int seed, const std::string& keys = "") {
+        write_bytes(recipe_,
+                    "[noise.n]\nseed = " + std::to_string(seed) +
+                        "\n[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 1\n"
+                        "[clouds.c]\nnoise = \"n\"\nextent = [\"1 km\", \"1 km\", \"500 m\"]\n"
+                        "threshold = 0.6\nheight_profile = { type = \"tabulated\", table = [[0, "
+                        "1]] }\n" +
+                        keys +
+                        "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [32, 32, 16]\n"
+                        "formats = [\"vdb\", \"exr\", \"bin\"]\n"
+                        "[bake.g]\nasset = \"occupancy\"\nof = \"c\"\ncell = 2\n"
+                        "formats = [\"exr\", \"vdb\", \"bin\"]\nmips = \"all\"\n");
+    }
+    Result bake(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> words = {"bake", recipe_, "-o", out_};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_words(words);
+    }
+
+    TemporaryFolder folder_;
+    std::string recipe_ = (folder_ / "recipe.toml").string();
+    std::string out_ = (folder_ / "out").string();
+};
+
+TEST_F(CloudBake, VerifiesInAllFormats) {
+    const Result baked = bake();
+    ASSERT_EQ(baked.code, 0) << baked.error;
+    const Result verified = run_words({"verify", out_});
+    EXPECT_EQ(verified.code, 0) << verified.out << verified.error;
+    const Result again = bake({"-j", "1"});
+    EXPECT_EQ(again.code, 0) << again.error;
+}
+
+// A grid of another cloud than the one beside it: every file is what the manifest says, and yet a
+// ray would lose something.
+TEST_F(CloudBake, VerifyFindsWhatAGridLoses) {
+    ASSERT_EQ(bake().code, 0);
+    write(8);
+    ASSERT_EQ(bake({"--only", "c"}).code, 0);
+    const Result verified = run_words({"verify", out_, "--json"});
+    EXPECT_EQ(verified.code, 1);
+    const auto report = nlohmann::json::parse(verified.out);
+    ASSERT_EQ(report["failures"].size(), 1u) << verified.out;
+    EXPECT_EQ(report["failures"][0]["check"], "skipping");
+}
+
+TEST_F(CloudBake, OfNothingIsAValidFile) {
+    write(7, "coverage = 0\n");
+    const Result baked = bake();
+    ASSERT_EQ(baked.code, 0) << baked.error;
+    EXPECT_EQ(run_words({"verify", out_}).code, 0);
+    EXPECT_EQ(run_words({"info", out_ + "/c.vdb"}).code, 0);
+}
+
+TEST_F(CloudBake, MapsThatAreNotThereAreNamed) {
+    write(7, "coverage_map = { file = \"nowhere.png\" }\n");
+    const Result baked = bake();
+    EXPECT_EQ(baked.code, 3);
+    EXPECT_NE(baked.error.find("nowhere.png"), std::string::npos) << baked.error;
+    EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(CloudBake, ReportsWhatSkippingSaves) {
+    const std::string report = (folder_ / "report").string();
+    const Result result =
+        run_words({"report", recipe_, "--quick", "--only", "g", "-o", report, "--json"});
+    ASSERT_EQ(result.code, 0) << result.error;
+    const auto json = nlohmann::json::parse(read_bytes(report + "/report.json"));
+    const auto& rows = json["assets"][0]["skipping"]["rows"];
+    ASSERT_EQ(rows.size(), 4u);
+    for (const auto& row : rows) {
+        if (row["structure"] == "thesis rule, cell by cell") continue;
+        EXPECT_EQ(row["lost_samples"], 0) << row;
+        EXPECT_EQ(row["changed_rays"], 0) << row;
+    }
+    EXPECT_LT(rows[3]["fetches_down"], rows[0]["fetches_down"]);
+}
+
+}  // namespace
+}  // namespace skybake::cli
