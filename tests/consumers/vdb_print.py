@@ -17,9 +17,13 @@ def main():
         text = consumer.output_of(vdb_print, "-l", volume.path("vdb"))
         head, *grids = re.split(r"^Name: ", text, flags=re.MULTILINE)
         failures.expect(field(head, "skybake/content_hash"), volume.asset["content_hash"], "the hash")
-        names = [grid.splitlines()[0] for grid in grids]
-        failures.expect(names, volume.grids(), f"the list of grids of {volume.name}")
-        for grid, values in zip(grids, volume.voxels()):
+        # By name, whatever their order in the file.
+        found = {grid.splitlines()[0]: grid for grid in grids}
+        failures.expect(
+            sorted(found), sorted(volume.grids()), f"the list of grids of {volume.name}"
+        )
+        for name, values in zip(volume.grids(), volume.voxels()):
+            grid = found.get(name, "")
             active = sum(value != 0 for value in values)
             for name, wanted in {
                 "Type": "Tree_float_5_4_3",
