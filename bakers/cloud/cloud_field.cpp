@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -20,19 +21,25 @@ constexpr int kBrickWidth = 32;
 constexpr int kBrickRows = 16;
 constexpr int kBrickDepth = 8;
 
+// So many columns are made once for all boxes: 32 MiB at most, with a type map.
+constexpr std::int64_t kKeptColumns = 1 << 21;
+
 // The greatest values over the columns of a brick.
 struct ColumnBound {
     float towers = -std::numeric_limits<float>::infinity();
     float offset = -std::numeric_limits<float>::infinity();
 };
 
-std::vector<ColumnBound> column_bounds(const Columns& columns) {
+// Over the bricks of columns x ... x + width - 1, y ... y + rows - 1.
+std::vector<ColumnBound> column_bounds(const Columns& columns, int first_x, int width, int first_y,
+                                       int rows) {
     std::vector<ColumnBound> bounds(
-        static_cast<std::size_t>((columns.width + kBrickWidth - 1) / kBrickWidth));
-    std::size_t at = 0;
-    for (int row = 0; row < columns.rows; ++row) {
-        for (int x = 0; x < columns.width; ++x, ++at) {
+        static_cast<std::size_t>((width + kBrickWidth - 1) / kBrickWidth));
+    for (int y = first_y; y < first_y + rows; ++y) {
+        const std::size_t row = columns.index(first_x, y);
+        for (int x = 0; x < width; ++x) {
             ColumnBound& bound = bounds[static_cast<std::size_t>(x / kBrickWidth)];
+            const std::size_t at = row + static_cast<std::size_t>(x);
             bound.towers = std::max(bound.towers, columns.towers[at]);
             bound.offset = std::max(bound.offset, columns.offset[at]);
         }
@@ -64,14 +71,13 @@ struct Run {
     int last = 0;
 };
 
-// Neighbouring bricks that are not proved empty, as one.
-std::vector<Run> runs_of(const CloudPlan& plan, const std::vector<ColumnBound>& bounds,
-                         float profile, int width) {
+// Neighbouring bricks of which `wanted(brick)` holds, as one, in a box of `width` columns.
+template <class Wanted>
+std::vector<Run> runs_of(int width, const Wanted& wanted) {
     constexpr int kLongest = 16 * kBrickWidth;  // what the second cache holds of a brick's depth
     std::vector<Run> runs;
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-        if (!can_exceed_level(plan, bounds[i], profile)) continue;
-        const int first = static_cast<int>(i) * kBrickWidth;
+    for (int first = 0; first < width; first += kBrickWidth) {
+        if (!wanted(static_cast<std::size_t>(first / kBrickWidth))) continue;
         const int last = std::min(first + kBrickWidth, width);
         if (!runs.empty() && runs.back().last == first && last - runs.back().first <= kLongest) {
             runs.back().last = last;
@@ -82,10 +88,24 @@ std::vector<Run> runs_of(const CloudPlan& plan, const std::vector<ColumnBound>& 
     return runs;
 }
 
+// The part of a box that a run of its columns is.
+VoxelBox part_of(const VoxelBox& box, const Run& run) {
+    VoxelBox part = box;
+    part.origin[0] += run.first;
+    part.size[0] = run.last - run.first;
+    return part;
+}
+
 class BoxFiller {
   public:
-    BoxFiller(const CloudPlan& plan, const VoxelBox& box, const std::vector<float*>& channels)
-        : plan_(plan), box_(box), channels_(channels), made_(channels.size()) {}
+    // `all_columns` are those of the plan, or none.
+    BoxFiller(const CloudPlan& plan, const Columns& all_columns, const VoxelBox& box,
+              const std::vector<float*>& channels)
+        : plan_(plan),
+          all_columns_(all_columns),
+          box_(box),
+          channels_(channels),
+          made_(channels.size()) {}
 
     void fill() {
         fill_plain_channels();
@@ -94,9 +114,14 @@ class BoxFiller {
             VoxelBox chunk = box_;
             chunk.origin[1] += y;
             chunk.size[1] = std::min(kBrickRows, box_.size[1] - y);
-            columns_ =
-                make_columns(plan_, box_.origin[0], box_.size[0], chunk.origin[1], chunk.size[1]);
-            const std::vector<ColumnBound> bounds = column_bounds(columns_);
+            columns_ = &all_columns_;
+            if (all_columns_.width == 0) {
+                own_columns_ = make_columns(plan_, box_.origin[0], box_.size[0], chunk.origin[1],
+                                            chunk.size[1]);
+                columns_ = &own_columns_;
+            }
+            const std::vector<ColumnBound> bounds = column_bounds(
+                *columns_, box_.origin[0], box_.size[0], chunk.origin[1], chunk.size[1]);
             for (int z = 0; z < box_.size[2]; z += kBrickDepth) {
                 chunk.origin[2] = box_.origin[2] + z;
                 chunk.size[2] = std::min(kBrickDepth, box_.size[2] - z);
@@ -125,12 +150,10 @@ class BoxFiller {
     void fill_chunk(const VoxelBox& chunk, const std::vector<ColumnBound>& bounds) {
         clear(chunk);
         const float profile = profile_bound(plan_, chunk.origin[2], chunk.size[2]);
-        for (const Run& run : runs_of(plan_, bounds, profile, box_.size[0])) {
-            VoxelBox part = chunk;
-            part.origin[0] += run.first;
-            part.size[0] = run.last - run.first;
-            fill_part(part);
-        }
+        const auto may_hold = [&](std::size_t brick) {
+            return can_exceed_level(plan_, bounds[brick], profile);
+        };
+        for (const Run& run : runs_of(box_.size[0], may_hold)) fill_part(part_of(chunk, run));
     }
 
     template <class Visit>
@@ -159,18 +182,17 @@ class BoxFiller {
         }
     }
 
-    ColumnRow columns_at(int x, int y, const VoxelBox& part) const {
-        // columns_ begin at the part's first row and the box's first column.
-        const std::size_t at = static_cast<std::size_t>(y - part.origin[1]) *
-                                   static_cast<std::size_t>(columns_.width) +
-                               static_cast<std::size_t>(x - box_.origin[0]);
-        ColumnRow row{columns_.towers.data() + at, columns_.offset.data() + at};
+    ColumnRow columns_at(int x, int y) const {
+        const std::size_t at = columns_->index(x, y);
+        ColumnRow row{columns_->towers.data() + at, columns_->offset.data() + at};
         if (plan_.type_map) {
-            row.second_type = columns_.second_type.data() + at;
-            row.third_type = columns_.third_type.data() + at;
+            row.second_type = columns_->second_type.data() + at;
+            row.third_type = columns_->third_type.data() + at;
         }
         return row;
     }
+
+    const SliceShape& slice(int z) const { return plan_.slices[static_cast<std::size_t>(z)]; }
 
     void fill_part(const VoxelBox& part) {
         const auto count = static_cast<std::size_t>(part.count());
@@ -181,69 +203,86 @@ class BoxFiller {
             targets[c] = made_[c].data();
         }
         plan_.base->fill(part, targets);
-        bool has_detail = false;
         for (std::size_t c = 0; c < shaped_channels(); ++c) {
-            if (channels_[c] == nullptr || !shape(part, made_[c])) continue;
-            if (plan_.detail && !has_detail) {
-                detail_.resize(count);
-                plan_.detail->fill(part, {detail_.data()});
-                has_detail = true;
-            }
-            finish_part(part, made_[c], channels_[c]);
+            if (channels_[c] != nullptr) shape(part, c);
         }
     }
 
-    // False where all is proved to be nothing.
-    bool shape(const VoxelBox& part, AlignedFloats& values) const {
+    // From the channel's base noise of the part to the caller's voxels, brick by brick: most of
+    // what bounds leave is empty all the same, and needs no detail noise.
+    void shape(const VoxelBox& part, std::size_t channel) {
         const auto width = static_cast<std::size_t>(part.size[0]);
-        bool any = false;
-        float* row = values.data();
+        std::vector<char> holds((width + kBrickWidth - 1) / kBrickWidth, 0);
+        float* row = made_[channel].data();
         for_each_row(part, [&](int y, int z) {
-            const SliceShape& slice = plan_.slices[static_cast<std::size_t>(z)];
-            any |=
-                shape_base(slice, columns_at(part.origin[0], y, part), plan_.level(), width, row);
+            for (std::size_t brick = 0; brick < holds.size(); ++brick) {
+                const std::size_t x = brick * kBrickWidth;
+                const std::size_t count = std::min<std::size_t>(kBrickWidth, width - x);
+                const bool above =
+                    shape_base(slice(z), columns_at(part.origin[0] + static_cast<int>(x), y),
+                               plan_.level(), count, row + x);
+                holds[brick] = static_cast<char>(holds[brick] | static_cast<char>(above));
+            }
             row += width;
         });
-        return any;
+        const auto is_held = [&](std::size_t brick) { return holds[brick] != 0; };
+        for (const Run& run : runs_of(part.size[0], is_held)) {
+            finish_run(part, run, made_[channel], channels_[channel]);
+        }
     }
 
-    void finish_part(const VoxelBox& part, AlignedFloats& values, float* channel) const {
-        const auto width = static_cast<std::size_t>(part.size[0]);
-        std::size_t at = 0;
-        for_each_row(part, [&](int y, int z) {
-            float* const row = values.data() + at;
-            if (plan_.detail) {
-                erode(plan_.slices[static_cast<std::size_t>(z)], detail_.data() + at, plan_.level(),
-                      width, row);
-            }
+    // `values` are those of the part.
+    void finish_run(const VoxelBox& part, const Run& run, AlignedFloats& values, float* channel) {
+        const VoxelBox cut = part_of(part, run);
+        const auto width = static_cast<std::size_t>(cut.size[0]);
+        if (plan_.detail) {
+            detail_.resize(static_cast<std::size_t>(cut.count()));
+            plan_.detail->fill(cut, {detail_.data()});
+        }
+        float* row = values.data() + run.first;
+        const float* detail = detail_.data();
+        for_each_row(cut, [&](int y, int z) {
+            if (plan_.detail) erode(slice(z), detail, plan_.level(), width, row);
             finish(plan_, width, row);
-            std::memcpy(channel + place(part.origin[0], y, z), row, width * sizeof(float));
-            at += width;
+            std::memcpy(channel + place(cut.origin[0], y, z), row, width * sizeof(float));
+            row += part.size[0];
+            detail += width;
         });
     }
 
     const CloudPlan& plan_;
+    const Columns& all_columns_;
     const VoxelBox& box_;
     const std::vector<float*>& channels_;
-    Columns columns_;
+    const Columns* columns_ = nullptr;  // that hold those of the rows at hand
+    Columns own_columns_;
     std::vector<AlignedFloats> made_;  // per channel, of the part at hand
     AlignedFloats detail_;
 };
 
 }  // namespace
 
-CloudField::CloudField(CloudPlan plan) : plan_(std::move(plan)) {}
+CloudField::CloudField(CloudPlan plan) : plan_(std::move(plan)) {
+    if (std::int64_t{plan_.size[0]} * plan_.size[1] > kKeptColumns) return;
+    columns_ = make_columns(plan_, 0, plan_.size[0], 0, plan_.size[1]);
+}
 
 void CloudField::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    BoxFiller(plan_, box, channels).fill();
+    BoxFiller(plan_, columns_, box, channels).fill();
 }
 
 bool CloudField::is_empty(const VoxelBox& box) const {
     if (plan_.channels > plan_.shaped_channels) return false;
-    const Columns columns =
-        make_columns(plan_, box.origin[0], box.size[0], box.origin[1], box.size[1]);
-    const float profile = profile_bound(plan_, box.origin[2], box.size[2]);
-    return runs_of(plan_, column_bounds(columns), profile, box.size[0]).empty();
+    const auto [x, y, z] = box.origin;
+    const auto [width, rows, depth] = box.size;
+    const std::vector<ColumnBound> bounds =
+        columns_.width > 0
+            ? column_bounds(columns_, x, width, y, rows)
+            : column_bounds(make_columns(plan_, x, width, y, rows), x, width, y, rows);
+    const float profile = profile_bound(plan_, z, depth);
+    return std::none_of(bounds.begin(), bounds.end(), [&](const ColumnBound& bound) {
+        return can_exceed_level(plan_, bound, profile);
+    });
 }
 
 }  // namespace skybake::cloud

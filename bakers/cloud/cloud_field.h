@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bakers/cloud/cloud_plan.h"
+#include "bakers/cloud/column_field.h"
 #include "bakers/core/volume.h"
 
 namespace skybake::cloud {
@@ -18,6 +19,7 @@ class CloudField : public VoxelSource {
 
   private:
     CloudPlan plan_;
+    Columns columns_;  // all of them, or none where they are many
 };
 
 }  // namespace skybake::cloud

@@ -16,8 +16,8 @@ struct CloudInputs {
     cloud::CloudMaps maps;
 };
 
-// What a cloud's files say and its voxels on demand: `volume`, which has a name and parameters, with
-// all the rest but what finish_volume adds.
+// What a cloud's files say and its voxels on demand: `volume`, which has a name and parameters,
+// with all the rest but what finish_volume adds.
 BakedVolume make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                               const CloudInputs& inputs, BakedVolume volume);
 

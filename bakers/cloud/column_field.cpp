@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace skybake::cloud {
 
@@ -32,12 +33,11 @@ void fill_maps(const CloudPlan& plan, const std::vector<double>& x, double y, st
 }  // namespace
 
 Columns make_columns(const CloudPlan& plan, int first_x, int width, int first_y, int rows) {
-    Columns columns{.width = width,
-                    .rows = rows,
-                    .towers = {},
-                    .offset = {},
-                    .second_type = {},
-                    .third_type = {}};
+    Columns columns;
+    columns.first_x = first_x;
+    columns.first_y = first_y;
+    columns.width = width;
+    columns.rows = rows;
     const std::vector<double> x = centres(first_x, width, plan.size[0]);
     const std::vector<double> y = centres(first_y, rows, plan.size[1]);
     const std::size_t count = x.size() * y.size();

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
@@ -74,10 +76,11 @@ int count_below_normal(const float* values, std::size_t count, PixelType type) {
     return below;
 }
 
+// Without a sign: -0 is stored as it is.
 bool is_zero(const float* values, std::size_t count) {
-    int others = 0;
-    for (std::size_t i = 0; i < count; ++i) others |= values[i] == 0 ? 0 : 1;
-    return others == 0;
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < count; ++i) bits |= std::bit_cast<std::uint32_t>(values[i]);
+    return bits == 0;
 }
 
 // Extremes and sum of one channel, in eight lanes, so that no addition waits for the one before;
@@ -163,10 +166,12 @@ class Histogram {
     std::array<std::array<int, kHistogramBins + 1>, 2> counts_{};
 };
 
-// Rounds the values of one channel of a box and sums them up, piece by piece while a piece is in
-// the first cache. Most pieces of a cloud's box are empty, and cost a look.
-Summary summarize(float* values, std::size_t count, std::array<double, 2> range, PixelType type) {
+// Sums up the values of one channel of a box and stores them, piece by piece while a piece is in
+// the first cache; `values` are rounded. Most pieces of a cloud's box are empty, and cost a look.
+Summary summarize(float* values, std::size_t count, std::array<double, 2> range, PixelType type,
+                  char* stored) {
     constexpr std::size_t kPiece = 4096;
+    const auto width = static_cast<std::size_t>(bytes_per_value(type));
     Summary summary;
     LaneSummary lanes;
     Histogram histogram(range);
@@ -174,12 +179,14 @@ Summary summarize(float* values, std::size_t count, std::array<double, 2> range,
         const std::size_t piece = std::min(kPiece, count - i);
         float* const from = values + i;
         if (is_zero(from, piece)) {
+            std::memset(stored + i * width, 0, piece * width);
             lanes.add_zeros();
             histogram.add_zeros(piece);
             continue;
         }
         summary.below_normal += count_below_normal(from, piece, type);
-        round_values(from, piece, type);
+        store_values(from, piece, type, stored + i * width);
+        load_values(stored + i * width, piece, type, from);
         lanes.add(from, piece);
         histogram.add(from, piece);
     }
@@ -264,12 +271,14 @@ class Survey {
         slot.bad = first_bad(values, count, volume_.pixel_type);
         if (slot.bad) return;
         slot.channels.clear();
+        const auto width = static_cast<std::size_t>(bytes_per_value(volume_.pixel_type));
+        slot.bytes.resize(count * channels * width);
         for (std::size_t c = 0; c < channels; ++c) {
-            slot.channels.push_back(summarize(planes[c], count, ranges_[c], volume_.pixel_type));
+            slot.channels.push_back(summarize(planes[c], count, ranges_[c], volume_.pixel_type,
+                                              slot.bytes.data() + c * count * width));
         }
-        slot.bytes.resize(count * channels *
-                          static_cast<std::size_t>(bytes_per_value(volume_.pixel_type)));
-        store_voxels(values, count, volume_.pixel_type, slot.bytes.data());
+        // Several channels are stored interleaved.
+        if (channels > 1) store_voxels(values, count, volume_.pixel_type, slot.bytes.data());
     }
 
     bool take(int index, const Slot& slot) {

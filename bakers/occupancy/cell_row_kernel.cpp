@@ -2,6 +2,7 @@
 #define HWY_TARGET_INCLUDE "bakers/occupancy/cell_row_kernel.cpp"
 #include <hwy/foreach_target.h>
 // Highway wants its own header after foreach_target.h.
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -110,14 +111,14 @@ HWY_INLINE void take_means_of(const std::vector<const Value*>& rows, std::size_t
 
 void take_voxel_means(int rows_a_node, const std::vector<const float*>& rows, std::size_t length,
                       Extremes<double>& extremes) {
-    if (rows_a_node == 2) return take_means_of<2>(rows, length, false, extremes);
+    if (rows_a_node == 2) return take_means_of<2>(rows, length, true, extremes);
     take_means_of<4>(rows, length, false, extremes);
 }
 
 void take_face_means(int rows_a_node, const std::vector<const double*>& rows, std::size_t length,
                      Extremes<double>& extremes) {
     if (rows_a_node == 1) return take_means_of<1>(rows, length, true, extremes);
-    if (rows_a_node == 2) return take_means_of<2>(rows, length, false, extremes);
+    if (rows_a_node == 2) return take_means_of<2>(rows, length, true, extremes);
     take_means_of<4>(rows, length, false, extremes);
 }
 
@@ -154,11 +155,24 @@ void row_extremes(const std::vector<const float*>& rows, std::size_t length, flo
 }
 
 void promote(const float* values, std::size_t length, double* out) {
-    std::size_t x = 0;
-    for (; x + kDoubleLanes <= length; x += kDoubleLanes) {
+    for (std::size_t x = 0; x < length; x += kDoubleLanes) {
         hn::StoreU(load_at(values, x), kDoubles, out + x);
     }
-    for (; x < length; ++x) out[x] = double{values[x]};
+}
+
+// Of several extremes, element by element.
+void merge(const std::array<const Extremes<double>*, 5>& parts, std::size_t length,
+           Extremes<double>& out) {
+    for (std::size_t x = 0; x < length; x += kDoubleLanes) {
+        DoubleVector low = hn::LoadU(kDoubles, &parts[0]->least[x]);
+        DoubleVector high = hn::LoadU(kDoubles, &parts[0]->most[x]);
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            low = hn::Min(low, hn::LoadU(kDoubles, &parts[i]->least[x]));
+            high = hn::Max(high, hn::LoadU(kDoubles, &parts[i]->most[x]));
+        }
+        hn::StoreU(low, kDoubles, &out.least[x]);
+        hn::StoreU(high, kDoubles, &out.most[x]);
+    }
 }
 
 // From voxels to windows of `cell` voxels, each at the place of its first, by doubling their width.
@@ -222,7 +236,7 @@ void join(const Extremes<double>& along, const Extremes<double>& faces, std::siz
     }
 }
 
-Magnitudes magnitudes(const float* values, std::size_t count) {
+Magnitudes magnitudes(const float* values, std::size_t count, const float* next_values) {
     const hn::ScalableTag<std::uint32_t> d;
     const auto one = hn::Set(d, 1);
     const auto no_sign = hn::Set(d, 0x7fffffffU);
@@ -236,6 +250,8 @@ Magnitudes magnitudes(const float* values, std::size_t count) {
     };
     std::size_t i = 0;
     for (; i + 2 * kLanes <= count; i += 2 * kLanes) {
+        hwy::Prefetch(next_values + i);
+        hwy::Prefetch(next_values + i + kLanes);
         const auto bits = bits_at(i);
         const auto next = bits_at(i + kLanes);
         smallest = hn::Min(smallest, hn::Sub(bits, one));
@@ -271,6 +287,7 @@ HWY_EXPORT(take_voxel_means);
 HWY_EXPORT(take_face_means);
 HWY_EXPORT(row_extremes);
 HWY_EXPORT(promote);
+HWY_EXPORT(merge);
 HWY_EXPORT(widen_windows);
 HWY_EXPORT(face_means_of_fours);
 HWY_EXPORT(join);
@@ -281,41 +298,60 @@ namespace {
 // What vectors may reach over beyond the end of a row.
 constexpr std::size_t kVectorRoom = 64 / sizeof(double);
 
-// The nodes along one axis of a bundle: the rows about them, the same twice for voxels.
-std::vector<std::array<int, 2>> axis_nodes(int count) {
-    std::vector<std::array<int, 2>> nodes = {{0, 1}, {count - 2, count - 1}};
-    for (int i = 1; i < count - 1; ++i) nodes.push_back({i, i});
-    return nodes;
+// Begins a list of rows, to be filled by add(y, z) once for each that a node is the mean of.
+class NodeRows {
+  public:
+    NodeRows(const RowBundle& bundle, RowScratch& scratch) : bundle_(bundle), scratch_(scratch) {
+        scratch.voxel_rows.clear();
+        scratch.face_rows.clear();
+    }
+    void add(int y, int z) {
+        const VoxelRow& row = bundle_.at(y, z);
+        scratch_.voxel_rows.push_back(row.voxels);
+        scratch_.face_rows.push_back(row.faces);
+    }
+
+  private:
+    const RowBundle& bundle_;
+    RowScratch& scratch_;
+};
+
+void make_room(const RowBundle& bundle, NodeExtremes& nodes) {
+    nodes.voxels.resize(bundle.length + kVectorRoom + static_cast<std::size_t>(bundle.cell));
+    nodes.faces.resize(bundle.cells() + 1 + kVectorRoom);
 }
 
-void find_node_rows(const RowBundle& bundle, RowScratch& scratch) {
-    if (scratch.height == bundle.height && scratch.depth == bundle.depth) return;
-    scratch.height = bundle.height;
-    scratch.depth = bundle.depth;
-    for (std::vector<std::size_t>& rows : scratch.node_rows) rows.clear();
-    for (const auto& z : axis_nodes(bundle.depth)) {
-        for (const auto& y : axis_nodes(bundle.height)) {
-            const std::size_t y_face = y[0] != y[1] ? 1 : 0;
-            const std::size_t z_face = z[0] != z[1] ? 1 : 0;
-            std::vector<std::size_t>& rows = scratch.node_rows[y_face + z_face];
-            for (std::size_t k = 0; k <= z_face; ++k) {
-                for (std::size_t j = 0; j <= y_face; ++j) {
-                    rows.push_back(static_cast<std::size_t>(z[k] * bundle.height + y[j]));
-                }
-            }
-        }
+void take_means(const RowBundle& bundle, int rows_a_node, const RowScratch& scratch,
+                NodeExtremes& nodes) {
+    HWY_DYNAMIC_DISPATCH(take_voxel_means)
+    (rows_a_node, scratch.voxel_rows, bundle.length, nodes.voxels);
+    HWY_DYNAMIC_DISPATCH(take_face_means)
+    (rows_a_node, scratch.face_rows, bundle.cells(), nodes.faces);
+}
+
+// The first of the two rows, or planes, about a face.
+int first_beside(Face face, int count) { return face == Face::lower ? 0 : count - 2; }
+
+void voxel_extremes(const RowBundle& bundle, RowScratch& scratch) {
+    NodeRows rows(bundle, scratch);
+    for (int z = 1; z < bundle.depth - 1; ++z) {
+        for (int y = 1; y < bundle.height - 1; ++y) rows.add(y, z);
     }
+    make_room(bundle, scratch.within);
+    scratch.voxels.resize(bundle.length + 2 * kVectorRoom);
+    float* least = scratch.voxels.least.data();
+    float* most = scratch.voxels.most.data();
+    HWY_DYNAMIC_DISPATCH(row_extremes)(scratch.voxel_rows, bundle.length, least, most);
+    HWY_DYNAMIC_DISPATCH(promote)(least, bundle.length, scratch.within.voxels.least.data());
+    HWY_DYNAMIC_DISPATCH(promote)(most, bundle.length, scratch.within.voxels.most.data());
+    HWY_DYNAMIC_DISPATCH(take_face_means)
+    (1, scratch.face_rows, bundle.cells(), scratch.within.faces);
 }
 
 }  // namespace
 
-void Magnitudes::add(const Magnitudes& other) {
-    smallest = std::min(smallest, other.smallest);
-    largest = std::max(largest, other.largest);
-}
-
-Magnitudes magnitudes_of(const float* values, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(magnitudes)(values, count);
+Magnitudes magnitudes_of(const float* values, std::size_t count, const float* next) {
+    return HWY_DYNAMIC_DISPATCH(magnitudes)(values, count, next);
 }
 
 bool means_are_exact(const Magnitudes& magnitudes) {
@@ -335,44 +371,64 @@ void face_means(const float* voxels, std::size_t length, int cell, double* means
     }
 }
 
-void trilinear_row(const RowBundle& bundle, RowScratch& scratch, Extremes<double>& cells) {
+void y_face_extremes(const RowBundle& bundle, Face face, RowScratch& scratch, NodeExtremes& nodes) {
+    make_room(bundle, nodes);
+    const int y = first_beside(face, bundle.height);
+    NodeRows rows(bundle, scratch);
+    for (int z = 1; z < bundle.depth - 1; ++z) {
+        rows.add(y, z);
+        rows.add(y + 1, z);
+    }
+    take_means(bundle, 2, scratch, nodes);
+}
+
+void z_face_extremes(const RowBundle& bundle, Face face, RowScratch& scratch, NodeExtremes& nodes) {
+    make_room(bundle, nodes);
+    const int z = first_beside(face, bundle.depth);
+    NodeRows rows(bundle, scratch);
+    for (int y = 1; y < bundle.height - 1; ++y) {
+        rows.add(y, z);
+        rows.add(y, z + 1);
+    }
+    take_means(bundle, 2, scratch, nodes);
+    NodeRows edge_rows(bundle, scratch);
+    for (const Face edge : {Face::lower, Face::upper}) {
+        const int y = first_beside(edge, bundle.height);
+        for (const int row : {y, y + 1}) {
+            edge_rows.add(row, z);
+            edge_rows.add(row, z + 1);
+        }
+    }
+    take_means(bundle, 4, scratch, nodes);
+}
+
+void trilinear_row(const RowBundle& bundle, const std::array<const NodeExtremes*, 4>& faces,
+                   RowScratch& scratch, Extremes<double>& cells) {
     const std::size_t length = bundle.length;
     const std::size_t count = bundle.cells();
-    const auto edge = static_cast<std::size_t>(bundle.cell);
-    find_node_rows(bundle, scratch);
-    scratch.voxels.resize(length);
-    scratch.along.resize(length + kVectorRoom + edge);
-    scratch.faces.resize(count + 1 + kVectorRoom);
-    cells.resize(count + kVectorRoom);
-    for (const std::size_t faces : {0U, 1U, 2U}) {
-        scratch.voxel_rows.clear();
-        scratch.face_rows.clear();
-        for (const std::size_t row : scratch.node_rows[faces]) {
-            scratch.voxel_rows.push_back(bundle.rows[row].voxels);
-            scratch.face_rows.push_back(bundle.rows[row].faces);
-        }
-        if (faces == 0) {
-            HWY_DYNAMIC_DISPATCH(row_extremes)
-            (scratch.voxel_rows, length, scratch.voxels.least.data(), scratch.voxels.most.data());
-            HWY_DYNAMIC_DISPATCH(promote)
-            (scratch.voxels.least.data(), length, scratch.along.least.data());
-            HWY_DYNAMIC_DISPATCH(promote)
-            (scratch.voxels.most.data(), length, scratch.along.most.data());
-        } else {
-            HWY_DYNAMIC_DISPATCH(take_voxel_means)
-            (1 << faces, scratch.voxel_rows, length, scratch.along);
-        }
-        HWY_DYNAMIC_DISPATCH(take_face_means)(1 << faces, scratch.face_rows, count, scratch.faces);
+    voxel_extremes(bundle, scratch);
+    std::array<const Extremes<double>*, 5> at_voxels = {&scratch.within.voxels};
+    std::array<const Extremes<double>*, 5> at_faces = {&scratch.within.faces};
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        at_voxels[i + 1] = &faces[i]->voxels;
+        at_faces[i + 1] = &faces[i]->faces;
     }
-    // Windows of the last voxels see nothing beyond the row.
-    std::fill(scratch.along.least.begin() + static_cast<std::ptrdiff_t>(length),
-              scratch.along.least.end(), std::numeric_limits<double>::infinity());
-    std::fill(scratch.along.most.begin() + static_cast<std::ptrdiff_t>(length),
-              scratch.along.most.end(), -std::numeric_limits<double>::infinity());
-    HWY_DYNAMIC_DISPATCH(widen_windows)(length, bundle.cell, scratch.along);
-    scratch.faces.least[count] = scratch.faces.least[0];
-    scratch.faces.most[count] = scratch.faces.most[0];
-    HWY_DYNAMIC_DISPATCH(join)(scratch.along, scratch.faces, count, edge, cells);
+    NodeExtremes& all = scratch.all;
+    make_room(bundle, all);
+    HWY_DYNAMIC_DISPATCH(merge)(at_voxels, length, all.voxels);
+    HWY_DYNAMIC_DISPATCH(merge)(at_faces, count, all.faces);
+    // Windows of the last voxels see nothing beyond the row; after the last cell is the first face.
+    const auto end = static_cast<std::ptrdiff_t>(length);
+    std::fill(all.voxels.least.begin() + end, all.voxels.least.end(),
+              std::numeric_limits<double>::infinity());
+    std::fill(all.voxels.most.begin() + end, all.voxels.most.end(),
+              -std::numeric_limits<double>::infinity());
+    all.faces.least[count] = all.faces.least[0];
+    all.faces.most[count] = all.faces.most[0];
+    HWY_DYNAMIC_DISPATCH(widen_windows)(length, bundle.cell, all.voxels);
+    cells.resize(count + kVectorRoom);
+    HWY_DYNAMIC_DISPATCH(join)
+    (all.voxels, all.faces, count, static_cast<std::size_t>(bundle.cell), cells);
 }
 
 void footprint_row(const RowBundle& bundle, int halo, RowScratch& scratch, float* least,

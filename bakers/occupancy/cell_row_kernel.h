@@ -1,6 +1,7 @@
 // One row of cells along x: the vector kernels of cell_range.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,9 +17,13 @@ struct Magnitudes {
     std::uint32_t largest = 0;
 
     bool all_zero() const { return largest == 0; }
-    void add(const Magnitudes& other);
+    void add(const Magnitudes& other) {
+        smallest = std::min(smallest, other.smallest);
+        largest = std::max(largest, other.largest);
+    }
 };
-Magnitudes magnitudes_of(const float* values, std::size_t count);
+// `next` are as many that will be looked at later: they are on their way to a cache meanwhile.
+Magnitudes magnitudes_of(const float* values, std::size_t count, const float* next);
 
 // Whether means of up to eight such values are exact in double. Values from 2^s up are multiples of
 // 2^(s - 23). Sums of eight below 2^(l + 1) are below 2^(l + 4), and multiples of the same: 53 bits
@@ -61,23 +66,33 @@ struct Extremes {
     }
 };
 
+// The extremes of the filter over some nodes along y and z: at each voxel along x, and at the lower
+// face of each cell.
+struct NodeExtremes {
+    Extremes<double> voxels;
+    Extremes<double> faces;
+};
+
 // Memory that one call leaves to the next.
 struct RowScratch {
-    // Indices of rows of a bundle of this height and depth whose means are the nodes along y and z:
-    // one, two or four a node, as 0, 1 or 2 of its coordinates are on faces.
-    int height = 0;
-    int depth = 0;
-    std::array<std::vector<std::size_t>, 3> node_rows;
     std::vector<const float*> voxel_rows;
     std::vector<const double*> face_rows;
     Extremes<float> voxels;
-    Extremes<double> along;  // over nodes along y and z, at each voxel along x
-    Extremes<double> faces;  // the same at the lower face of each cell
+    NodeExtremes within;
+    NodeExtremes all;
 };
 
-// The extremes over the nodes of the trilinear filter of each cell, in double: exact where
-// means_are_exact. The bundle has a halo of one row and one plane.
-void trilinear_row(const RowBundle& bundle, RowScratch& scratch, Extremes<double>& cells);
+// The nodes of a row of cells for the trilinear filter are its voxels, those on its two faces along
+// y at voxels along z, and those on its two faces along z, edges included. Neighbours share faces.
+// Everything is in double: exact where means_are_exact. The bundle has a halo of one row and one
+// plane.
+enum class Face { lower, upper };
+void y_face_extremes(const RowBundle& bundle, Face face, RowScratch& scratch, NodeExtremes& nodes);
+void z_face_extremes(const RowBundle& bundle, Face face, RowScratch& scratch, NodeExtremes& nodes);
+
+// The extremes of each cell: over its voxels and its four faces along y and z.
+void trilinear_row(const RowBundle& bundle, const std::array<const NodeExtremes*, 4>& faces,
+                   RowScratch& scratch, Extremes<double>& cells);
 
 // The extremes of the voxels of each cell and `halo` about it; the bundle has the same halo.
 void footprint_row(const RowBundle& bundle, int halo, RowScratch& scratch, float* least,
