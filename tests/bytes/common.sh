@@ -12,10 +12,10 @@ recipes=(earth tiny_planet dense_earth)
 bake() {
     local folder=$1 recipe
     shift
-    for recipe in "${recipes[@]}" noise; do
+    for recipe in "${recipes[@]}" noise clouds; do
         mkdir -p "$folder"
-        if [[ $recipe == noise ]]; then
-            noise_recipe >"$folder/noise.toml"
+        if [[ $recipe == noise || $recipe == clouds ]]; then
+            "${recipe}_recipe" >"$folder/$recipe.toml"
         else
             printf 'preset = "%s"\n[bake.transmittance]\nsize = [64, 16]\n[bake.depth]\nasset = "transmittance"\ncontent = "optical_depth"\nsize = [33, 9]\n[bake.multiple_scattering]\nsize = [16, 8]\nmapping = "twilight"\nmax_texel_error = "2 %%"\n' \
                 "$recipe" >"$folder/$recipe.toml"
@@ -77,10 +77,72 @@ pixel_type = "float"
 TOML
 }
 
+# Towers narrow and wide, turned and scattered, erosion, blended profiles, hard and soft edges, and
+# grids of both rules, all filters and pixel types.
+clouds_recipe() {
+    cat <<'TOML'
+[noise.shape]
+preset = "nubis_shape"
+pack = "shape"
+[noise.detail]
+preset = "nubis_detail"
+pack = "detail"
+[noise.four]
+preset = "thesis"
+[clouds.field]
+noise = "shape"
+detail = "detail"
+detail_scale = 2
+extent = ["1 km", "900 m", "500 m"]
+coverage = 0.4
+height_profile = { type = "blended", cloud_type = 0.7 }
+scatter = { count = 9, seed = 4, sigma = [0.02, 0.3], aspect = [1, 3], amplitude = [0.1, 0.9] }
+[[clouds.field.towers]]
+center = [0.02, 0.97]
+sigma = [0.3, 2]
+rotation = "37 deg"
+correlation = -0.6
+amplitude = 0.4
+[clouds.thesis]
+preset = "thesis"
+noise = "four"
+[bake.field]
+asset = "cloud_volume"
+cloud = "field"
+size = [133, 49, 41]
+formats = ["vdb", "exr", "bin"]
+mips = 3
+[bake.thesis]
+asset = "cloud_volume"
+cloud = "thesis"
+size = [40, 40, 40]
+formats = ["vdb", "exr"]
+pixel_type = "float"
+[bake.field_grid]
+asset = "occupancy"
+of = "field"
+formats = ["vdb", "exr", "bin"]
+mips = "all"
+[bake.thesis_grid]
+asset = "occupancy"
+of = "thesis"
+channel = "G"
+cell = 8
+filter = "tricubic"
+formats = ["bin"]
+pixel_type = "unorm8"
+[bake.thesis_rule]
+asset = "occupancy"
+of = "thesis"
+rule = "thesis"
+contents = ["leap"]
+TOML
+}
+
 # same A B: every file equal, wall times in the manifest aside
 same() {
     local recipe file
-    for recipe in "${recipes[@]}" noise; do
+    for recipe in "${recipes[@]}" noise clouds; do
         diff <(cd "$1/$recipe" && ls) <(cd "$2/$recipe" && ls)
         for file in "$1/$recipe"/*; do
             [[ $file == */manifest.json ]] || cmp "$file" "$2/$recipe/${file##*/}"
