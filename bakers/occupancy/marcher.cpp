@@ -60,8 +60,10 @@ class March {
         }
     }
 
+    // Fetches above and below the volume, too: nothing says that they are in vain.
     MarchResult straight() {
         sample_until(0, samples_);
+        density_fetches_ = static_cast<int>(samples_);
         return result();
     }
 

@@ -36,7 +36,7 @@ enum class Skipping {
 
 struct MarchResult {
     double optical_depth = 0;
-    int density_fetches = 0;
+    int density_fetches = 0;    // without skipping, one for every sample of the ray
     int structure_fetches = 0;  // one for each cell that is looked at
 };
 

@@ -35,10 +35,10 @@ std::array<double, 3> direction(double cosine, double turn) {
     return {sine * cosine_of_turn(turn), sine * cosine_of_turn(quarter), cosine};
 }
 
-// Uniform from cos 80 deg to 1.
+// Uniform from cos 60 deg to 1.
 double steep_cosine(double share) {
-    const double least = cosine_of_pi(80.0 / 180);
-    return least + (1 - least) * share;
+    constexpr double kLeast = 0.5;
+    return kLeast + (1 - kLeast) * share;
 }
 
 }  // namespace

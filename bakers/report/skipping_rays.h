@@ -15,7 +15,7 @@ struct RaySet {
 };
 
 // `count` rays each, through a tile of this extent:
-//   up      from its base, the cosine of the zenith angle uniform in [cos 80 deg, 1]
+//   up      from its base, the cosine of the zenith angle uniform in [cos 60 deg, 1]
 //   within  from its lower quarter, directions uniform on the sphere
 //   down    from its top, as up, mirrored
 // by Roberts' sequence in five dimensions. With a tile of 600 units each way they are those of

@@ -4,7 +4,7 @@
 Each has 3000 rays through a tile of 600 units along x, y and height: origin x, y, z, then the
 direction x, y, z of length 1. Random numbers are members n = 1, 2 ... of Roberts' sequence in five
 dimensions, fraction(1/2 + n / g^i), i = 1 ... 5, with g the real root of g^6 = g + 1.
-    up      from z = 0, the cosine of the zenith angle uniform in [cos 80 deg, 1]
+    up      from z = 0, the cosine of the zenith angle uniform in [cos 60 deg, 1]
     within  from heights 0 to 150, directions uniform on the sphere
     down    from z = 600, as up, mirrored
 The files are kept: mathematical libraries differ in the last digits.
@@ -28,7 +28,7 @@ def direction(cosine, turn):
 
 
 def steep(share):
-    least = math.cos(math.radians(80))
+    least = math.cos(math.radians(60))
     return least + (1 - least) * share
 
 

@@ -144,12 +144,13 @@ TEST(Marcher, SumsWhatLookupsReturn) {
         const Marcher marcher(volume, extent, has_edge, has_edge ? 0.4F : 0, 0.25);
         const Ray ray = any_ray(volume, extent);
         double sum = 0;
-        int fetches = 0;
+        bool on_a_face = false;
         for (int k = 0; k <= 40; ++k) {
             std::array<double, 3> uvw{};
             for (std::size_t a = 0; a < 3; ++a) {
                 uvw[a] = (ray.origin[a] + k * 2.5 * ray.direction[a]) / extent[a];
             }
+            on_a_face |= std::fabs(uvw[2]) < 1e-12 || std::fabs(uvw[2] - 1) < 1e-12;
             if (uvw[2] < 0 || uvw[2] > 1) continue;
             double value = 0;
             for (const VoxelTap& tap :
@@ -158,18 +159,18 @@ TEST(Marcher, SumsWhatLookupsReturn) {
             }
             const double x = std::clamp((value - double{0.4F}) / 0.25, 0.0, 1.0);
             sum += has_edge ? value * x * x * (3 - 2 * x) : value;
-            ++fetches;
         }
         const MarchResult found = marcher.march_all(ray, 100, 2.5).straight;
+        RC_ASSERT(found.density_fetches == 41);
         // Samples on the ground or the top may round to either side of it.
-        if (found.density_fetches != fetches) {
+        if (on_a_face) {
             ++elsewhere;
             return;
         }
         ++compared;
         RC_ASSERT(std::fabs(found.optical_depth - 2.5 * sum) <= 1e-5);
     }));
-    EXPECT_GT(compared, 10 * elsewhere);
+    EXPECT_GT(compared, elsewhere);
 }
 
 // The rays that reports measure with, through a cloud of spheres.
