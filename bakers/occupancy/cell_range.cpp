@@ -6,6 +6,7 @@
 #include "bakers/occupancy/cell_blocks.h"
 #include "bakers/occupancy/cell_row_kernel.h"
 #include "bakers/occupancy/exact_extremes.h"
+#include "bakers/occupancy/filter_taps.h"
 #include "bakers/occupancy/outward_rounding.h"
 
 namespace skybake::occupancy {
@@ -13,19 +14,6 @@ namespace skybake::occupancy {
 namespace {
 
 using config::OccupancyFilter;
-
-// How many voxels beyond a cell's faces the filter uses.
-int halo_of(OccupancyFilter filter) {
-    switch (filter) {
-        case OccupancyFilter::nearest:
-            return 0;
-        case OccupancyFilter::trilinear:
-            return 1;
-        case OccupancyFilter::tricubic:
-            return 2;
-    }
-    return 0;
-}
 
 // What the kernels want to know of rows of the last planes: each row is looked at once, shortly
 // before it is used, so that its voxels are in a cache by then.
@@ -35,7 +23,7 @@ class SeenRows {
         : rows_(rows),
           cell_(grid.cell),
           cells_(static_cast<std::size_t>(grid.size()[0])),
-          planes_(grid.cell + 2 * halo_of(filter)),
+          planes_(grid.cell + 2 * voxels_beyond(filter)),
           with_faces_(filter == OccupancyFilter::trilinear) {
         const auto count =
             static_cast<std::size_t>(planes_) * static_cast<std::size_t>(rows.y().count());
@@ -103,7 +91,7 @@ class BlockRanges {
                 const BlockRows& rows, CellRanges& result)
         : grid_(grid),
           filter_(filter),
-          halo_(halo_of(filter)),
+          halo_(voxels_beyond(filter)),
           first_row_(block.y.first),
           seen_(grid, filter, rows),
           result_(result),
@@ -218,14 +206,14 @@ BlockWork ranges_into(CellRanges& ranges, const CellGrid& grid, OccupancyFilter 
 CellRanges cell_ranges(const float* voxels, const CellGrid& grid, OccupancyFilter filter,
                        int threads) {
     CellRanges ranges = zero_ranges(grid);
-    for_each_block(voxels, grid, halo_of(filter), threads, ranges_into(ranges, grid, filter));
+    for_each_block(voxels, grid, voxels_beyond(filter), threads, ranges_into(ranges, grid, filter));
     return ranges;
 }
 
 CellRanges cell_ranges(const ChannelSource& source, const CellGrid& grid, OccupancyFilter filter,
                        const BakeOptions& options) {
     CellRanges ranges = zero_ranges(grid);
-    for_each_block(source, grid, halo_of(filter), options, ranges_into(ranges, grid, filter));
+    for_each_block(source, grid, voxels_beyond(filter), options, ranges_into(ranges, grid, filter));
     return ranges;
 }
 

@@ -48,4 +48,16 @@ AxisTaps filter_taps(OccupancyFilter filter, double position, int size, bool rep
     return taps;
 }
 
+int voxels_beyond(config::OccupancyFilter filter) {
+    switch (filter) {
+        case config::OccupancyFilter::nearest:
+            return 0;
+        case config::OccupancyFilter::trilinear:
+            return 1;
+        case config::OccupancyFilter::tricubic:
+            break;
+    }
+    return 2;
+}
+
 }  // namespace skybake::occupancy

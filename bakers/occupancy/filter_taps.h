@@ -8,6 +8,9 @@
 
 namespace skybake::occupancy {
 
+// How many voxels beyond a cell's faces lookups in the cell use: 0, 1, 2.
+int voxels_beyond(config::OccupancyFilter filter);
+
 // The voxels that a lookup uses, and their weights: >= 0, of sum 1 but for rounding.
 struct AxisTaps {
     int count = 0;

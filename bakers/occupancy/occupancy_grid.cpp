@@ -42,12 +42,6 @@ std::string word_of(std::string_view key, Choice choice) {
     return std::string(words[static_cast<std::size_t>(choice)]);
 }
 
-// A volume's channel by name: its first where none is named.
-std::size_t channel_of(const BakedVolume& volume, const std::string& name) {
-    const auto found = std::find(volume.channel_names.begin(), volume.channel_names.end(), name);
-    return name.empty() ? 0 : static_cast<std::size_t>(found - volume.channel_names.begin());
-}
-
 std::vector<std::string> channel_names(std::size_t count) {
     static constexpr std::array<const char*, 4> kColours = {"R", "G", "B", "A"};
     if (count == 1) return {"Y"};
@@ -121,7 +115,7 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
                                                       BakedVolume& volume) {
     Outcome<std::shared_ptr<const CellSource>> outcome;
     const ChannelSource source{
-        *of.volume.levels.front().voxels, static_cast<int>(channel_of(of.volume, bake.channel)),
+        *of.volume.levels.front().voxels, static_cast<int>(channel_named(of.volume, bake.channel)),
         static_cast<int>(of.volume.channel_names.size()), of.volume.pixel_type};
     const auto threshold = static_cast<float>(of.threshold);
     const auto start = std::chrono::steady_clock::now();
@@ -176,6 +170,11 @@ std::vector<std::array<double, 2>> histogram_ranges(const OccupancyBake& bake) {
 
 }  // namespace
 
+std::size_t channel_named(const BakedVolume& volume, const std::string& name) {
+    const auto found = std::find(volume.channel_names.begin(), volume.channel_names.end(), name);
+    return name.empty() ? 0 : static_cast<std::size_t>(found - volume.channel_names.begin());
+}
+
 Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,
                                     const BakeOptions& options, BakedVolume volume) {
     const CellGrid grid{of.volume.levels.front().size, bake.cell};
@@ -195,7 +194,7 @@ Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBak
         volume.details.emplace_back(key, fmt::format("{}", value));
     };
     add("of", bake.of);
-    add("channel", of.volume.channel_names[channel_of(of.volume, bake.channel)]);
+    add("channel", of.volume.channel_names[channel_named(of.volume, bake.channel)]);
     add("cell", bake.cell);
     add("filter", word_of("filter", bake.filter));
     add("rule", word_of("rule", bake.rule));

@@ -5,25 +5,13 @@
 #include <mutex>
 
 #include "bakers/occupancy/cell_blocks.h"
+#include "bakers/occupancy/filter_taps.h"
 
 namespace skybake::occupancy {
 
 namespace {
 
 using config::OccupancyFilter;
-
-// How many voxels beyond a cell's faces its lookups use.
-int footprint(OccupancyFilter filter) {
-    switch (filter) {
-        case OccupancyFilter::nearest:
-            return 0;
-        case OccupancyFilter::trilinear:
-            return 1;
-        case OccupancyFilter::tricubic:
-            break;
-    }
-    return 2;
-}
 
 // Twice a position along an axis: odd at voxel centres, even at the faces between them.
 struct Node {
@@ -125,7 +113,7 @@ class Search {
   private:
     void look_at(const BlockRows& rows, const std::array<int, 3>& place) {
         const Cell cell(grid_, rows, place);
-        double value = cell.greatest_voxel(footprint(filter_));
+        double value = cell.greatest_voxel(voxels_beyond(filter_));
         if (value <= threshold_) return;
         if (filter_ == OccupancyFilter::trilinear) value = cell.greatest_node();
         if (value <= threshold_) return;
@@ -151,7 +139,7 @@ std::optional<LostCell> find_lost_cell(const ChannelSource& source, const CellGr
                                        float threshold, const BakeOptions& options) {
     Search search(grid, filter, cells, threshold);
     for_each_block(
-        source, grid, footprint(filter), options,
+        source, grid, voxels_beyond(filter), options,
         [&](const CellBlock& block, const BlockRows& rows) { search.look_at(block, rows); });
     if (options.progress != nullptr && options.progress->cancelled()) return std::nullopt;
     return search.lost();

@@ -20,6 +20,7 @@
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/marcher.h"
 #include "bakers/occupancy/occupancy_check.h"
+#include "bakers/occupancy/occupancy_grid.h"
 #include "bakers/report/skipping_rays.h"
 #include "bakers/report/sweep.h"
 #include "bakers/report/thread_time.h"
@@ -200,11 +201,6 @@ class OccupancyMeasurement {
     std::vector<double> unskipped_;
 };
 
-std::size_t channel_index(const BakedVolume& volume, const std::string& name) {
-    const auto found = std::find(volume.channel_names.begin(), volume.channel_names.end(), name);
-    return name.empty() ? 0 : static_cast<std::size_t>(found - volume.channel_names.begin());
-}
-
 MarchedVolume marched(const config::Cloud& cloud, const std::vector<float>& voxels,
                       const CellGrid& grid) {
     MarchedVolume volume;
@@ -232,7 +228,7 @@ Outcome<AssetReport> report_occupancy(const config::Recipe& recipe, const config
     of.size = size_within(asked, max_report_values(options.quick));
     const BakedVolume volume = make_cloud_volume(cloud, of, *inputs.value, {});
     const std::vector<float> voxels =
-        stored_channel(volume, channel_index(volume, asset.channel), options.threads);
+        stored_channel(volume, channel_named(volume, asset.channel), options.threads);
     const MarchedVolume marched_volume = marched(cloud, voxels, {of.size, asset.cell});
 
     AssetReport report;
