@@ -113,9 +113,14 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     const auto occupied = occupied_cells(folder, asset, *cells_file, grid, *teller);
     if (!occupied.value) return "";
     const CellGrid cells{volume.levels.front().size, grid.bake.cell};
-    if (occupied.value->size() != occupancy::count_of(cells.size())) return "";
+    if (occupied.value->size() != occupancy::count_of(cells.size())) {
+        return fmt::format("{} cells are not those of {} voxels a cell of {}",
+                           occupied.value->size(), grid.bake.cell, volume.name);
+    }
     const auto named = std::find(volume.channels.begin(), volume.channels.end(), grid.bake.channel);
-    if (!grid.bake.channel.empty() && named == volume.channels.end()) return "";
+    if (!grid.bake.channel.empty() && named == volume.channels.end()) {
+        return fmt::format("{} has no channel {}", volume.name, grid.bake.channel);
+    }
     const auto channel =
         grid.bake.channel.empty() ? 0 : static_cast<int>(named - volume.channels.begin());
     OccupancyCheck check(cells, *occupied.value, grid.bake.filter, grid.threshold, channel,
@@ -140,17 +145,18 @@ std::vector<VerifyFailure> check(const Manifest& manifest, const std::filesystem
     std::vector<VerifyFailure> failures;
     for (const ManifestAsset& asset : manifest.assets) {
         if (asset.kind != "occupancy" || asset.files.empty()) continue;
-        ++checks;
         const auto fail = [&](std::string message) {
             failures.push_back({asset.files.front().path, "skipping", std::move(message)});
         };
         const std::optional<Grid> grid = grid_of(asset);
         if (!grid) {
+            ++checks;
             fail("its parameters cannot be read as a recipe");
             continue;
         }
         const ManifestAsset* volume = asset_named(manifest, grid->bake.of);
-        if (volume == nullptr || !volume->is_volume()) continue;
+        if (volume == nullptr || !volume->is_volume()) continue;  // baked elsewhere
+        ++checks;
         std::string loss = loss_of(folder, asset, *volume, *grid);
         if (!loss.empty()) fail(std::move(loss));
     }

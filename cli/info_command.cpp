@@ -18,6 +18,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/table_printer.h"
+#include "config/key_path.h"
 
 namespace skybake::cli {
 namespace {
@@ -90,15 +91,14 @@ std::string attribute_text(const Attributes& attributes) {
     std::string long_ones;
     for (const auto& [name, text] : attributes) {
         if (text.find('\n') == std::string::npos) {
-            short_ones.add_row({name, text});
+            short_ones.add_row({config::printable(name), config::printable(text)});
             continue;
         }
-        long_ones += fmt::format("  {}\n    ", name);
-        for (std::size_t i = 0; i < text.size(); ++i) {
-            long_ones += text[i];
-            if (text[i] == '\n' && i + 1 < text.size()) long_ones += "    ";
+        long_ones += fmt::format("  {}\n", config::printable(name));
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);) {
+            long_ones += fmt::format("    {}\n", config::printable(line));
         }
-        if (text.back() != '\n') long_ones += '\n';
     }
     return short_ones.text() + long_ones;
 }

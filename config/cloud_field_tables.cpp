@@ -15,10 +15,11 @@ constexpr Range coefficient_range{0, 1e6};
 constexpr Range sharpness_range{0, 1e6};
 constexpr Range center_range{-16, 16};  // tiles
 constexpr Range sigma_range{1e-6, 16};  // tiles
+constexpr Range scatter_sigma_range{1e-6, 1};
 constexpr Range angle_range{-1e3, 1e3};
 constexpr Range correlation_range{-0.999999, 0.999999};
 constexpr Range count_range{0, 100000};
-constexpr Range aspect_range{1, 100};
+constexpr Range aspect_range{1, 10};
 
 constexpr std::string_view olajos_2016 = "Olajos 2016, Real-Time Rendering of Volumetric Clouds";
 constexpr std::string_view schneider_2015 =
@@ -123,13 +124,16 @@ const std::array cloud_table = {
                 .documentation = "altitude of the cloud's base above the ground",
                 .hint = "cumulus 0.5 to 2 km"},
                &Cloud::base_altitude},
-    CloudField{{.key = "coverage",
-                .kind = Kind::fraction,
-                .range = unit_range,
-                .fallback = "1",
-                .documentation = "1: as the noise and the profile have it, 0: no cloud",
-                .citation = schneider_2015},
-               &Cloud::coverage},
+    CloudField{
+        {.key = "coverage",
+         .kind = Kind::fraction,
+         .range = unit_range,
+         .fallback = "1",
+         .documentation =
+             "1: as noise and profile have it; 1 - coverage is taken from noise * (profile + "
+             "towers): at 0 nothing is left up to 1",
+         .citation = schneider_2015},
+        &Cloud::coverage},
     CloudField{{.key = "threshold",
                 .kind = Kind::number,
                 .range = density_range,
@@ -307,7 +311,7 @@ const std::array tower_scatter_table = {
                       &TowerScatter::seed},
     TowerScatterField{{.key = "sigma",
                        .kind = Kind::bounds,
-                       .range = sigma_range,
+                       .range = scatter_sigma_range,
                        .fallback = "[0.02, 0.05]",
                        .documentation = "standard deviation of the smaller axis, in tiles: from, "
                                         "to; its logarithm is uniform"},

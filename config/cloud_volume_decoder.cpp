@@ -113,7 +113,7 @@ void resolve_cloud_volume(DecodedSection& bake, std::span<const Cloud> clouds,
     resolver.resolve_size(cloud);
     if (!bake.at("size").value) return;
     const auto size = std::get<VoxelCounts>(*bake.at("size").value);
-    resolve_volume_files(bake, size, decoder);
+    resolve_volume_files(bake, size, Halving::down, decoder);
     if (!cloud) return;
     check_voxel_count(bake, size, resolver.channels_of(*cloud, noises), resolver.size_place(),
                       decoder);

@@ -30,7 +30,7 @@ void resolve_noise_volume(DecodedSection& bake, std::span<const Noise> noises, D
     if (noise) resolve_size(bake, *noise);
     if (!bake.at("size").value) return;
     const auto size = std::get<VoxelCounts>(*bake.at("size").value);
-    resolve_volume_files(bake, size, decoder);
+    resolve_volume_files(bake, size, Halving::down, decoder);
     if (!noise) return;
     const std::size_t channels = noise->pack == NoisePacking::none ? noise->channels.size() : 1;
     const Place place = size_place(bake);

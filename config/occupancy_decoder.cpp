@@ -122,7 +122,7 @@ void resolve_occupancy(DecodedSection& bake, const OccupancySources& sources, De
     if (!cell.value || volume->size[0] == 0) return;
     const VoxelCounts cells =
         resolver.cells_of(*volume, static_cast<int>(std::get<double>(*cell.value)));
-    resolve_volume_files(bake, cells, decoder);
+    resolve_volume_files(bake, cells, Halving::up, decoder);
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }
 

@@ -77,18 +77,23 @@ void check_columns(const DecodedSection& bake, const VoxelCounts& size, Decoder&
                                          static_cast<int>(kWidest) / size[0]));
 }
 
-// floor(log2(longest edge)) + 1.
-int levels_of(const VoxelCounts& size) {
+// Down to one voxel: log2(longest edge), rounded as sizes are, + 1.
+int levels_of(const VoxelCounts& size, Halving halving) {
     int levels = 1;
-    for (int edge = *std::max_element(size.begin(), size.end()); edge > 1; edge /= 2) ++levels;
+    int edge = *std::max_element(size.begin(), size.end());
+    while (edge > 1) {
+        edge = (edge + (halving == Halving::up ? 1 : 0)) / 2;
+        ++levels;
+    }
     return levels;
 }
 
-void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halving,
+                    Decoder& decoder) {
     DecodedField& decoded = bake.at("mips");
     const auto* asked = value_of<double>(decoded);
     if (!asked) return;
-    const double levels = levels_of(size);
+    const double levels = levels_of(size, halving);
     if (*asked > levels) {
         decoder.diagnostics.error(
             "E0110", decoded.source->place,
@@ -126,9 +131,10 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
         "unorm8 and unorm16 go with formats = [\"bin\"] alone; float and half with all");
 }
 
-void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
+                          Decoder& decoder) {
     check_columns(bake, size, decoder);
-    resolve_levels(bake, size, decoder);
+    resolve_levels(bake, size, halving, decoder);
 }
 
 void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,

@@ -16,8 +16,12 @@ std::string spell_voxels(const VoxelCounts& size);
 // Pixel types that a format has not (E0131).
 void check_pixel_type(const DecodedSection& bake, Decoder& decoder);
 
+// How a level's sizes follow from those of the one before.
+enum class Halving { down, up };
+
 // Fills in the number of `mips`. Columns and levels beyond what the size has are errors (E0110).
-void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder);
+void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
+                          Decoder& decoder);
 
 // More than 2^36 voxels are an error (E0126), at the place of the size.
 void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,

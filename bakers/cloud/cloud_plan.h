@@ -3,16 +3,19 @@
 //
 // At a voxel, with n the base noise, d the detail noise clamped to [0, 1], h the height in [0, 1]:
 //
-//   b = n (P(h) + T) + (c - 1)                    profile, towers, coverage; with c = 1: Olajos
-//   2016 e = s(h) (d + w(h) (1 - 2 d))                 wisps where w = 0, billows where w = 1 v =
-//   max(0, (b - e) / (1 - e))                 remap(b, e, 1, 0, 1), Schneider and Vos 2015 density
-//   = v smoothstep(t, t + softness, v)    threshold_at = "bake"; else v itself
+//   b = n (P(h) + T) + (c - 1)             profile, towers, coverage; Olajos 2016 where c = 1
+//
+//   e = s(h) (d + w(h) (1 - 2 d))          wisps where w = 0, billows where w = 1
+//
+//   v = max(0, (b - e) / (1 - e))          remap(b, e, 1, 0, 1), Schneider and Vos 2015
+//
+//   density = v smoothstep(t, t + softness, v)      threshold_at = "bake"; else v itself
 //
 // and nothing where b <= t (b <= 0 for threshold_at = "runtime"): erosion takes away.
 //
 // b - (1 - c) is remap(b, 1 - c, 1, 0, 1) c (Schneider 2017, Nubis) multiplied out: it has no pole
-// at c = 0. s goes linearly from erosion[0] at the base to erosion[1] at the top, w from 0 at the
-// base to 1 at wisp_height.
+// at c = 0, and leaves nothing there where n (P + T) <= 1. s goes linearly from erosion[0] at the
+// base to erosion[1] at the top, w from 0 at the base to 1 at wisp_height.
 #pragma once
 
 #include <array>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "bakers/cloud/height_profile.h"
@@ -15,27 +16,66 @@ namespace {
 using config::HeightProfileType;
 using config::Tower;
 
-// One tower and all its images that are not below e^-40 of it.
-double images_of(const Tower& tower, const std::array<double, 2>& place) {
-    constexpr double kReach = 9;  // standard deviations; 9^2 / 2 > 40
+// How far sums go: terms beyond are below e^-40 of the greatest.
+constexpr double kReach = 9;  // standard deviations; 9^2 / 2 > 40
+
+// Of a tower, along x and y.
+struct Covariance {
+    double xx = 0, xy = 0, yy = 0;
+    double determinant = 0;
+};
+
+Covariance covariance_of(const Tower& tower) {
     const double c = std::cos(tower.rotation.radians);
     const double s = std::sin(tower.rotation.radians);
     const double rho = tower.correlation;
-    const double reach = kReach * std::max(tower.sigma[0], tower.sigma[1]);
-    const std::array<double, 2> from = {place[0] - tower.center[0], place[1] - tower.center[1]};
+    const double u = tower.sigma[0];
+    const double v = tower.sigma[1];
+    return {c * c * u * u - 2 * c * s * rho * u * v + s * s * v * v,
+            c * s * (u * u - v * v) + (c * c - s * s) * rho * u * v,
+            s * s * u * u + 2 * c * s * rho * u * v + c * c * v * v,
+            u * u * v * v * (1 - rho) * (1 + rho)};
+}
+
+// Calls term(i, j) for the integers i, j within `reach` standard deviations of `center` by a
+// covariance.
+template <class Term>
+double sum_within(const Covariance& c, double reach, const std::array<double, 2>& center,
+                  const Term& term) {
     double sum = 0;
-    for (double j = std::ceil(from[1] - reach); j <= from[1] + reach; ++j) {
-        for (double i = std::ceil(from[0] - reach); i <= from[0] + reach; ++i) {
-            const double dx = from[0] - i;
-            const double dy = from[1] - j;
-            const double a = (c * dx + s * dy) / tower.sigma[0];
-            const double b = (c * dy - s * dx) / tower.sigma[1];
-            // a^2 - 2 rho a b + b^2 as a sum of squares.
-            const double q = b * b + (a - rho * b) * (a - rho * b) / ((1 - rho) * (1 + rho));
-            sum += tower.amplitude * std::exp(-q / 2);
-        }
+    const double rows = reach * std::sqrt(c.yy);
+    const double columns = reach * std::sqrt(c.determinant / c.yy);
+    for (double j = std::ceil(center[1] - rows); j <= center[1] + rows; ++j) {
+        const double middle = center[0] + c.xy / c.yy * (j - center[1]);
+        for (double i = std::ceil(middle - columns); i <= middle + columns; ++i) sum += term(i, j);
     }
     return sum;
+}
+
+// One tower and its images: the field of tower_field.h. Few images make up a narrow tower, few
+// waves a wide one: where the covariance's determinant is 1, both are an area of 81 pi.
+double images_of(const Tower& tower, const std::array<double, 2>& place) {
+    const Covariance c = covariance_of(tower);
+    const std::array<double, 2> from = {place[0] - tower.center[0], place[1] - tower.center[1]};
+    if (c.determinant < 1) {
+        return sum_within(c, kReach, from, [&](double i, double j) {
+            const double x = from[0] - i;
+            const double y = from[1] - j;
+            const double across = x - c.xy / c.yy * y;
+            return tower.amplitude *
+                   std::exp(-(y * y / c.yy + across * across * c.yy / c.determinant) / 2);
+        });
+    }
+    // Waves have the inverse of the covariance, over (2 pi)^2.
+    const double pi = std::numbers::pi;
+    const double square = 4 * pi * pi;
+    const Covariance waves = {c.yy / c.determinant / square, -c.xy / c.determinant / square,
+                              c.xx / c.determinant / square, 1 / (c.determinant * square * square)};
+    const double scale = 2 * pi * std::sqrt(c.determinant) * tower.amplitude;
+    return sum_within(waves, kReach, {0, 0}, [&](double i, double j) {
+        const double q = c.xx * i * i + 2 * c.xy * i * j + c.yy * j * j;
+        return scale * std::exp(-2 * pi * pi * q) * std::cos(2 * pi * (i * from[0] + j * from[1]));
+    });
 }
 
 double smooth_step(double from, double to, double x) {
@@ -97,6 +137,11 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
     if (!in_file) return value;
     if (cloud_.edge_softness == 0) return value > cloud_.threshold ? value : 0;
     return value * smooth_step(cloud_.threshold, cloud_.threshold + cloud_.edge_softness, value);
+}
+
+bool CloudReference::is_dear() const {
+    constexpr std::size_t kTowers = 300;  // some microseconds each
+    return towers_.size() > kTowers;
 }
 
 std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {

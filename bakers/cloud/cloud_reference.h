@@ -1,5 +1,5 @@
 // A cloud by its definition (cloud_plan.h) in double precision, point by point: what texel and
-// lookup errors are measured against. Towers are summed over all their images, profiles come from
+// lookup errors are measured against. Towers are summed to e^-40, profiles come from
 // the C library; it shares the lattice's random numbers and the maps' pixels with the kernels.
 #pragma once
 
@@ -22,6 +22,9 @@ class CloudReference {
     // Arguments as of make_cloud_plan; noises as their recipe has them.
     CloudReference(const config::Cloud& cloud, const config::Noise& base,
                    const config::Noise* detail, CloudMaps maps);
+
+    // Whether a point takes more than a millisecond.
+    bool is_dear() const;
 
     // All channels at a place: x and y in tiles, h in [0, 1].
     std::vector<double> operator()(const std::array<double, 3>& place) const;

@@ -145,7 +145,8 @@ Outcome<BakedVolume> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake
         {.histogram_ranges = ranges,
          .reference =
              [reference](const std::array<double, 3>& place) { return (*reference)(place); },
-         .reference_name = "the cloud's definition in double precision, point by point"},
+         .reference_name = "the cloud's definition in double precision, point by point",
+         .dear = reference->is_dear()},
         options);
 }
 

@@ -25,10 +25,12 @@ std::string place_text(const std::array<double, 3>& uvw) {
 }
 
 void certify(const VolumeFinish& finish, const BakeOptions& options, BakedVolume& volume) {
+    constexpr int kDearPoints = 64;
     constexpr int kQuickPoints = 1024;
     constexpr int kFullPoints = 16384;
     const VolumeLevel& level = volume.levels.front();
-    const int points = options.certification == Certification::full ? kFullPoints : kQuickPoints;
+    const int quick_points = finish.dear ? kDearPoints : kQuickPoints;
+    const int points = options.certification == Certification::full ? kFullPoints : quick_points;
     const auto voxels =
         static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
     const VolumeErrors texel =

@@ -24,6 +24,7 @@ struct VolumeFinish {
     std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
     VolumeReference reference;                            // none: no certificate
     std::string reference_name;
+    bool dear = false;  // the reference: then --certify=quick takes fewer points
     std::string scale = "share of the channel's value range, max - min";
 };
 

@@ -10,6 +10,7 @@
 
 #include "bakers/io/exr.h"
 #include "bakers/io/verify.h"
+#include "config/key_path.h"
 
 namespace skybake {
 
@@ -18,8 +19,9 @@ class Examination {
   public:
     Examination(VerifyReport& report, std::string file) : report_(report), file_(std::move(file)) {}
 
-    void fail(std::string check, std::string message) {
-        report_.failures.push_back({file_, std::move(check), std::move(message)});
+    void fail(std::string check, const std::string& message) {
+        // What a damaged file says may not be text.
+        report_.failures.push_back({file_, std::move(check), config::printable(message)});
     }
     bool expect(bool holds, const char* check, const std::string& message) {
         ++report_.checks;

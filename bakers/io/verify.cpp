@@ -73,8 +73,8 @@ void check_table_file(Examination& examination, const std::filesystem::path& pat
     check_image(examination, asset, file, *image.value);
     for (const AssetCheck& check : further) {
         int checks = 0;
-        for (std::string& message : check.run(asset, *image.value, checks)) {
-            examination.fail(check.name, std::move(message));
+        for (const std::string& message : check.run(asset, *image.value, checks)) {
+            examination.fail(check.name, message);
         }
         examination.count(checks);
     }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "bakers/core/half_conversion.h"
 #include "bakers/core/pixel_type.h"
 #include "bakers/occupancy/leap_distance.h"
 
@@ -17,34 +18,32 @@ using config::PixelType;
 
 constexpr float kFarthestLeap = 255;
 
-// From a half to the next above it: at most so much.
-float half_step(float half) {
-    constexpr int kSmallestExponent = -14;
-    constexpr int kMantissaBits = 10;
-    const int exponent = half == 0 ? kSmallestExponent : std::ilogb(half);
-    return std::ldexp(1.0f, std::max(exponent, kSmallestExponent) - kMantissaBits);
+// The next half above one that is not infinite.
+float next_half_up(float half) {
+    const std::uint16_t bits = half_of_float(half);
+    if ((bits & 0x7fffU) == 0) return float_of_half(1);  // 0, whatever its sign
+    const bool negative = (bits & 0x8000U) != 0;
+    return float_of_half(static_cast<std::uint16_t>(negative ? bits - 1 : bits + 1));
 }
 
-// The nearest value of the type and its neighbour upwards.
-float next_up(float stored, PixelType type) {
-    if (type == PixelType::half) return stored + half_step(stored);
-    const double steps = type == PixelType::unorm8 ? 255 : 65535;
-    return static_cast<float>((std::round(stored * steps) + 1) / steps);
-}
+double steps_of(PixelType type) { return type == PixelType::unorm8 ? 255 : 65535; }
 
 }  // namespace
 
 float stored_up(float value, PixelType type) {
-    const float nearest = round_to_pixel_type(value, type);
-    return nearest < value ? next_up(nearest, type) : nearest;
+    if (type == PixelType::float32) return value;
+    if (type == PixelType::half) {
+        const float nearest = round_to_pixel_type(value, type);
+        return nearest < value ? next_half_up(nearest) : nearest;
+    }
+    // In double, where no product of a float and 65535 is rounded.
+    return static_cast<float>(std::ceil(double{value} * steps_of(type)) / steps_of(type));
 }
 
 float stored_down(float value, PixelType type) {
-    const float nearest = round_to_pixel_type(value, type);
-    if (nearest <= value) return nearest;
+    if (type == PixelType::float32) return value;
     if (type == PixelType::half) return -stored_up(-value, type);
-    const double steps = type == PixelType::unorm8 ? 255 : 65535;
-    return static_cast<float>((std::round(nearest * steps) - 1) / steps);
+    return static_cast<float>(std::floor(double{value} * steps_of(type)) / steps_of(type));
 }
 
 CellSource::CellSource(CellRanges ranges, OccupiedCells occupied,

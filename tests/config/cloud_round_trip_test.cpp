@@ -104,8 +104,8 @@ std::string any_towers() {
 std::string any_scatter() {
     return fmt::format(
         "[clouds.c.scatter]\ncount = {}\nseed = '{:#x}'\nsigma = {}\naspect = {}\namplitude = {}\n",
-        *rc::gen::inRange(0, 100001), *rc::gen::arbitrary<std::uint64_t>(), any_bounds(1e-6, 16),
-        any_bounds(1, 100), any_bounds(0, 9));
+        *rc::gen::inRange(0, 100001), *rc::gen::arbitrary<std::uint64_t>(), any_bounds(1e-6, 1),
+        any_bounds(1, 10), any_bounds(0, 9));
 }
 
 std::string any_cloud() {

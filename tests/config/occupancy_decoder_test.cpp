@@ -59,7 +59,7 @@ TEST(OccupancyDecoder, CellsArePowersOfTwo) {
 // 30x20x10 voxels are 8x5x3 cells of 4, and 30x20x10 of 1.
 TEST(OccupancyDecoder, LevelsAndColumnsAreThoseOfItsCells) {
     EXPECT_EQ(occupancy("mips = 'all'").mips, 4);
-    EXPECT_EQ(occupancy("mips = 'all'\ncell = 1").mips, 5);
+    EXPECT_EQ(occupancy("mips = 'all'\ncell = 1").mips, 6);
     EXPECT_EQ(occupancy("mips = 'all'\ncell = 16").mips, 2);
     EXPECT_EQ(fault("mips = 5").label, "8x5x3 has 4 levels down to one voxel");
     EXPECT_EQ(occupancy("layout = 'atlas'\ncolumns = 3").columns, 3);

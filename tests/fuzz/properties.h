@@ -133,8 +133,8 @@ inline void check_scatter(const TowerScatter& scatter) {
         require(bounds[0] <= bounds[1], "bounds in order");
     }
     if (scatter.count == 0) return;
-    require(within(scatter.sigma[0], 1e-6, 16), "sigma in range");
-    require(within(scatter.aspect[1], 1, 100), "aspect in range");
+    require(within(scatter.sigma[0], 1e-6, 1), "sigma in range");
+    require(within(scatter.aspect[1], 1, 10), "aspect in range");
     require(within(scatter.amplitude[1], 0, 1e6), "amplitude in range");
 }
 

@@ -188,11 +188,16 @@ TEST(StoredOutwards, IsTheNearestOnTheRightSide) {
         RC_ASSERT(up >= value && down <= value);
         RC_ASSERT(round_to_pixel_type(up, PixelType::half) == up);
         RC_ASSERT(round_to_pixel_type(down, PixelType::half) == down);
-        const double step = std::max(std::ldexp(1.0, -24), std::fabs(double{value}) / 512);
-        RC_ASSERT(double{up} - double{down} <= step);
+        // Neighbours, or the value itself: nothing between them is a half.
+        RC_ASSERT(up == down ||
+                  round_to_pixel_type((double{up} + double{down}) / 2, PixelType::half) == up ||
+                  round_to_pixel_type((double{up} + double{down}) / 2, PixelType::half) == down);
         const auto share = static_cast<float>(test::any_number(0, 1));
         for (const PixelType type : {PixelType::unorm8, PixelType::unorm16}) {
-            RC_ASSERT(stored_up(share, type) >= share && stored_down(share, type) <= share);
+            // As the steps they are stored as, not as the floats nearest to those.
+            const double steps = type == PixelType::unorm8 ? 255 : 65535;
+            RC_ASSERT(std::round(stored_up(share, type) * steps) >= double{share} * steps);
+            RC_ASSERT(std::round(stored_down(share, type) * steps) <= double{share} * steps);
             RC_ASSERT(round_to_pixel_type(stored_up(share, type), type) == stored_up(share, type));
             RC_ASSERT(stored_up(share, type) - stored_down(share, type) <= 1.001 / 255);
         }
