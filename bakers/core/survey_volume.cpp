@@ -170,7 +170,7 @@ class Histogram {
 // the first cache; `values` are rounded. Most pieces of a cloud's box are empty, and cost a look.
 Summary summarize(float* values, std::size_t count, std::array<double, 2> range, PixelType type,
                   char* stored) {
-    constexpr std::size_t kPiece = 4096;
+    constexpr std::size_t kPiece = 512;
     const auto width = static_cast<std::size_t>(bytes_per_value(type));
     Summary summary;
     LaneSummary lanes;

@@ -74,7 +74,7 @@ const std::string kFull =
     cumulus("threshold = 0.05\nheight_profile = { type = 'tabulated', table = [[0, 1]] }\n");
 const std::string kTowers = cumulus(
     "threshold = 0.05\nheight_profile = { type = 'tabulated', table = [[0, 0]] }\n"
-    "scatter = { count = 12, seed = 1, sigma = [0.02, 0.03], aspect = [1, 1.5], "
+    "scatter = { count = 7, seed = 1, sigma = [0.02, 0.03], aspect = [1, 1.5], "
     "amplitude = [0.8, 1] }\n");
 const std::string kCoverage = cumulus("coverage = '5 %'\n");
 
