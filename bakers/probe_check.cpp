@@ -39,8 +39,8 @@ Coordinates texture_coordinates(const config::MultipleScatteringBake& bake, cons
 }
 
 // Volumes have probes of another kind, which are texture coordinates themselves.
-Coordinates texture_coordinates(const config::VolumeFiles&, const Shell&,
-                                const std::vector<int>&, const Probe& probe) {
+Coordinates texture_coordinates(const config::VolumeFiles&, const Shell&, const std::vector<int>&,
+                                const Probe& probe) {
     return probe.uv;
 }
 
