@@ -267,10 +267,12 @@ constexpr std::array codes = {
                    "A file of that name exists, and no manifest in its folder says that skybake "
                    "wrote it. Move it away, choose another folder with -o, or say --force.",
                    "skybake init notes.toml", "skybake init earth.toml", input_or_output},
-    DiagnosticCode{"E0304", "not a file that skybake wrote, or damaged",
-                   "The file cannot be read as what its name says, or lacks the metadata that "
-                   "skybake writes into every file.",
-                   "", "", input_or_output},
+    DiagnosticCode{
+        "E0304", "damaged, or not the kind of file that is wanted",
+        "The file cannot be read as what it is to be, or lacks the metadata that skybake "
+        "writes into every file. A map over a cloud is a PNG, TIFF or OpenEXR picture "
+        "with values from 0 to 1.",
+        "", "", input_or_output},
 
     DiagnosticCode{"E0401", "not finite",
                    "A baked value is infinite or not a number. Nothing is written.", "", "",
