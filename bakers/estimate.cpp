@@ -8,6 +8,7 @@
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/voxel_boxes.h"
 #include "bakers/named_parameters.h"
+#include "config/cloud_channels.h"
 
 namespace skybake {
 
@@ -117,8 +118,8 @@ Estimate estimate_cloud_volume(const Parameters& parameters, const Bake& bake) {
     const Noise& base = noise_named(parameters, cloud.noise);
     double octaves = octaves_of(base);
     if (!cloud.detail.empty()) octaves += octaves_of(noise_named(parameters, cloud.detail));
-    const bool density = cloud.channels == config::CloudChannels::density;
-    return estimate_volume(asset, asset.size, density ? 1 : channels_of(base),
+    return estimate_volume(asset, asset.size,
+                           config::cloud_channel_names(base, cloud.channels).size(),
                            octaves * kSecondsPerOctave + kSecondsPerShape);
 }
 

@@ -13,6 +13,7 @@
 #include "bakers/named_parameters.h"
 #include "bakers/noise/noise_volume.h"
 #include "bakers/occupancy/occupancy_grid.h"
+#include "config/cloud_channels.h"
 #include "config/key_path.h"
 
 namespace skybake {
@@ -97,9 +98,8 @@ Outcome<BakedAsset> occupancy_grid(const Parameters& parameters, const Bake& bak
     const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
     if (!inputs.value) return {{}, inputs.diagnostics};
     const BakedVolume voxels = make_cloud_volume(cloud, of, *inputs.value, {});
-    const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
     return as_asset(
-        bake_occupancy({voxels, in_file ? 0 : cloud.threshold}, asset, options, std::move(volume)));
+        bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume)));
 }
 
 const std::vector<std::string> kShellAndProfiles = {
@@ -127,22 +127,22 @@ std::vector<std::string> multiple_scattering_parameters(const Parameters&, const
     return patterns;
 }
 
-// Of a noise's channels, the first `channels`. Not its `size`, which is but the default of a
-// bake's.
-void add_noise(const Noise& noise, std::size_t channels, std::vector<std::string>& patterns) {
+// Of a noise and those of its channels. Not its `size`, which is but the default of a bake's.
+void add_noise(const Noise& noise, std::span<const config::NoiseChannel> channels,
+               std::vector<std::string>& patterns) {
     const std::string path = config::join_path("noise", noise.name);
     for (const char* key : {"seed", "sampling", "pack"}) {
         patterns.push_back(fmt::format("{}.{}", path, key));
     }
-    for (std::size_t i = 0; i < std::min(channels, noise.channels.size()); ++i) {
-        patterns.push_back(fmt::format("{}.channels.{}.*", path, noise.channels[i].name));
+    for (const config::NoiseChannel& channel : channels) {
+        patterns.push_back(fmt::format("{}.channels.{}.*", path, channel.name));
     }
 }
 
 std::vector<std::string> noise_volume_parameters(const Parameters& parameters, const Bake& bake) {
     std::vector<std::string> patterns;
     const Noise& noise = noise_named(parameters, std::get<NoiseVolumeBake>(bake.asset).noise);
-    add_noise(noise, noise.channels.size(), patterns);
+    add_noise(noise, noise.channels, patterns);
     return patterns;
 }
 
@@ -151,17 +151,11 @@ std::vector<std::string> cloud_volume_parameters(const Parameters& parameters, c
     const std::string path = config::join_path("clouds", cloud.name);
     std::vector<std::string> patterns = {fmt::format("{}.*", path), fmt::format("{}.*.*", path),
                                          fmt::format("{}.towers.*.*", path)};
-    const auto used = [&](const Noise& noise) {
-        const bool first = cloud.channels == config::CloudChannels::density &&
-                           noise.pack == config::NoisePacking::none;
-        return first ? 1 : noise.channels.size();
-    };
     const Noise& base = noise_named(parameters, cloud.noise);
-    add_noise(base, used(base), patterns);
+    add_noise(base, config::used_channels(base, cloud.channels), patterns);
     if (!cloud.detail.empty() && cloud.detail != cloud.noise) {
         const Noise& detail = noise_named(parameters, cloud.detail);
-        add_noise(detail, detail.pack == config::NoisePacking::none ? 1 : detail.channels.size(),
-                  patterns);
+        add_noise(detail, config::used_channels(detail, config::CloudChannels::density), patterns);
     }
     return patterns;
 }

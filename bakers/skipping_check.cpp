@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "bakers/cloud/cloud_volume.h"
 #include "bakers/io/read_volume.h"
 #include "bakers/named_parameters.h"
 #include "bakers/occupancy/occupancy_check.h"
@@ -45,9 +46,7 @@ std::optional<Grid> grid_of(const ManifestAsset& asset) {
     if (bake == nullptr || bake->contents.size() != asset.channels.size()) return std::nullopt;
     // A recipe that was read names a cloud volume of a cloud that is there.
     const auto& of = std::get<config::CloudVolumeBake>(bake_named(parameters, bake->of).asset);
-    const config::Cloud& cloud = cloud_named(parameters, of.cloud);
-    const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
-    return Grid{*bake, in_file ? 0 : static_cast<float>(cloud.threshold)};
+    return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
 }
 
 const ManifestAsset* asset_named(const Manifest& manifest, const std::string& name) {

@@ -8,6 +8,7 @@
 
 #include "bakers/cloud/height_profile.h"
 #include "bakers/noise/noise_bounds.h"
+#include "config/cloud_channels.h"
 
 namespace skybake::cloud {
 
@@ -19,7 +20,6 @@ using config::HeightProfileType;
 using config::Noise;
 using config::NoiseChannel;
 using config::NoiseOctaves;
-using config::NoisePacking;
 
 // R and G of a cloud of several channels carry shape and profile; B and A are for detail (Olajos
 // 2016).
@@ -67,9 +67,8 @@ float bound_of(const Noise& base, int shaped_channels) {
 Noise cloud_noise(const Noise& noise, const std::array<int, 3>& scale, CloudChannels channels) {
     Noise result = noise;
     result.sampling = config::NoiseSampling::centers;
-    if (channels == CloudChannels::density && noise.pack == NoisePacking::none) {
-        result.channels.resize(1);
-    }
+    const auto used = config::used_channels(noise, channels);
+    result.channels.assign(used.begin(), used.end());
     for (NoiseChannel& channel : result.channels) {
         scale_frequencies(channel.octaves, scale);
         scale_frequencies(channel.worley_octaves, scale);

@@ -14,6 +14,7 @@
 #include "bakers/core/finish_volume.h"
 #include "bakers/core/low_discrepancy.h"
 #include "bakers/noise/noise_plan.h"
+#include "config/cloud_channels.h"
 
 namespace skybake {
 
@@ -99,20 +100,19 @@ double seam_error(const CloudField& field, const std::array<int, 3>& size) {
     return largest;
 }
 
-}  // namespace
-
-BakedVolume make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
-                              const CloudInputs& inputs, BakedVolume volume) {
-    static constexpr std::array<const char*, 4> kChannels = {"R", "G", "B", "A"};
-    const auto field = std::make_shared<const CloudField>(
+std::shared_ptr<const CloudField> make_field(const Cloud& cloud, const CloudVolumeBake& bake,
+                                             const CloudInputs& inputs) {
+    return std::make_shared<const CloudField>(
         make_cloud_plan(cloud, *inputs.base, inputs.detail, bake.size, inputs.maps));
-    const int channels = field->plan().channels;
+}
+
+BakedVolume describe(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
+                     std::shared_ptr<const CloudField> field, BakedVolume volume) {
     volume.kind = "cloud_volume";
     volume.content = content_of(cloud);
     volume.mapping = "layer";
     volume.axes = axes_of(cloud);
-    volume.channel_names = {"Y"};
-    if (channels > 1) volume.channel_names.assign(kChannels.begin(), kChannels.begin() + channels);
+    volume.channel_names = config::cloud_channel_names(*inputs.base, cloud.channels);
     volume.grid_names = grid_names(volume.channel_names);
     volume.sparse = true;
     set_files(bake, volume);
@@ -122,19 +122,32 @@ BakedVolume make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
     volume.minimum_m = {0, 0, cloud.base_altitude.meters};
     volume.up_axis = "+z";
     add_details(cloud, field->plan(), volume);
-    volume.seam_error = seam_error(*field, bake.size);
     VolumeLevel level;
     level.size = bake.size;
     level.repeats = repeating_axes(volume.mapping);
-    level.voxels = field;
+    level.voxels = std::move(field);
     volume.levels.push_back(std::move(level));
     return volume;
+}
+
+}  // namespace
+
+float filtered_threshold(const Cloud& cloud) {
+    const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
+    return in_file ? 0 : static_cast<float>(cloud.threshold);
+}
+
+BakedVolume make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
+                              const CloudInputs& inputs, BakedVolume volume) {
+    return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
 }
 
 Outcome<BakedVolume> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
                                        const CloudInputs& inputs, const BakeOptions& options,
                                        BakedVolume volume) {
-    volume = make_cloud_volume(cloud, bake, inputs, std::move(volume));
+    const auto field = make_field(cloud, bake, inputs);
+    volume = describe(cloud, bake, inputs, field, std::move(volume));
+    volume.seam_error = seam_error(*field, bake.size);
     add_mip_levels(bake.mips, options, volume);
     // Densities are shares of 1, and so is noise.
     const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});

@@ -16,6 +16,9 @@ struct CloudInputs {
     cloud::CloudMaps maps;
 };
 
+// What a lookup of the stored values must exceed to be something.
+float filtered_threshold(const config::Cloud& cloud);
+
 // What a cloud's files say and its voxels on demand: `volume`, which has a name and parameters,
 // with all the rest but what finish_volume adds.
 BakedVolume make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,

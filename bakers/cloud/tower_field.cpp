@@ -17,31 +17,6 @@ using std::numbers::pi;
 // Terms are kept up to exp(-kLargestExponent) of the greatest.
 constexpr double kLargestExponent = 25;
 
-// Of a tower, along x and y.
-struct Covariance {
-    double xx = 0, xy = 0, yy = 0;
-    double determinant = 0;
-};
-
-Covariance covariance_of(const Tower& tower) {
-    const auto [s, t] = tower.sigma;
-    const double turns = tower.rotation.radians / (2 * pi);
-    const auto cosine_of_turns = [](double n) {
-        const double within = n - std::floor(n);
-        return cosine_of_pi(2 * std::min(within, 1 - within));
-    };
-    const double c = cosine_of_turns(turns);
-    const double n = cosine_of_turns(turns - 0.25);
-    const double shared = tower.correlation * s * t;
-    Covariance result;
-    result.xx = c * c * s * s - 2 * c * n * shared + n * n * t * t;
-    result.yy = n * n * s * s + 2 * c * n * shared + c * c * t * t;
-    result.xy = c * n * (s * s - t * t) + (c * c - n * n) * shared;
-    // A rotation leaves it as it is; from xx yy - xy^2 a thin tower's would cancel.
-    result.determinant = s * s * t * t * (1 - tower.correlation) * (1 + tower.correlation);
-    return result;
-}
-
 // Adds amplitude * exp(exponent(x[i])) to sums[i].
 template <class Exponent>
 void add_exponentials(std::span<const double> x, const Exponent& exponent, double amplitude,
@@ -56,13 +31,44 @@ void add_exponentials(std::span<const double> x, const Exponent& exponent, doubl
     }
 }
 
-// cos(2 pi n).
-double wave(double n) {
-    const double within = n - std::floor(n);
-    return cosine_of_pi(2 * std::min(within, 1 - within));
+}  // namespace
+
+TowerField::Covariance TowerField::covariance_of(const Tower& tower) {
+    const auto [s, t] = tower.sigma;
+    const double turns = tower.rotation.radians / (2 * pi);
+    const double c = cosine_of_turns(turns);
+    const double n = cosine_of_turns(turns - 0.25);
+    const double shared = tower.correlation * s * t;
+    Covariance result;
+    result.xx = c * c * s * s - 2 * c * n * shared + n * n * t * t;
+    result.yy = n * n * s * s + 2 * c * n * shared + c * c * t * t;
+    result.xy = c * n * (s * s - t * t) + (c * c - n * n) * shared;
+    // A rotation leaves it as it is; from xx yy - xy^2 a thin tower's would cancel.
+    result.determinant = s * s * t * t * (1 - tower.correlation) * (1 + tower.correlation);
+    return result;
 }
 
-}  // namespace
+TowerField::Waves TowerField::waves_of(const Tower& tower, const Covariance& c) {
+    Waves waves{tower.center, {}};
+    const double scale = 2 * pi * std::sqrt(c.determinant) * tower.amplitude;
+    // k^T C k = (xx)(kx + (xy/xx) ky)^2 + (det/xx) ky^2 <= limit
+    const double limit = kLargestExponent / (2 * pi * pi);
+    const auto last_y = static_cast<int>(std::floor(std::sqrt(limit * c.xx / c.determinant)));
+    for (int ky = 0; ky <= last_y; ++ky) {
+        const double left = limit - c.determinant / c.xx * ky * ky;
+        const double middle = -c.xy / c.xx * ky;
+        const double reach = std::sqrt(std::max(0.0, left) / c.xx);
+        const auto first_x = static_cast<int>(std::ceil(middle - reach));
+        const auto last_x = static_cast<int>(std::floor(middle + reach));
+        for (int kx = ky == 0 ? 0 : first_x; kx <= last_x; ++kx) {
+            const double across = kx - middle;
+            const double square = c.xx * across * across + c.determinant / c.xx * ky * ky;
+            const double pair = kx == 0 && ky == 0 ? 1 : 2;
+            waves.waves.push_back({{kx, ky}, pair * scale * exponential(-2 * pi * pi * square)});
+        }
+    }
+    return waves;
+}
 
 TowerField::TowerField(std::span<const Tower> towers) {
     for (const Tower& tower : towers) {
@@ -74,26 +80,7 @@ TowerField::TowerField(std::span<const Tower> towers) {
                 {tower.center, tower.amplitude, c.yy, c.determinant / c.yy, c.xy / c.yy});
             continue;
         }
-        Waves waves{tower.center, {}};
-        const double scale = 2 * pi * std::sqrt(c.determinant) * tower.amplitude;
-        // k^T C k = (xx)(kx + (xy/xx) ky)^2 + (det/xx) ky^2 <= limit
-        const double limit = kLargestExponent / (2 * pi * pi);
-        const auto last_y = static_cast<int>(std::floor(std::sqrt(limit * c.xx / c.determinant)));
-        for (int ky = 0; ky <= last_y; ++ky) {
-            const double left = limit - c.determinant / c.xx * ky * ky;
-            const double middle = -c.xy / c.xx * ky;
-            const double reach = std::sqrt(std::max(0.0, left) / c.xx);
-            const auto first_x = static_cast<int>(std::ceil(middle - reach));
-            const auto last_x = static_cast<int>(std::floor(middle + reach));
-            for (int kx = ky == 0 ? 0 : first_x; kx <= last_x; ++kx) {
-                const double across = kx - middle;
-                const double square = c.xx * across * across + c.determinant / c.xx * ky * ky;
-                const double pair = kx == 0 && ky == 0 ? 1 : 2;
-                waves.waves.push_back(
-                    {{kx, ky}, pair * scale * exponential(-2 * pi * pi * square)});
-            }
-        }
-        wide_.push_back(std::move(waves));
+        wide_.push_back(waves_of(tower, c));
     }
 }
 
@@ -132,7 +119,8 @@ void TowerField::add_waves(const Waves& tower, double y, std::span<const double>
     for (const Wave& term : tower.waves) {
         const double turns_y = term.k[1] * (y - tower.center[1]);
         for (std::size_t at = 0; at < x.size(); ++at) {
-            sums[at] += term.amplitude * wave(term.k[0] * (x[at] - tower.center[0]) + turns_y);
+            sums[at] +=
+                term.amplitude * cosine_of_turns(term.k[0] * (x[at] - tower.center[0]) + turns_y);
         }
     }
 }

@@ -35,6 +35,11 @@ class TowerField {
     void add_row(double y, std::span<const double> x, double* sums) const;
 
   private:
+    // Of a tower, along x and y.
+    struct Covariance {
+        double xx = 0, xy = 0, yy = 0;
+        double determinant = 0;
+    };
     // q = dy^2 / variance_y + (dx - slope dy)^2 / variance_x_given_y: a sum of squares, so that
     // nothing cancels in thin towers.
     struct Images {
@@ -51,6 +56,8 @@ class TowerField {
         std::vector<Wave> waves;  // of each pair k, -k one, with the amplitude of both
     };
 
+    static Covariance covariance_of(const config::Tower& tower);
+    static Waves waves_of(const config::Tower& tower, const Covariance& covariance);
     void add_images(const Images& tower, double y, std::span<const double> x, double* sums) const;
     void add_waves(const Waves& tower, double y, std::span<const double> x, double* sums) const;
 

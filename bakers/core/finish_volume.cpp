@@ -43,7 +43,7 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, BakedVolume
     certificate.lookup = lookup.figures;
     certificate.lookup_points = lookup.points;
     certificate.reference = finish.reference_name;
-    certificate.scale = finish.scale;
+    certificate.scale = "share of the channel's value range, max - min";
     certificate.worst = place_text(lookup.worst);
     volume.certified = true;
 }

@@ -25,7 +25,6 @@ struct VolumeFinish {
     VolumeReference reference;                            // none: no certificate
     std::string reference_name;
     bool dear = false;  // the reference: then --certify=quick takes fewer points
-    std::string scale = "share of the channel's value range, max - min";
 };
 
 // Surveys all levels, makes their probes, and measures level 0 against the reference unless

@@ -1,5 +1,7 @@
 #include "bakers/core/transcendental.h"
 
+#include <cmath>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bakers/core/transcendental.cpp"
 #include <hwy/foreach_target.h>
@@ -32,6 +34,11 @@ double exponential(double x) { return HWY_NAMESPACE::exponential(x); }
 double logarithm(double x) { return HWY_NAMESPACE::logarithm(x); }
 double arc_cosine(double x) { return HWY_NAMESPACE::arc_cosine(x); }
 double cosine_of_pi(double x) { return HWY_NAMESPACE::cosine_of_pi(x); }
+
+double cosine_of_turns(double n) {
+    const double within = n - std::floor(n);
+    return cosine_of_pi(2 * (within < 0.5 ? within : 1 - within));
+}
 
 void exponentials(double* values, int count) { HWY_DYNAMIC_DISPATCH(Exponentials)(values, count); }
 

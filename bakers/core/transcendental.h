@@ -4,10 +4,11 @@
 
 namespace skybake {
 
-double exponential(double x);   // e^x
-double logarithm(double x);     // ln x, x > 0 and normal
-double arc_cosine(double x);    // x in [-1, 1]
-double cosine_of_pi(double x);  // cos(pi x), x in [0, 1]
+double exponential(double x);      // e^x
+double logarithm(double x);        // ln x, x > 0 and normal
+double arc_cosine(double x);       // x in [-1, 1]
+double cosine_of_pi(double x);     // cos(pi x), x in [0, 1]
+double cosine_of_turns(double n);  // cos(2 pi n), any finite n
 
 // Replaces each of `count` values by its exponential, vector by vector: the same bits as one by
 // one.

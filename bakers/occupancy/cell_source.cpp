@@ -50,9 +50,12 @@ CellSource::CellSource(CellRanges ranges, OccupiedCells occupied,
                        std::vector<OccupancyContent> contents, PixelType pixel_type)
     : ranges_(std::move(ranges)),
       occupied_(std::move(occupied)),
-      leap_(leap_distance(occupied_)),
       contents_(std::move(contents)),
-      pixel_type_(pixel_type) {}
+      pixel_type_(pixel_type) {
+    const bool leaps =
+        std::find(contents_.begin(), contents_.end(), OccupancyContent::leap) != contents_.end();
+    if (leaps) leap_ = leap_distance(occupied_);
+}
 
 float CellSource::value(OccupancyContent content, std::size_t cell) const {
     switch (content) {

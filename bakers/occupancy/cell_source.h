@@ -28,7 +28,7 @@ class CellSource : public VoxelSource {
 
     CellRanges ranges_;
     OccupiedCells occupied_;
-    std::vector<std::uint8_t> leap_;
+    std::vector<std::uint8_t> leap_;  // none where no channel has it
     std::vector<config::OccupancyContent> contents_;
     config::PixelType pixel_type_;
 };

@@ -78,12 +78,6 @@ std::array<AxisMapping, 3> axes_of(const BakedVolume& of, const CellGrid& grid) 
     return axes;
 }
 
-double share(const OccupiedCells& cells) {
-    double count = 0;
-    for (const std::uint8_t occupied : cells.occupied) count += occupied;
-    return count / static_cast<double>(cells.occupied.size());
-}
-
 // Cells that are empty by `rule` and not by the exact one.
 std::size_t unsafe_cells(const OccupiedCells& rule, const OccupiedCells& exact) {
     std::size_t count = 0;
@@ -117,7 +111,7 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
     const ChannelSource source{
         *of.volume.levels.front().voxels, static_cast<int>(channel_named(of.volume, bake.channel)),
         static_cast<int>(of.volume.channel_names.size()), of.volume.pixel_type};
-    const auto threshold = static_cast<float>(of.threshold);
+    const float threshold = of.threshold;
     const auto start = std::chrono::steady_clock::now();
     CellRanges ranges = cell_ranges(source, grid, bake.filter, options);
     if (cancelled(options)) return outcome;
@@ -128,8 +122,8 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
         volume.details.emplace_back("unsafe_cells",
                                     fmt::format("{}", unsafe_cells(occupied, exact)));
     }
-    volume.details.emplace_back("occupied_share", fmt::format("{}", share(occupied)));
-    volume.details.emplace_back("smallest_safe_share", fmt::format("{}", share(exact)));
+    volume.details.emplace_back("occupied_share", fmt::format("{}", occupied_share(occupied)));
+    volume.details.emplace_back("smallest_safe_share", fmt::format("{}", occupied_share(exact)));
     const auto cells = std::make_shared<const CellSource>(std::move(ranges), std::move(occupied),
                                                           bake.contents, bake.pixel_type);
     volume.bake_seconds +=
@@ -198,7 +192,7 @@ Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBak
     add("cell", bake.cell);
     add("filter", word_of("filter", bake.filter));
     add("rule", word_of("rule", bake.rule));
-    add("threshold", static_cast<float>(of.threshold));
+    add("threshold", of.threshold);
 
     auto cells = make_cells(of, bake, grid, options, volume);
     if (!cells.value) return {{}, std::move(cells.diagnostics)};

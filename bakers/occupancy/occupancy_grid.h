@@ -14,7 +14,7 @@ namespace skybake {
 // What an occupancy grid is of.
 struct OccupiedVolume {
     const BakedVolume& volume;  // its level 0 need not have been surveyed
-    double threshold = 0;       // a lookup above it is something
+    float threshold = 0;        // a lookup above it is something
 };
 
 // Which channel of a volume has this name; the first for an empty one.

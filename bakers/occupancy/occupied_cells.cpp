@@ -64,6 +64,11 @@ void add_ring(OccupiedCells& cells) {
 
 }  // namespace
 
+double occupied_share(const OccupiedCells& cells) {
+    const auto count = std::count(cells.occupied.begin(), cells.occupied.end(), 1);
+    return static_cast<double>(count) / static_cast<double>(cells.occupied.size());
+}
+
 OccupiedCells occupied_cells(const CellRanges& ranges, float threshold) {
     OccupiedCells cells{ranges.size, {}};
     cells.occupied.reserve(ranges.maximum.size());

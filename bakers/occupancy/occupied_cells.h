@@ -15,6 +15,9 @@ struct OccupiedCells {
     std::vector<std::uint8_t> occupied;  // 1 or 0 per cell, x fastest, then y, then z
 };
 
+// Of all cells.
+double occupied_share(const OccupiedCells& cells);
+
 // The exact rule: a cell is occupied where some filtered value in it is greater than the threshold,
 // and only there if the filter is nearest or trilinear. 0 for densities, all of which count; the
 // runtime's threshold where that comes after filtering. Nothing a ray could see is lost.

@@ -13,6 +13,7 @@
 #include "bakers/named_parameters.h"
 #include "bakers/report/sweep.h"
 #include "bakers/report/volume_report.h"
+#include "config/cloud_channels.h"
 
 namespace skybake {
 
@@ -59,10 +60,12 @@ Outcome<AssetReport> report_cloud_volume(const config::Recipe& recipe, const con
     std::vector<std::pair<std::string, std::string>> details;
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, asked, details);
     if (!inputs.value) return {{}, inputs.diagnostics};
-    const int channels = plan_of(cloud, *inputs.value, {1, 1, 1}).channels;
+    const std::size_t channels =
+        config::cloud_channel_names(*inputs.value->base, cloud.channels).size();
     config::Bake subject = bake;
     auto& asset = std::get<CloudVolumeBake>(subject.asset);
-    asset.size = size_within(asked.size, max_report_values(options.quick) / channels);
+    asset.size =
+        size_within(asked.size, max_report_values(options.quick) / static_cast<int>(channels));
     asset.mips = 1;
     const VolumeSweep sweep = sweep_of(cloud, asked, *inputs.value, asset.size, options.quick);
     const auto definition = std::make_shared<RememberedReference>(cloud::CloudReference(

@@ -109,14 +109,9 @@ class OccupancyMeasurement {
         return rows;
     }
 
-    double smallest_safe_share() const { return share(exact_); }
+    double smallest_safe_share() const { return occupied_share(exact_); }
 
   private:
-    static double share(const OccupiedCells& cells) {
-        const auto count = std::count(cells.occupied.begin(), cells.occupied.end(), 1);
-        return static_cast<double>(count) / static_cast<double>(cells.occupied.size());
-    }
-
     void make_cells() {
         const std::vector<std::function<void()>> jobs = {
             [&] {
@@ -149,7 +144,7 @@ class OccupancyMeasurement {
     SkippingRow row_of(const Structure& structure, const std::array<RaySet, 3>& sets) {
         SkippingRow row;
         row.structure = structure.name;
-        row.occupied_share = share(*structure.cells);
+        row.occupied_share = occupied_share(*structure.cells);
         row.structure_bytes = structure.bytes;
         row.time_ms = structure.time_ms;
         row.lost_samples = lost_samples(*structure.cells, row.samples);
@@ -207,9 +202,8 @@ MarchedVolume marched(const config::Cloud& cloud, const std::vector<float>& voxe
     volume.voxels = voxels.data();
     volume.grid = grid;
     for (std::size_t i = 0; i < 3; ++i) volume.extent[i] = cloud.extent[i].meters;
-    if (cloud.threshold_at == config::ThresholdAt::bake) return volume;
-    volume.has_edge = true;
-    volume.threshold = static_cast<float>(cloud.threshold);
+    volume.threshold = filtered_threshold(cloud);
+    volume.has_edge = cloud.threshold_at == config::ThresholdAt::runtime;
     volume.edge_softness = cloud.edge_softness;
     return volume;
 }

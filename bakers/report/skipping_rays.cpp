@@ -26,13 +26,9 @@ Member member(int n) {
     return values;
 }
 
-// cos(2 pi turn) for turn in [0, 1].
-double cosine_of_turn(double turn) { return cosine_of_pi(2 * std::min(turn, 1 - turn)); }
-
 std::array<double, 3> direction(double cosine, double turn) {
     const double sine = std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)));
-    const double quarter = turn < 0.25 ? turn + 0.75 : turn - 0.25;
-    return {sine * cosine_of_turn(turn), sine * cosine_of_turn(quarter), cosine};
+    return {sine * cosine_of_turns(turn), sine * cosine_of_turns(turn - 0.25), cosine};
 }
 
 // Uniform from cos 60 deg to 1.
