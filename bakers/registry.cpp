@@ -171,16 +171,36 @@ std::vector<std::string> occupancy_parameters(const Parameters& parameters, cons
     return patterns;
 }
 
+std::vector<InputFile> no_inputs(const Parameters&, const Bake&) { return {}; }
+
+std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters, const Bake& bake) {
+    const Cloud& cloud = cloud_named(parameters, std::get<CloudVolumeBake>(bake.asset).cloud);
+    std::vector<InputFile> files;
+    for (const config::CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
+        if (!map->file.empty()) files.push_back({map->file, map->path});
+    }
+    return files;
+}
+
+std::vector<InputFile> occupancy_inputs(const Parameters& parameters, const Bake& bake) {
+    return cloud_volume_inputs(parameters,
+                               bake_named(parameters, std::get<OccupancyBake>(bake.asset).of));
+}
+
 }  // namespace
 
 std::span<const Baker> bakers() {
     static const std::array<Baker, 5> table = {{
-        {"transmittance", 1, transmittance_parameters, estimate_transmittance, transmittance},
-        {"multiple_scattering", 1, multiple_scattering_parameters, estimate_multiple_scattering,
-         multiple_scattering},
-        {"noise_volume", 1, noise_volume_parameters, estimate_noise_volume, noise_volume},
-        {"cloud_volume", 1, cloud_volume_parameters, estimate_cloud_volume, cloud_volume},
-        {"occupancy", 1, occupancy_parameters, estimate_occupancy, occupancy_grid},
+        {"transmittance", 1, transmittance_parameters, no_inputs, estimate_transmittance,
+         transmittance},
+        {"multiple_scattering", 1, multiple_scattering_parameters, no_inputs,
+         estimate_multiple_scattering, multiple_scattering},
+        {"noise_volume", 1, noise_volume_parameters, no_inputs, estimate_noise_volume,
+         noise_volume},
+        {"cloud_volume", 1, cloud_volume_parameters, cloud_volume_inputs, estimate_cloud_volume,
+         cloud_volume},
+        {"occupancy", 1, occupancy_parameters, occupancy_inputs, estimate_occupancy,
+         occupancy_grid},
     }};
     return table;
 }
@@ -190,14 +210,18 @@ const Baker& baker_of(const Bake& bake) {
     return bakers()[bake.asset.index()];
 }
 
+std::string asset_parameters(const config::Recipe& recipe, const Bake& bake) {
+    std::vector<std::string> patterns = baker_of(bake).parameters(recipe.parameters, bake);
+    patterns.push_back(fmt::format("{}.*", config::join_path("bake", bake.name)));
+    return config::parameters_toml(recipe, patterns);
+}
+
 Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const Bake& bake,
                                const BakeOptions& options) {
     const Baker& baker = baker_of(bake);
-    std::vector<std::string> patterns = baker.parameters(recipe.parameters, bake);
-    patterns.push_back(fmt::format("{}.*", config::join_path("bake", bake.name)));
     AssetLabel label;
     label.name = bake.name;
-    label.parameters = config::parameters_toml(recipe, patterns);
+    label.parameters = asset_parameters(recipe, bake);
     label.details.emplace_back("baker_version", std::to_string(baker.version));
     return baker.bake(recipe.parameters, bake, options, std::move(label));
 }

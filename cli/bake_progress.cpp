@@ -33,9 +33,8 @@ void BakeProgress::advance(std::string_view step, double fraction) {
 
 bool BakeProgress::cancelled() const { return interrupted(); }
 
-void BakeProgress::finish() {
+BakeProgress::~BakeProgress() {
     if (line_shown_) console_.note("\r\033[K");
-    line_shown_ = false;
 }
 
 }  // namespace skybake::cli

@@ -16,12 +16,11 @@ class Console;
 class BakeProgress : public Progress {
   public:
     BakeProgress(std::string asset, Console& console);
+    // Takes the line away again.
+    ~BakeProgress() override;
 
     void advance(std::string_view step, double fraction) override;
     bool cancelled() const override;
-
-    // Takes the line away again.
-    void finish();
 
   private:
     std::string asset_;

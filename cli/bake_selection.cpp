@@ -51,6 +51,16 @@ Option jobs_option(std::string_view help) {
     return {.name = "jobs", .short_name = 'j', .value = "N", .help = help};
 }
 
+Outcome<int> jobs_of(const Invocation& invocation) {
+    if (!invocation.has("jobs")) return {0, {}};
+    const auto threads = thread_count_of(invocation.value("jobs"));
+    if (threads) return {*threads, {}};
+    return {{},
+            {usage_error(
+                fmt::format("-j: `{}` is not a number of threads", invocation.value("jobs")),
+                "1 to 1024")}};
+}
+
 Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
     auto recipe = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
     Outcome<BakeSelection> outcome;
@@ -68,12 +78,8 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
                                        config::did_you_mean(name, names)));
     }
     if (all.empty()) problems.push_back(nothing_to_bake());
-    const auto threads = invocation.has("jobs") ? thread_count_of(invocation.value("jobs")) : 0;
-    if (!threads) {
-        problems.push_back(usage_error(
-            fmt::format("-j: `{}` is not a number of threads", invocation.value("jobs")),
-            "1 to 1024"));
-    }
+    const Outcome<int> threads = jobs_of(invocation);
+    problems.insert(problems.end(), threads.diagnostics.begin(), threads.diagnostics.end());
     outcome.diagnostics.insert(outcome.diagnostics.end(), problems.begin(), problems.end());
     if (!problems.empty()) return outcome;
 
@@ -83,7 +89,7 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
             only.empty() || std::find(only.begin(), only.end(), bake.name) != only.end();
         if (wanted) selection.bakes.push_back(bake);
     }
-    selection.threads = *threads;
+    selection.threads = *threads.value;
     selection.recipe = std::move(*recipe.value);
     outcome.value = std::move(selection);
     return outcome;

@@ -14,6 +14,10 @@ Option set_option();
 Option only_option(std::string_view help);
 Option jobs_option(std::string_view help);
 
+// The number of threads that --jobs asks for; 0, as many as the machine has, where it is not given.
+// E0001.
+config::Outcome<int> jobs_of(const Invocation& invocation);
+
 struct BakeSelection {
     config::Recipe recipe;
     std::vector<config::Bake> bakes;  // all of the recipe, or those that --only names

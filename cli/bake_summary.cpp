@@ -6,9 +6,8 @@
 #include <cstdint>
 
 #include "bakers/io/file_names.h"
-#include "bakers/io/manifest.h"
 #include "bakers/io/spelling.h"
-#include "bakers/registry.h"
+#include "cli/byte_size.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
@@ -18,12 +17,6 @@ std::string time_text(double seconds) {
     if (seconds >= 1) return fmt::format("{:.3g} s", seconds);
     const double ms = seconds * 1e3;
     return ms < 9.95 ? fmt::format("{:.2g} ms", ms) : fmt::format("{:.0f} ms", ms);
-}
-
-std::string size_text(double bytes) {
-    if (bytes < 1024 * 1024) return fmt::format("{:.0f} KiB", bytes / 1024);
-    if (bytes < 1024.0 * 1024 * 1024) return fmt::format("{:.1f} MiB", bytes / (1024 * 1024));
-    return fmt::format("{:.1f} GiB", bytes / (1024.0 * 1024 * 1024));
 }
 
 std::string channels_text(const ManifestAsset& asset) {
@@ -60,30 +53,48 @@ std::string extent_text(std::span<const int> size) {
     return fmt::format("{}", fmt::join(size.begin(), size.end(), "x"));
 }
 
-std::string plan_text(const config::Parameters& parameters, std::span<const config::Bake> bakes) {
-    TextTable table({Align::left, Align::right, Align::left, Align::right, Align::right});
-    table.add_row({"asset", "size", "files", "about", "disk"});
-    for (const config::Bake& bake : bakes) {
-        const Estimate estimate = baker_of(bake).estimate(parameters, bake);
+std::string plan_text(const FolderPlan& plan) {
+    TextTable table(
+        {Align::left, Align::right, Align::left, Align::right, Align::right, Align::left});
+    table.add_row({"asset", "size", "files", "about", "disk", "why"});
+    for (const PlannedAsset& asset : plan.assets) {
+        const Estimate& estimate = asset.estimate;
         const bool chosen = estimate.size[0] == 0;
-        table.add_row({bake.name, chosen ? "by max_error" : extent_text(estimate.size),
-                       fmt::format("{}", fmt::join(file_names(bake), ", ")),
-                       time_text(estimate.seconds),
-                       chosen ? "" : size_text(estimate.disk_mib * 1024 * 1024)});
+        table.add_row(
+            {asset.bake->name, chosen ? "by max_error" : extent_text(estimate.size),
+             fmt::format("{}", fmt::join(file_names(*asset.bake), ", ")),
+             asset.stale() ? time_text(estimate.seconds) : "",
+             asset.stale() && !chosen ? byte_size_text(estimate.disk_mib * 1024 * 1024) : "",
+             asset.stale() ? fmt::format("{}", fmt::join(asset.reasons, "; ")) : "up to date"});
     }
     return table.text();
 }
 
-std::string summary_text(const std::vector<ManifestAsset>& assets, double seconds) {
+std::string reasons_text(const FolderPlan& plan) {
+    std::string text;
+    for (const PlannedAsset& asset : plan.assets) {
+        if (!asset.stale() || !plan.folder.previous) continue;
+        text += fmt::format("  {}: {}\n", asset.bake->name, fmt::join(asset.reasons, "; "));
+    }
+    return text;
+}
+
+std::string summary_text(const BakedFolder& baked, double seconds) {
     TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
                      Align::right, Align::left});
     table.add_row({"asset", "size", "", "file", "", "bake", "write", "lookup error max / rms"});
     std::uint64_t bytes = 0;
+    std::size_t made = 0;
+    std::size_t copied = 0;
     std::string advice;
-    for (const ManifestAsset& asset : assets) {
+    for (const FinishedAsset& finished : baked.assets) {
+        const ManifestAsset& asset = finished.entry;
+        for (const ManifestFile& file : asset.files) bytes += file.bytes;
+        if (finished.state == AssetState::up_to_date) continue;
+        ++made;
+        if (finished.state == AssetState::copied) ++copied;
         table.add_row(first_row(asset));
         for (const ManifestFile& file : asset.files) {
-            bytes += file.bytes;
             if (&file != &asset.files.front()) table.add_row(further_row(asset, file));
         }
         if (asset.error && !asset.error->advice.empty()) {
@@ -91,9 +102,15 @@ std::string summary_text(const std::vector<ManifestAsset>& assets, double second
                                   asset.error->advice);
         }
     }
-    return table.text() + advice +
-           fmt::format("{} asset{}, {}, {}, {}\n", assets.size(), assets.size() == 1 ? "" : "s",
-                       time_text(seconds), size_text(static_cast<double>(bytes)), manifest_name);
+    const std::size_t count = baked.assets.size();
+    std::string state;
+    if (made == 0) state = " up to date";
+    if (made > 0 && made < count) state = fmt::format(" ({} up to date)", count - made);
+    if (copied > 0) state += fmt::format(" ({} ready-made)", copied);
+    return (made > 0 ? table.text() : "") + advice +
+           fmt::format("{} asset{}{}, {}, {}, {}\n", count, count == 1 ? "" : "s", state,
+                       time_text(seconds), byte_size_text(static_cast<double>(bytes)),
+                       manifest_name);
 }
 
 }  // namespace skybake::cli

@@ -69,10 +69,12 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
     std::vector<AssetReport> reports;
     for (const Bake& bake : bakes) {
-        BakeProgress progress(bake.name, console);
-        const ReportOptions options{selection.value->threads, invocation.has("quick"), &progress};
-        Outcome<AssetReport> report = report_asset(selection.value->recipe, bake, options);
-        progress.finish();
+        Outcome<AssetReport> report = [&] {
+            BakeProgress progress(bake.name, console);
+            const ReportOptions options{selection.value->threads, invocation.has("quick"),
+                                        &progress};
+            return report_asset(selection.value->recipe, bake, options);
+        }();
         if (interrupted()) return ExitCode::interrupted;
         if (const ExitCode code = console.report(report.diagnostics); !report.value) return code;
         reports.push_back(std::move(*report.value));

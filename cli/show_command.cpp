@@ -56,6 +56,9 @@ std::vector<Line> lines_below(const config::Recipe& recipe, const Names& asked) 
     for (const config::ResolvedValue& value : recipe.values) {
         if (is_below(value.path, asked)) lines.push_back(make_line(value));
     }
+    for (const config::ResolvedValue& value : recipe.sweep_values) {
+        if (is_below(value.path, asked)) lines.push_back(make_line(value));
+    }
     return lines;
 }
 

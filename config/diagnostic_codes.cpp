@@ -17,6 +17,13 @@ constexpr std::array codes = {
         "A command, option or argument is missing, unknown or has a value that it cannot have.",
         "skybake bka earth.toml", "skybake bake earth.toml", usage},
 
+    DiagnosticCode{"E0002", "more memory than allowed",
+                   "What is to be baked may need more memory than --max-memory allows. Nothing was "
+                   "begun. Allow more, bake fewer assets at once with --only, or choose smaller "
+                   "sizes.",
+                   "skybake bake sky.toml --max-memory 16MiB",
+                   "skybake bake sky.toml --max-memory 2GiB", usage},
+
     DiagnosticCode{
         "E0100", "not UTF-8 text",
         "A recipe is TOML, and TOML is UTF-8 text. The file holds bytes that are not: it "
@@ -133,9 +140,11 @@ constexpr std::array codes = {
                    "A dotted key has too many names, or arrays and tables lie in each other too "
                    "deeply. No recipe needs more than a few levels.",
                    "", "", usage},
-    DiagnosticCode{"E0122", "bad setting",
-                   "--set takes KEY=VALUE with a dotted key, in the syntax of a recipe.",
-                   "--set atmosphere.ground_albedo", "--set atmosphere.ground_albedo=0.3", usage},
+    DiagnosticCode{
+        "E0122", "bad setting",
+        "--set takes KEY=VALUE with a dotted key, in the syntax of a recipe. --vary takes "
+        "KEY=FROM:TO:COUNT, or KEY=VALUE,VALUE and so on.",
+        "--set atmosphere.ground_albedo", "--set atmosphere.ground_albedo=0.3", usage},
     DiagnosticCode{"E0123", "too many errors",
                    "Only the first thousand diagnostics are shown. Mend those and look again.", "",
                    "", usage},
@@ -254,6 +263,28 @@ constexpr std::array codes = {
                    "channel = \"Y\"",
                    usage},
 
+    DiagnosticCode{
+        "E0135", "bad range of a sweep",
+        "A range in [sweep] has a `from`, another `to`, and a `count`, unless `sobol` says "
+        "how many points cover all ranges without one. Where the key takes whole numbers "
+        "the count must hit them, and a log range is above 0. Keys that take texts or "
+        "several numbers have no ranges: list their values.",
+        "[sweep]\n\"noise.shape.seed\" = { from = 1, to = 4, count = 3 }",
+        "[sweep]\n\"noise.shape.seed\" = { from = 1, to = 4, count = 4 }", usage},
+    DiagnosticCode{
+        "E0136", "values that cannot walk together",
+        "`zip` names paths that walk together: each of them varies, by a list or a range "
+        "with a count, is named once, and has as many values as the others.",
+        "[sweep]\n\"noise.n.seed\" = [1, 2, 3]\n\"clouds.c.coverage\" = [0.3, 0.6]\n"
+        "zip = [\"noise.n.seed\", \"clouds.c.coverage\"]",
+        "[sweep]\n\"noise.n.seed\" = [1, 2, 3]\n\"clouds.c.coverage\" = [0.3, 0.6, 0.9]\n"
+        "zip = [\"noise.n.seed\", \"clouds.c.coverage\"]",
+        usage},
+    DiagnosticCode{"E0137", "too many variants",
+                   "The cross product of everything that varies has more than 100000 variants. Let "
+                   "paths walk together with `zip`, or cover their ranges with `sobol` points.",
+                   "", "", usage},
+
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",
                    "skybake check erth.toml", "skybake check earth.toml", input_or_output},
@@ -300,6 +331,13 @@ constexpr std::array codes = {
         "Nothing is written.",
         "", "", failed_check},
 
+    DiagnosticCode{
+        "E0406", "variants of a sweep failed",
+        "Some variants could not be made; index.csv lists them, and error.json in the "
+        "folder of each says why. The others are complete. Mend the recipe or the values "
+        "and sweep again: only what is missing is made.",
+        "", "", failed_check},
+
     DiagnosticCode{"E0500", "internal error",
                    "skybake came to a state that its authors thought impossible. Please report the "
                    "recipe and the command line.",
@@ -344,6 +382,11 @@ constexpr std::array codes = {
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    0},
+    DiagnosticCode{"W0301", "the cache does not keep what was baked",
+                   "The bake has succeeded, but its assets could not be put into the cache: its "
+                   "folder may not be written to, or the disk is full. The next bake elsewhere "
+                   "will take as long.",
+                   "", "", 0},
 };
 
 }  // namespace

@@ -130,6 +130,29 @@ std::optional<FieldValue> read_text_list(const Reader& reader, const Value& valu
     return std::nullopt;
 }
 
+// Lists of texts; a list of texts alone is one group.
+std::optional<FieldValue> read_path_groups(const Reader& reader, const Value& value) {
+    using Texts = std::vector<std::string>;
+    const auto* array = std::get_if<Array>(&value.data);
+    const bool nested = array && !array->empty() && std::holds_alternative<Array>((*array)[0].data);
+    std::vector<Texts> groups;
+    for (const Value& item : nested ? *array : Array{value}) {
+        const std::optional<FieldValue> texts = read_text_list(reader, item);
+        if (!texts) return std::nullopt;
+        groups.push_back(std::get<Texts>(*texts));
+    }
+    return groups;
+}
+
+// As it is spelled: what it means is for the key that varies to say.
+std::optional<FieldValue> read_swept(const Reader& reader, const Value& value) {
+    const bool is_number = std::holds_alternative<std::int64_t>(value.data) ||
+                           std::holds_alternative<double>(value.data);
+    if (is_number || std::holds_alternative<std::string>(value.data)) return spell_value(value);
+    report_type(reader, value, describe_kind(Kind::swept));
+    return std::nullopt;
+}
+
 template <class T>
 std::optional<FieldValue> as_field_value(const std::optional<T>& value) {
     if (!value) return std::nullopt;
@@ -195,6 +218,10 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
             return as_field_value(read_bounds(reader, value));
         case Kind::power_of_two:
             return as_field_value(read_power_of_two(reader, value));
+        case Kind::path_groups:
+            return read_path_groups(reader, value);
+        case Kind::swept:
+            return read_swept(reader, value);
     }
     return std::nullopt;
 }

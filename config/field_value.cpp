@@ -65,6 +65,9 @@ struct Speller {
     std::string operator()(const std::vector<std::string>& texts) const {
         return spell_list(texts, [](const std::string& text) { return toml_string(text); });
     }
+    std::string operator()(const std::vector<std::vector<std::string>>& groups) const {
+        return spell_list(groups, *this);
+    }
     std::string operator()(const std::array<int, 2>& size) const {
         return fmt::format("[{}, {}]", size[0], size[1]);
     }

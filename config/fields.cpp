@@ -15,6 +15,12 @@ Section make_section(std::string_view path, std::string_view asset, std::string_
     return section;
 }
 
+// Of keys that fill no struct's members.
+Section make_section(std::string_view path, std::string_view documentation,
+                     std::span<const Field> table) {
+    return {path, "", documentation, {table.begin(), table.end()}};
+}
+
 std::vector<Section> make_sections() {
     return {
         make_section("", "", "the recipe as a whole", root_fields()),
@@ -45,6 +51,10 @@ std::vector<Section> make_sections() {
         make_section("bake.*", "cloud_volume", "the voxels of a cloud", cloud_volume_fields()),
         make_section("bake.*", "occupancy", "which cells of a cloud volume are empty, and how far",
                      occupancy_fields()),
+        make_section("sweep", "what `skybake sweep` varies: other keys are paths, in quotes",
+                     sweep_fields()),
+        make_section("sweep.*", "a range of values of the key at a path; or list them: [1, 2]",
+                     sweep_range_fields()),
     };
 }
 
@@ -73,6 +83,8 @@ bool has_range(Kind kind) {
         case Kind::choice:
         case Kind::choice_list:
         case Kind::seed:
+        case Kind::path_groups:
+        case Kind::swept:
             return false;
         default:
             return true;
@@ -245,6 +257,10 @@ std::string_view describe_kind(Kind kind) {
             return "a list of pairs, such as [[0, 0.0], [0.2, 1.0], [1, 0.0]]";
         case Kind::power_of_two:
             return "a power of two, such as 4";
+        case Kind::path_groups:
+            return "a list of paths in quotes, or a list of such lists";
+        case Kind::swept:
+            return "one number, or a quantity in quotes";
     }
     return "";
 }

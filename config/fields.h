@@ -46,6 +46,8 @@ enum class Kind {
     bounds,         // [0.02, 0.05], the first not above the second
     height_table,   // [[0, 0.0], [0.2, 1.0]]
     power_of_two,   // 4
+    path_groups,    // [["a.b", "c.d"]], or one group of paths
+    swept,          // a number or a quantity, as the key that varies takes it
 };
 
 // In base units: metres, 1/m, radians, 1.
@@ -148,6 +150,8 @@ std::span<const TowerScatterField> tower_scatter_fields();
 std::span<const NoiseVolumeField> noise_volume_fields();
 std::span<const CloudVolumeField> cloud_volume_fields();
 std::span<const OccupancyField> occupancy_fields();
+std::span<const Field> sweep_fields();        // of [sweep], besides the paths that vary
+std::span<const Field> sweep_range_fields();  // of a range in it
 
 // All sections, in the order of a recipe.
 std::span<const Section> sections();
@@ -164,7 +168,7 @@ std::vector<std::string_view> choice_names(const Field& field);
 // The names of all assets, one bake section each.
 std::vector<std::string_view> asset_names();
 
-// The tables within the table at a path: {"atmosphere", "noise", "clouds", "bake"} for "".
+// The tables within the table at a path: {"atmosphere", "noise", "clouds", "bake", "sweep"} for "".
 std::vector<std::string_view> subtables(std::string_view path);
 
 // The names that a section's path is made of, `*` among them.

@@ -8,6 +8,7 @@
 #include "config/recipe_decoder.h"
 #include "config/recipe_sources.h"
 #include "config/section_preset_merge.h"
+#include "config/sweep_decoder.h"
 
 namespace skybake::config {
 namespace {
@@ -26,23 +27,43 @@ void append_maps(const Parameters& parameters, std::vector<std::filesystem::path
     }
 }
 
-Outcome<Recipe> decode_sources(RecipeSources sources, DiagnosticList diagnostics) {
+// All sources of a recipe as one tree.
+struct MergedSources {
+    Table root;
+    const Source* file = nullptr;  // the recipe itself; null if it could not be read
+    bool complete = true;          // false: keys may be missing since a source is
+};
+
+MergedSources merge_sources(RecipeSources& sources, DiagnosticList& diagnostics) {
+    MergedSources merged;
+    for (const SourceTree& tree : sources.trees) {
+        merge(merged.root, tree.root);
+        if (tree.source->kind == Source::Kind::file) merged.file = tree.source;  // is the last
+    }
+    if (!merged.file) return merged;
+    const bool laid = lay_sections_over_presets(merged.root, sources.sources, diagnostics);
+    merged.complete = sources.complete && laid;
+    return merged;
+}
+
+enum class SweepTable { read, left_out };
+
+Outcome<Recipe> decode_sources(RecipeSources sources, SweepTable sweep,
+                               DiagnosticList diagnostics) {
     Outcome<Recipe> outcome;
     Recipe recipe;
-    Table root;
-    const Source* file = nullptr;
-    for (const SourceTree& tree : sources.trees) {
-        merge(root, tree.root);
-        if (tree.source->kind == Source::Kind::file) file = tree.source;  // the recipe is the last
-    }
-    if (file) {
-        const bool laid = lay_sections_over_presets(root, sources.sources, diagnostics);
-        Decoder decoder{diagnostics, recipe.values, sources.complete && laid, std::nullopt};
-        recipe.parameters = decode_recipe(root, *file, decoder);
+    const MergedSources merged = merge_sources(sources, diagnostics);
+    if (merged.file) {
+        Decoder decoder{diagnostics, recipe.values, merged.complete, std::nullopt};
+        recipe.parameters = decode_recipe(merged.root, *merged.file, decoder);
+        if (sweep == SweepTable::read) {
+            Decoder of_sweep{diagnostics, recipe.sweep_values, merged.complete, decoder.channels};
+            recipe.sweep = decode_sweep(merged.root, of_sweep);
+        }
         recipe.inputs = std::move(sources.inputs);
         append_maps(recipe.parameters, recipe.inputs);
     }
-    const bool whole = file && !diagnostics.has_errors();
+    const bool whole = merged.file && !diagnostics.has_errors();
     outcome.diagnostics = diagnostics.take();
     if (whole) outcome.value = std::move(recipe);
     return outcome;
@@ -54,7 +75,7 @@ Outcome<Recipe> load_recipe(const std::filesystem::path& path,
                             std::span<const std::string> settings) {
     DiagnosticList diagnostics;
     RecipeSources sources = read_sources(path, settings, diagnostics);
-    return decode_sources(std::move(sources), std::move(diagnostics));
+    return decode_sources(std::move(sources), SweepTable::read, std::move(diagnostics));
 }
 
 Outcome<Recipe> parse_recipe(std::string_view text, const std::string& name,
@@ -62,7 +83,34 @@ Outcome<Recipe> parse_recipe(std::string_view text, const std::string& name,
                              std::span<const std::string> settings) {
     DiagnosticList diagnostics;
     RecipeSources sources = text_sources(std::string(text), name, folder, settings, diagnostics);
-    return decode_sources(std::move(sources), std::move(diagnostics));
+    return decode_sources(std::move(sources), SweepTable::read, std::move(diagnostics));
+}
+
+Outcome<Sweep> load_sweep(const std::filesystem::path& path, std::span<const std::string> settings,
+                          const SweepOptions& options) {
+    DiagnosticList diagnostics;
+    RecipeSources sources = read_sources(path, settings, diagnostics);
+    add_sweep_options(options, sources, diagnostics);
+    const MergedSources merged = merge_sources(sources, diagnostics);
+    Outcome<Sweep> outcome;
+    Sweep sweep;
+    if (merged.file) {
+        std::vector<ResolvedValue> values;
+        Decoder decoder{diagnostics, values, merged.complete, std::nullopt};
+        sweep = decode_sweep(merged.root, decoder);
+    }
+    if (merged.file && !diagnostics.has_errors()) outcome.value = std::move(sweep);
+    outcome.diagnostics = diagnostics.take();
+    return outcome;
+}
+
+Outcome<Recipe> load_variant(const std::filesystem::path& path,
+                             std::span<const std::string> settings, const Sweep& sweep, int index) {
+    std::vector<std::string> all(settings.begin(), settings.end());
+    for (std::string& setting : variant_settings(sweep, index)) all.push_back(std::move(setting));
+    DiagnosticList diagnostics;
+    RecipeSources sources = read_sources(path, all, diagnostics);
+    return decode_sources(std::move(sources), SweepTable::left_out, std::move(diagnostics));
 }
 
 }  // namespace skybake::config

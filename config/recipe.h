@@ -9,6 +9,8 @@
 
 #include "config/diagnostic.h"
 #include "config/parameters.h"
+#include "config/sweep.h"
+#include "config/sweep_options.h"
 
 namespace skybake::config {
 
@@ -26,6 +28,8 @@ struct Recipe {
     Parameters parameters;
     std::vector<ResolvedValue> values;          // in the order of the field tables, layers by name
     std::vector<std::filesystem::path> inputs;  // recipe, includes and maps, for dependency files
+    Sweep sweep;                                // what [sweep] varies
+    std::vector<ResolvedValue> sweep_values;    // of [sweep], for `show`
 };
 
 // Reads a recipe file. `settings` are the texts of --set, "a.b=c", in order.
@@ -37,6 +41,15 @@ Outcome<Recipe> load_recipe(const std::filesystem::path& path,
 Outcome<Recipe> parse_recipe(std::string_view text, const std::string& name,
                              const std::filesystem::path& folder = {},
                              std::span<const std::string> settings = {});
+
+// What a recipe's [sweep] and the options of the command line vary. The recipe's other faults are
+// for the variants to find.
+Outcome<Sweep> load_sweep(const std::filesystem::path& path, std::span<const std::string> settings,
+                          const SweepOptions& options);
+
+// One variant of it: the recipe with its values laid over it. Has no `sweep` itself.
+Outcome<Recipe> load_variant(const std::filesystem::path& path,
+                             std::span<const std::string> settings, const Sweep& sweep, int index);
 
 // The resolved values whose path matches one of the patterns, as TOML text (one `path = canonical`
 // a line, grouped under table headers). A `*` in a pattern matches one path component.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "config/key_path.h"
@@ -56,6 +57,21 @@ std::string_view trim(std::string_view text) {
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return "";
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// The '=' between key and value: one in the quotes of a name is part of it.
+std::size_t find_equals(std::string_view setting) {
+    bool quoted = false;
+    for (std::size_t i = 0; i < setting.size(); ++i) {
+        if (quoted && setting[i] == '\\') {
+            ++i;
+        } else if (setting[i] == '"') {
+            quoted = !quoted;
+        } else if (setting[i] == '=' && !quoted) {
+            return i;
+        }
+    }
+    return std::string_view::npos;
 }
 
 // Whether two paths lead to the same file; a file that does not exist is like no other.
@@ -126,7 +142,7 @@ class Loader {
         Source& source =
             add_source(Source::Kind::setting, fmt::format("--set `{}`", shorten(setting)), "");
         const Place place{&source};
-        const std::size_t equals = setting.find('=');
+        const std::size_t equals = find_equals(setting);
         const std::string_view text = setting;
         const std::optional<std::string> key = equals == std::string::npos
                                                    ? std::nullopt
@@ -259,6 +275,18 @@ class Loader {
 };
 
 }  // namespace
+
+Source& add_setting(RecipeSources& sources, const std::string& name) {
+    int order = 0;
+    for (const Source& source : sources.sources) order = std::max(order, source.order + 1);
+    sources.sources.push_back({Source::Kind::setting, order, printable(name), ""});
+    return sources.sources.back();
+}
+
+void add_setting_tree(RecipeSources& sources, const Source& source, Table root) {
+    assign_place(root, {&source});
+    sources.trees.push_back({&source, std::move(root)});
+}
 
 RecipeSources read_sources(const fs::path& path, std::span<const std::string> settings,
                            DiagnosticList& diagnostics) {

@@ -35,4 +35,10 @@ RecipeSources text_sources(std::string text, const std::string& name,
                            const std::filesystem::path& folder,
                            std::span<const std::string> settings, DiagnosticList& diagnostics);
 
+// A source for words of the command line, which has no lines; it overrides all that are there.
+Source& add_setting(RecipeSources& sources, const std::string& name);
+
+// Lays a tree that was made from such a source over all others: every place in it is the source.
+void add_setting_tree(RecipeSources& sources, const Source& source, Table root);
+
 }  // namespace skybake::config

@@ -104,6 +104,11 @@ Json power_of_two_schema(const Range& range) {
     return {{"enum", powers}};
 }
 
+Json path_groups_schema() {
+    const Json group = {{"type", "array"}, {"items", text_schema()}};
+    return {{"anyOf", {group, {{"type", "array"}, {"items", group}}}}};
+}
+
 Json value_schema(const Field& field) {
     switch (field.kind) {
         case Kind::flag:
@@ -162,6 +167,10 @@ Json value_schema(const Field& field) {
             return pair_table_schema(number_schema({0, 1}), number_schema(field.range), 1);
         case Kind::power_of_two:
             return power_of_two_schema(field.range);
+        case Kind::path_groups:
+            return path_groups_schema();
+        case Kind::swept:
+            return {{"type", {"number", "string"}}};
     }
     return {};
 }
@@ -292,6 +301,14 @@ Json cloud_schema() {
     return schema;
 }
 
+// Paths of keys, each with a list of values or a range.
+Json sweep_schema() {
+    const Json list = {{"type", "array"}, {"minItems", 1}};
+    Json schema = section_schema(*find_section("sweep"));
+    schema["additionalProperties"] = {{"anyOf", {list, section_schema(*find_section("sweep.*"))}}};
+    return schema;
+}
+
 Json definitions() {
     Json result = Json::object();
     result["cloud"] = cloud_schema();
@@ -318,6 +335,7 @@ std::string recipe_schema() {
     schema["properties"]["noise"] = with_bare_names(named_schema("noises, by name", "noise"));
     schema["properties"]["clouds"] = with_bare_names(named_schema("clouds, by name", "cloud"));
     schema["properties"]["bake"] = bakes_schema();
+    schema["properties"]["sweep"] = sweep_schema();
     schema["definitions"] = definitions();
     return schema.dump(2) + '\n';
 }

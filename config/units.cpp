@@ -205,6 +205,16 @@ std::variant<Quantity, QuantityError> parse_quantity(std::string_view text) {
     return QuantityError{QuantityError::Kind::unknown_unit, std::string(name)};
 }
 
+std::optional<WrittenQuantity> split_quantity(std::string_view text) {
+    text = trim(text);
+    const std::optional<Decimal> decimal = split_decimal(text);
+    if (!decimal || !std::holds_alternative<Quantity>(parse_quantity(text))) return std::nullopt;
+    const auto number = parse_quantity(text.substr(0, decimal->length));
+    const auto* quantity = std::get_if<Quantity>(&number);
+    if (!quantity) return std::nullopt;
+    return WrittenQuantity{quantity->value, std::string(trim(text.substr(decimal->length)))};
+}
+
 std::string_view dimension_name(Dimension dimension) {
     switch (dimension) {
         case Dimension::number:

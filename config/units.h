@@ -30,6 +30,15 @@ struct QuantityError {
 // nonzero values that would round to 0 are refused.
 std::variant<Quantity, QuantityError> parse_quantity(std::string_view text);
 
+// A quantity as it is written: its number, and its unit as spelled there ("" for none).
+struct WrittenQuantity {
+    double number = 0;
+    std::string unit;
+};
+
+// None if the text is no quantity.
+std::optional<WrittenQuantity> split_quantity(std::string_view text);
+
 // "a length", "an angle": for messages.
 std::string_view dimension_name(Dimension dimension);
 

@@ -6,9 +6,9 @@ set -euo pipefail
 
 packages=(
     cmake g++ ninja-build
-    libboost-iostreams-dev libcli11-dev libfmt-dev libhwy-dev libimath-dev libopenexr-dev
-    libopenimageio-dev libopenvdb-dev libtbb-dev libtomlplusplus-dev libxxhash-dev
-    nlohmann-json3-dev zlib1g-dev
+    fonts-dejavu-core libboost-iostreams-dev libcli11-dev libfmt-dev libfreetype-dev libhwy-dev
+    libimath-dev libopenexr-dev libopenimageio-dev libopenvdb-dev libtbb-dev libtomlplusplus-dev
+    libxxhash-dev nlohmann-json3-dev zlib1g-dev
 )
 if [[ "${1:-}" == --tests ]]; then
     packages+=(

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -231,6 +232,11 @@ config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(
     if (!staged->temporary.valid()) return refuse(errno);
     if (mode && ::fchmod(staged->temporary.descriptor(), *mode & 07777) != 0) return refuse(errno);
     return {std::move(staged), {}};
+}
+
+void AtomicFiles::take(AtomicFiles&& others) {
+    std::move(others.staged_.begin(), others.staged_.end(), std::back_inserter(staged_));
+    others.staged_.clear();
 }
 
 std::vector<config::Diagnostic> AtomicFiles::commit() {

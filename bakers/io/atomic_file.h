@@ -50,6 +50,9 @@ class AtomicFiles {
     config::Outcome<WriteResult> stage(const std::filesystem::path& path, const FileWriter& write,
                                        const Progress* progress = nullptr);
 
+    // Adds the staged files of another to these, after them.
+    void take(AtomicFiles&& others);
+
     // Renames the staged files to their targets, the last one first: a manifest, staged when all
     // that it describes is known, claims its files before they appear. E0301.
     std::vector<config::Diagnostic> commit();

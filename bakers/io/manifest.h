@@ -35,6 +35,12 @@ struct ManifestFile {
     std::vector<std::string> grids = {};     // vdb: the grid of each channel
 };
 
+// A file besides the recipe that an asset is made from.
+struct ManifestInput {
+    std::string file;  // as the recipe names it
+    std::string xxh3;  // xxh3_hex of its bytes
+};
+
 // Wall times: the one thing in a bake's output that changes from run to run.
 struct Timing {
     double bake_s = 0;
@@ -69,6 +75,12 @@ struct ManifestAsset {
     std::string parameters;    // TOML: the parameters that this asset depends on
     std::string content_hash;  // xxh3_hex of the texels as stored; of volumes: of level 0
     std::string release;       // the release that baked it
+
+    // What it was made of (bakers/incremental/asset_identity.h). Empty in manifests of releases
+    // that did not bake incrementally.
+    std::string key;
+    std::string certification;  // "quick", "full", "off"
+    std::vector<ManifestInput> inputs;
 
     // Of volumes: none of a table.
     std::vector<ManifestLevel> levels;  // level 0 first

@@ -39,6 +39,8 @@ class Node {
         return {*member, place_.empty() ? key : fmt::format("{}.{}", place_, key)};
     }
 
+    bool has(const char* key) const { return json_->is_object() && json_->contains(key); }
+
     std::string text() const {
         if (!json_->is_string()) fail("a text is wanted");
         return json_->get<std::string>();
@@ -241,6 +243,14 @@ void read_table(const Node& node, ManifestAsset& asset) {
     }
 }
 
+void read_identity(const Node& node, ManifestAsset& asset) {
+    asset.key = node["key"].text();
+    asset.certification = node["certification"].text();
+    for (const Node& input : node["inputs"].elements()) {
+        asset.inputs.push_back({input["file"].text(), input["xxh3"].text()});
+    }
+}
+
 ManifestAsset read_asset(const Node& node) {
     ManifestAsset asset;
     const bool of_volume = node["size"].count() == 3;
@@ -265,6 +275,7 @@ ManifestAsset read_asset(const Node& node) {
     asset.parameters = node["parameters"].text();
     asset.content_hash = node["content_hash"].text();
     asset.release = node["release"].text();
+    if (node.has("key")) read_identity(node, asset);
     of_volume ? read_volume(node, asset) : read_table(node, asset);
     return asset;
 }

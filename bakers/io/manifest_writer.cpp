@@ -33,6 +33,8 @@ Json to_json(const ManifestFile& file, bool of_volume) {
     return json;
 }
 
+Json to_json(const ManifestInput& input) { return {{"file", input.file}, {"xxh3", input.xxh3}}; }
+
 Json to_json(const AxisMapping& axis) {
     return {{"quantity", axis.quantity},
             {"formula", axis.formula},
@@ -130,6 +132,10 @@ Json to_json(const ManifestAsset& asset) {
     json["parameters"] = asset.parameters;
     json["content_hash"] = asset.content_hash;
     json["release"] = asset.release;
+    if (asset.key.empty()) return json;
+    json["key"] = asset.key;
+    json["certification"] = asset.certification;
+    json["inputs"] = array_of(asset.inputs);
     return json;
 }
 

@@ -14,7 +14,7 @@
 #include "bakers/core/transcendental.h"
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/io/file_input.h"
-#include "bakers/io/map_module.h"
+#include "bakers/io/image_module.h"
 #include "config/suggest.h"
 
 namespace skybake {
@@ -79,7 +79,7 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
     const std::string file = map.path.string();
     Outcome<FileInput> opened = FileInput::open(map.path);  // says why it cannot be
     if (!opened.value) return {{}, std::move(opened.diagnostics)};
-    const LoadedMapCodec& loaded = map_codec();
+    const LoadedImageCodec& loaded = image_codec();
     if (loaded.codec == nullptr) {
         return {
             {},

@@ -1,5 +1,6 @@
-// What the module of OpenImageIO exports. No fmt here: OpenImageIO's headers turn its exceptions
-// into aborts.
+// No fmt here: OpenImageIO's headers turn its exceptions into aborts.
+#include "bakers/io/map_reader.h"
+
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "bakers/io/map_codec.h"
 #include "bakers/io/map_image.h"
 #include "bakers/io/png_chunks.h"
 
@@ -187,7 +187,7 @@ std::vector<float> read_channel(ImageInput& input, const ImageSpec& picture, int
     return read_values<float>(input, picture, channel, TypeDesc::FLOAT, 1.0F);
 }
 
-// --- The module ---------------------------------------------------------------------------------
+// --- A channel ----------------------------------------------------------------------------------
 
 MapPixels read_picture(const std::filesystem::path& path, const std::string& channel) {
     ImageSpec picture;
@@ -208,7 +208,9 @@ MapPixels read_picture(const std::filesystem::path& path, const std::string& cha
     return pixels;
 }
 
-MapPixels read(const std::filesystem::path& path, const std::string& channel) {
+}  // namespace
+
+MapPixels read_map(const std::filesystem::path& path, const std::string& channel) {
     MapPixels pixels;
     try {
         return read_picture(path, channel);
@@ -220,10 +222,4 @@ MapPixels read(const std::filesystem::path& path, const std::string& channel) {
     return pixels;
 }
 
-}  // namespace
 }  // namespace skybake
-
-extern "C" const skybake::MapCodec* skybake_map_codec() {
-    static constexpr skybake::MapCodec codec = {skybake::read};
-    return &codec;
-}

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -57,10 +58,12 @@ void leave(int slot) {
 
 // --- Names of temporaries -----------------------------------------------------------------------
 
+constexpr std::string_view temporary_mark = ".skybake-";
+
 // ".NAME.skybake-"; long names are cut so that the whole stays within the 255 bytes of a name.
 std::string temporary_prefix(const fs::path& path) {
     constexpr std::size_t longest_name = 200;
-    return fmt::format(".{}.skybake-", path.filename().string().substr(0, longest_name));
+    return fmt::format(".{}{}", path.filename().string().substr(0, longest_name), temporary_mark);
 }
 
 constexpr std::string_view temporary_suffix = ".tmp";
@@ -97,6 +100,27 @@ bool is_left_over(const fs::path& temporary, pid_t owner) {
 // Held while a temporary exists without its lock, so that no other thread takes it for a left-over.
 std::mutex creation_mutex;
 
+// What a name would begin with if it were a temporary's.
+std::string own_prefix(const std::string& name) {
+    const std::size_t mark = name.rfind(temporary_mark);
+    if (mark == std::string::npos || name[0] != '.') return name;
+    return name.substr(0, mark + temporary_mark.size());
+}
+
+void remove_stale(const fs::path& folder,
+                  const std::function<std::string(const std::string& name)>& prefix_for) {
+    const std::lock_guard lock(creation_mutex);
+    std::error_code error;
+    std::vector<fs::path> stale;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().native();
+        const auto owner = temporary_owner(name, prefix_for(name));
+        if (owner && is_left_over(entry->path(), *owner)) stale.push_back(entry->path());
+    }
+    for (const fs::path& temporary : stale) ::unlink(temporary.c_str());
+}
+
 }  // namespace
 
 TemporaryFile::TemporaryFile(const fs::path& target) {
@@ -125,18 +149,12 @@ bool TemporaryFile::rename_to(const fs::path& target) {
 }
 
 void remove_stale_temporaries(const fs::path& target) {
-    const std::string prefix = temporary_prefix(target);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    const std::lock_guard lock(creation_mutex);
-    std::error_code error;
-    std::vector<fs::path> stale;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        const auto owner = temporary_owner(entry->path().filename().native(), prefix);
-        if (owner && is_left_over(entry->path(), *owner)) stale.push_back(entry->path());
-    }
-    for (const fs::path& temporary : stale) ::unlink(temporary.c_str());
+    remove_stale(folder,
+                 [prefix = temporary_prefix(target)](const std::string&) { return prefix; });
 }
+
+void remove_stale_temporaries_in(const fs::path& folder) { remove_stale(folder, own_prefix); }
 
 void unlink_current_temporaries() noexcept {
     for (const CurrentTemporary& entry : current_temporaries) {

@@ -34,4 +34,7 @@ class TemporaryFile {
 // untidy, not wrong.
 void remove_stale_temporaries(const std::filesystem::path& target);
 
+// The same of all targets in a folder.
+void remove_stale_temporaries_in(const std::filesystem::path& folder);
+
 }  // namespace skybake

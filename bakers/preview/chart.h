@@ -13,11 +13,18 @@
 
 namespace skybake {
 
+enum class AxisTicks {
+    decimal,      // at 1, 2 and 5 times powers of ten
+    angles,       // at 90, 45, 30, 15 degrees where there is no room for finer ones
+    logarithmic,  // at powers of ten
+};
+
 // One axis of a picture: `value(t)` is the physical value at t in [0, 1] along it, monotonic, not
 // necessarily linear (a table's mapping), from left to right or from the bottom up.
 struct ChartAxis {
     std::string title;  // "sun zenith angle (deg)"
     std::function<double(double)> value;
+    AxisTicks ticks = AxisTicks::decimal;
 };
 
 // What colours mean; none where the picture is tone-mapped.

@@ -1,11 +1,11 @@
-#include "cli/bake_output.h"
+#include "bakers/incremental/prepared_asset.h"
 
 #include <utility>
 
 #include "bakers/core/parallel.h"
 #include "bakers/io/write_volume.h"
 
-namespace skybake::cli {
+namespace skybake {
 namespace {
 
 using config::Outcome;
@@ -35,6 +35,10 @@ const ManifestAsset& entry_of(const PreparedAsset& asset) {
                       asset);
 }
 
+ManifestAsset& entry_of(PreparedAsset& asset) {
+    return std::visit([](auto& prepared) -> ManifestAsset& { return prepared.asset; }, asset);
+}
+
 Outcome<PreparedAsset> prepare(BakedAsset baked, int threads) {
     if (auto* volume = std::get_if<BakedVolume>(&baked)) {
         return prepare_volume(std::move(*volume), threads);
@@ -54,4 +58,4 @@ Outcome<std::vector<WriteResult>> stage(PreparedAsset& asset, const std::filesys
     return outcome;
 }
 
-}  // namespace skybake::cli
+}  // namespace skybake

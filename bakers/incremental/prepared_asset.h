@@ -12,7 +12,7 @@
 #include "bakers/registry.h"
 #include "config/diagnostic.h"
 
-namespace skybake::cli {
+namespace skybake {
 
 // A volume whose files are made while they are written.
 struct DescribedVolume {
@@ -25,6 +25,7 @@ using PreparedAsset = std::variant<EncodedTable, DescribedVolume>;
 
 // Its entry in the manifest: complete once it is staged.
 const ManifestAsset& entry_of(const PreparedAsset& asset);
+ManifestAsset& entry_of(PreparedAsset& asset);
 
 // Encodes a table, describes a volume. E0401, E0402 as encode_table.
 config::Outcome<PreparedAsset> prepare(BakedAsset baked, int threads);
@@ -36,4 +37,4 @@ config::Outcome<std::vector<WriteResult>> stage(PreparedAsset& asset,
                                                 AtomicFiles& files, int threads,
                                                 Progress& progress);
 
-}  // namespace skybake::cli
+}  // namespace skybake

@@ -3,16 +3,16 @@
 
 #include <string>
 
-#include "bakers/io/map_codec.h"
+#include "bakers/io/image_codec.h"
 
 namespace skybake {
 
 // The codec, or null with the reason. The module, skybake_images.so, is loaded once and stays; see
 // load_module.h for where it is.
-struct LoadedMapCodec {
-    const MapCodec* codec = nullptr;
+struct LoadedImageCodec {
+    const ImageCodec* codec = nullptr;
     std::string reason;
 };
-const LoadedMapCodec& map_codec();
+const LoadedImageCodec& image_codec();
 
 }  // namespace skybake

@@ -1,0 +1,206 @@
+#include "bakers/incremental/bake_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "bakers/incremental/copy_asset.h"
+#include "bakers/incremental/prepared_asset.h"
+#include "bakers/io/file_names.h"
+#include "bakers/io/folder_lock.h"
+#include "bakers/io/temporary_file.h"
+#include "bakers/io/vdb_volume.h"
+#include "bakers/registry.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Diagnostic;
+using config::Outcome;
+
+// One bake of one folder, locked. Each step says whether to go on; where not, diagnostics say why,
+// or there are none after an interruption.
+class FolderMaker {
+  public:
+    FolderMaker(const FolderBake& bake, const FolderPlan& plan, BakeObserver& observer)
+        : bake_(bake), plan_(plan), observer_(observer), prepared_(plan.assets.size()) {
+        for (const PlannedAsset& planned : plan.assets) {
+            FinishedAsset& finished = result_.assets.emplace_back();
+            if (planned.stale()) continue;
+            finished.state = AssetState::up_to_date;
+            finished.entry = *planned.up_to_date;
+            finished.files.assign(finished.entry.files.size(), WriteResult::unchanged);
+        }
+    }
+
+    Outcome<BakedFolder> make() {
+        if (!has_modules() || !make_all() || !stage_all() || !stage_manifest() || !commit()) {
+            return {{}, std::move(diagnostics_)};
+        }
+        return {std::move(result_), std::move(diagnostics_)};
+    }
+
+  private:
+    bool stop(std::vector<Diagnostic> diagnostics) {
+        std::move(diagnostics.begin(), diagnostics.end(), std::back_inserter(diagnostics_));
+        return false;
+    }
+
+    bool has_modules() {
+        for (const PlannedAsset& planned : plan_.assets) {
+            if (!planned.stale()) continue;
+            for (const std::string& file : file_names(*planned.bake)) {
+                if (fs::path(file).extension() != ".vdb") continue;
+                auto obstacle = vdb_obstacle(bake_.folder / file);
+                return !obstacle || stop({std::move(*obstacle)});
+            }
+        }
+        return true;
+    }
+
+    // A copy from a source, or a bake. All are tried, so that one run shows all that is wrong.
+    bool make_all() {
+        bool good = true;
+        for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
+            if (!plan_.assets[i].stale()) continue;
+            const auto progress = observer_.begin(plan_.assets[i].bake->name);
+            good = (copy(i, *progress) || bake(i, *progress)) && good;
+            if (observer_.cancelled()) return stop_for_interruption();
+        }
+        return good;
+    }
+
+    // What a source has and cannot be read, or is damaged, is baked.
+    bool copy(std::size_t i, const Progress& progress) {
+        for (AssetSource* source : bake_.sources) {
+            const auto ready = source->find(plan_.assets[i].identity.key);
+            if (!ready) continue;
+            auto staged = stage_copies(*ready, bake_.folder, files_, progress);
+            if (!staged.value) continue;
+            result_.assets[i] = {AssetState::copied, ready->entry, std::move(*staged.value)};
+            return true;
+        }
+        return false;
+    }
+
+    bool bake(std::size_t i, Progress& progress) {
+        if (observer_.cancelled()) return false;
+        const PlannedAsset& planned = plan_.assets[i];
+        BakeOptions options;
+        options.threads = bake_.threads;
+        options.certification = bake_.certification;
+        options.progress = &progress;
+        auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
+        stop(std::move(baked.diagnostics));
+        if (!baked.value) return false;
+        auto prepared = prepare(std::move(*baked.value), bake_.threads);
+        stop(std::move(prepared.diagnostics));
+        if (!prepared.value) return false;
+        prepared_[i] = std::move(*prepared.value);
+        sign(planned.identity, entry_of(*prepared_[i]));
+        return true;
+    }
+
+    bool stage_all() {
+        for (std::size_t i = 0; i < prepared_.size(); ++i) {
+            if (!prepared_[i]) continue;
+            const auto progress = observer_.begin(plan_.assets[i].bake->name);
+            auto staged = stage(*prepared_[i], bake_.folder, files_, bake_.threads, *progress);
+            if (!staged.value) return stop(std::move(staged.diagnostics));
+            if (staged.value->back() == WriteResult::interrupted) return stop_for_interruption();
+            result_.assets[i] = {AssetState::baked, entry_of(*prepared_[i]),
+                                 std::move(*staged.value)};
+        }
+        return true;
+    }
+
+    // Last, so that it gets its name first.
+    bool stage_manifest() {
+        Manifest manifest = new_manifest(*bake_.recipe);
+        for (const FinishedAsset& finished : result_.assets) {
+            manifest.assets.push_back(finished.entry);
+        }
+        const bool partial = bake_.bakes.size() < bake_.recipe->parameters.bakes.size();
+        if (partial && plan_.folder.previous) {
+            manifest = merge_manifests(*plan_.folder.previous, std::move(manifest));
+        }
+        const auto progress = observer_.begin(manifest_name);
+        const std::string text = manifest_json(manifest);
+        const auto staged =
+            files_.stage(bake_.folder / manifest_name, std::string_view(text), progress.get());
+        if (!staged.value) return stop(staged.diagnostics);
+        result_.manifest = *staged.value;
+        return result_.manifest != WriteResult::interrupted || stop_for_interruption();
+    }
+
+    bool commit() {
+        auto failures = files_.commit();
+        if (!failures.empty()) return stop(std::move(failures));
+        for (const FinishedAsset& finished : result_.assets) {
+            for (AssetSource* source : bake_.sources) source->offer({bake_.folder, finished.entry});
+        }
+        return true;
+    }
+
+    // Whatever was found until then is not what the user wants to read.
+    bool stop_for_interruption() {
+        diagnostics_.clear();
+        return false;
+    }
+
+    const FolderBake& bake_;
+    const FolderPlan& plan_;
+    BakeObserver& observer_;
+    BakedFolder result_;
+    AtomicFiles files_;
+    std::vector<std::optional<PreparedAsset>> prepared_;  // none: up to date, or copied
+    std::vector<Diagnostic> diagnostics_;
+};
+
+struct LockedFolder {
+    FolderLock lock;
+    std::vector<fs::path> made;  // by this process
+};
+
+// Another process may take away the folder that it made and this one waits for.
+Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer) {
+    bool told = false;
+    const auto waits = [&] {
+        if (!told) observer.waits();
+        told = true;
+    };
+    while (true) {
+        auto made = create_output_folder(folder);
+        if (!made.value) return {{}, std::move(made.diagnostics)};
+        auto lock = FolderLock::acquire(folder, waits, [&] { return observer.cancelled(); });
+        if (lock.value) return {LockedFolder{std::move(*lock.value), std::move(*made.value)}, {}};
+        std::error_code error;
+        if (lock.diagnostics.empty() || fs::exists(folder, error)) {
+            return {{}, std::move(lock.diagnostics)};
+        }
+    }
+}
+
+}  // namespace
+
+Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer) {
+    auto locked = lock_folder(bake.folder, observer);
+    if (!locked.value) return {{}, std::move(locked.diagnostics)};
+    auto plan = plan_folder(bake);
+    Outcome<BakedFolder> outcome;
+    if (plan.value) {
+        remove_stale_temporaries_in(bake.folder);
+        observer.planned(*plan.value);
+        outcome = FolderMaker(bake, *plan.value, observer).make();
+    } else {
+        outcome.diagnostics = std::move(plan.diagnostics);
+    }
+    if (!outcome.value) remove_empty_folders(locked.value->made);
+    return outcome;
+}
+
+}  // namespace skybake

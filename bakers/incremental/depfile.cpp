@@ -1,0 +1,44 @@
+#include "bakers/incremental/depfile.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As GCC writes them: what all readers of depfiles understand.
+std::string escaped(const fs::path& path) {
+    std::string text;
+    for (const char c : path.string()) {
+        if (c == ' ' || c == '#' || c == '\\') text += '\\';
+        if (c == '$') text += '$';
+        text += c;
+    }
+    return text;
+}
+
+// Without it where the system does not tell.
+std::vector<fs::path> with_program(std::span<const fs::path> inputs) {
+    std::vector<fs::path> all(inputs.begin(), inputs.end());
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (!error) all.push_back(program);
+    return all;
+}
+
+}  // namespace
+
+std::string depfile_text(std::span<const fs::path> targets, std::span<const fs::path> inputs) {
+    const std::vector<fs::path> all = with_program(inputs);
+    std::string text;
+    for (const fs::path& target : targets) text += (text.empty() ? "" : " ") + escaped(target);
+    text += ':';
+    for (const fs::path& input : all) text += " \\\n  " + escaped(input);
+    text += '\n';
+    for (const fs::path& input : all) text += escaped(input) + ":\n";
+    return text;
+}
+
+}  // namespace skybake

@@ -1,0 +1,17 @@
+// What Make and Ninja read to know when files are stale.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace skybake {
+
+// One rule in Make's syntax: all targets depend on all inputs and on this program, which holds the
+// presets and the bakers. Names are written so that Make, Ninja and CMake read them back, spaces,
+// `#` and `$` too. Each input is a target of a rule without a recipe as well, so that Make goes on
+// when one is removed.
+std::string depfile_text(std::span<const std::filesystem::path> targets,
+                         std::span<const std::filesystem::path> inputs);
+
+}  // namespace skybake

@@ -1,0 +1,21 @@
+#include "bakers/io/image_module.h"
+
+#include "bakers/io/load_module.h"
+
+namespace skybake {
+namespace {
+
+LoadedImageCodec load() {
+    const ModuleSymbol symbol = load_module("skybake_images", image_codec_symbol);
+    if (symbol.address == nullptr) return {nullptr, symbol.reason};
+    return {reinterpret_cast<ImageCodecFunction>(symbol.address)(), ""};
+}
+
+}  // namespace
+
+const LoadedImageCodec& image_codec() {
+    static const LoadedImageCodec loaded = load();
+    return loaded;
+}
+
+}  // namespace skybake

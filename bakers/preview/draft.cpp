@@ -1,0 +1,55 @@
+#include "bakers/preview/draft.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <variant>
+
+namespace skybake {
+namespace {
+
+constexpr int most_voxels = 64;  // an edge
+
+// The longest edge becomes `most_voxels`, the others keep their proportion to it, rounded.
+std::array<int, 3> reduced(const std::array<int, 3>& size) {
+    const std::int64_t longest = *std::max_element(size.begin(), size.end());
+    if (longest <= most_voxels) return size;
+    std::array<int, 3> fewer{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::int64_t edge = (2 * most_voxels * std::int64_t{size[i]} + longest) / (2 * longest);
+        fewer[i] = static_cast<int>(std::max<std::int64_t>(edge, 1));
+    }
+    return fewer;
+}
+
+// Without an own size (max_error is given) a table gets the largest one.
+template <class Table>
+void reduce_table(Table& table, const std::array<int, 2>& most) {
+    table.max_error.reset();
+    for (std::size_t i = 0; i < 2; ++i) {
+        table.size[i] = table.size[i] > 0 ? std::min(table.size[i], most[i]) : most[i];
+    }
+}
+
+struct Reduce {
+    void operator()(config::TransmittanceBake& table) const { reduce_table(table, {256, 64}); }
+    void operator()(config::MultipleScatteringBake& table) const { reduce_table(table, {32, 32}); }
+    void operator()(config::NoiseVolumeBake& volume) const {
+        volume.size = reduced(volume.size);
+        volume.mips = 1;
+    }
+    void operator()(config::CloudVolumeBake& volume) const {
+        volume.size = reduced(volume.size);
+        volume.mips = 1;
+    }
+    void operator()(config::OccupancyBake& grid) const { grid.mips = 1; }
+};
+
+}  // namespace
+
+config::Recipe draft_of(config::Recipe recipe) {
+    for (config::Bake& bake : recipe.parameters.bakes) std::visit(Reduce{}, bake.asset);
+    return recipe;
+}
+
+}  // namespace skybake

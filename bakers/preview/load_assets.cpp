@@ -1,0 +1,167 @@
+#include "bakers/preview/load_assets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bakers/io/exr.h"
+#include "bakers/io/file_diagnostic.h"
+#include "bakers/io/manifest.h"
+#include "bakers/io/read_volume.h"
+#include "bakers/io/recorded_recipe.h"
+#include "bakers/preview/file_metadata.h"
+
+namespace skybake {
+namespace {
+
+using config::Diagnostic;
+using config::Outcome;
+namespace fs = std::filesystem;
+
+Outcome<PreviewAsset> load_table(const fs::path& path, const ManifestAsset& entry) {
+    Outcome<ExrImage> image = read_exr(path);
+    if (!image.value) return {{}, std::move(image.diagnostics)};
+    const std::vector<int> size = {image.value->pixels.width, image.value->pixels.height};
+    if (size != entry.size || image.value->channel_names != entry.channels) {
+        return {{},
+                {file_error("E0304", path.string(),
+                            fmt::format("`{}` is not of the size that its manifest says",
+                                        path.string()))}};
+    }
+    return {PreviewAsset{entry, std::move(image.value->pixels), {}}, {}};
+}
+
+// `file` holds level 0 of `entry`.
+Outcome<PreviewAsset> load_volume(const fs::path& path, const ManifestAsset& entry,
+                                  ManifestFile file) {
+    file.level = 0;
+    PreviewAsset asset{entry, {}, {}};
+    std::size_t values = entry.channels.size();
+    for (const int extent : entry.levels[0].size) values *= static_cast<std::size_t>(extent);
+    asset.voxels.resize(values);
+    const std::size_t channels = entry.channels.size();
+    const auto keep = [&](std::int64_t first, std::int64_t count, const float* voxels) {
+        std::copy_n(voxels, static_cast<std::size_t>(count) * channels,
+                    asset.voxels.begin() +
+                        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * channels));
+        return true;
+    };
+    const Outcome<bool> read = read_volume(path, entry, file, keep);
+    if (!read.value) return {{}, read.diagnostics};
+    return {std::move(asset), {}};
+}
+
+// The file of a level that is read quickest: VDB needs a module and a walk over its tree.
+const ManifestFile* file_of_level(const ManifestAsset& entry, std::size_t level) {
+    const ManifestFile* found = nullptr;
+    for (const ManifestFile& file : entry.files) {
+        if (file.level != static_cast<int>(level)) continue;
+        if (found == nullptr || found->format == "vdb") found = &file;
+    }
+    return found;
+}
+
+Diagnostic no_file(const ManifestAsset& entry, const fs::path& folder) {
+    return file_error("E0304", (folder / manifest_name).string(),
+                      fmt::format("the manifest names no file of `{}`", entry.name));
+}
+
+// Adds one asset of a manifest to what is shown; what went wrong, if anything did.
+std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& entry,
+                                  PreviewAssets& shown) {
+    std::size_t level = 0;
+    if (entry.is_volume()) {
+        const std::optional<std::size_t> fitting = previewed_level(entry);
+        if (fitting != std::size_t{0}) shown.notes.push_back(level_note(entry, fitting));
+        if (!fitting) {
+            shown.assets.push_back({entry, {}, {}});
+            return {};
+        }
+        level = *fitting;
+    }
+    const ManifestFile* file = file_of_level(entry, level);
+    if (file == nullptr) return {no_file(entry, folder)};
+    auto asset = entry.is_volume() ? load_volume(folder / file->path, at_level(entry, level), *file)
+                                   : load_table(folder / file->path, entry);
+    if (!asset.value) return std::move(asset.diagnostics);
+    shown.assets.push_back(std::move(*asset.value));
+    return {};
+}
+
+// Previews of a folder whose parameters this release cannot read still have pictures.
+void add_parameters(const Manifest& manifest, const ManifestPlace& place, PreviewAssets& shown) {
+    auto recipe = recorded_recipe(manifest, place.file.string(), place.folder);
+    if (recipe.value) {
+        shown.parameters = std::move(recipe.value->parameters);
+        return;
+    }
+    shown.notes.push_back("no sky and no lit clouds: " + recipe.diagnostics.front().message);
+}
+
+std::string folder_title(const fs::path& folder) {
+    const fs::path path = fs::absolute(folder).lexically_normal();
+    return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+}
+
+// The asset of a manifest that a file belongs to, reduced to that file.
+std::optional<ManifestAsset> claimed_entry(const Manifest& manifest, const fs::path& name) {
+    for (const ManifestAsset& asset : manifest.assets) {
+        for (const ManifestFile& file : asset.files) {
+            if (fs::path(file.path).lexically_normal() != name) continue;
+            ManifestAsset entry =
+                asset.is_volume() ? at_level(asset, static_cast<std::size_t>(file.level)) : asset;
+            entry.files = {file};
+            entry.files[0].level = 0;
+            return entry;
+        }
+    }
+    return std::nullopt;
+}
+
+// Adds one file by what it says of itself.
+std::vector<Diagnostic> add_unclaimed(const fs::path& path, PreviewAssets& shown) {
+    const Outcome<ManifestAsset> entry = entry_from_metadata(path);
+    if (!entry.value) return entry.diagnostics;
+    return add_asset(path.parent_path(), *entry.value, shown);
+}
+
+}  // namespace
+
+Outcome<PreviewAssets> load_folder(const fs::path& path) {
+    const ManifestPlace place = manifest_place(path);
+    const Outcome<Manifest> manifest = read_manifest_file(place.file);
+    if (!manifest.value) return {{}, manifest.diagnostics};
+    if (manifest.value->assets.empty()) {
+        return {{},
+                {file_error("E0304", place.file.string(),
+                            fmt::format("`{}` names no asset", place.file.string()))}};
+    }
+    PreviewAssets shown;
+    shown.title = folder_title(place.folder);
+    add_parameters(*manifest.value, place, shown);
+    for (const ManifestAsset& entry : manifest.value->assets) {
+        auto problems = add_asset(place.folder, entry, shown);
+        if (!problems.empty()) return {{}, std::move(problems)};
+    }
+    return {std::move(shown), {}};
+}
+
+Outcome<PreviewAssets> load_files(std::span<const fs::path> files) {
+    PreviewAssets shown;
+    std::optional<Manifest> recorded;  // of the folder that all files are in
+    for (const fs::path& path : files) {
+        shown.title += (shown.title.empty() ? "" : ", ") + path.filename().string();
+        const fs::path folder = path.parent_path();
+        Outcome<Manifest> manifest = read_manifest(folder);
+        const std::optional<ManifestAsset> entry =
+            manifest.value ? claimed_entry(*manifest.value, path.filename()) : std::nullopt;
+        auto problems = entry ? add_asset(folder, *entry, shown) : add_unclaimed(path, shown);
+        if (!problems.empty()) return {{}, std::move(problems)};
+        if (entry && folder == files.front().parent_path()) recorded = std::move(manifest.value);
+    }
+    if (recorded) add_parameters(*recorded, manifest_place(files.front().parent_path()), shown);
+    return {std::move(shown), {}};
+}
+
+}  // namespace skybake

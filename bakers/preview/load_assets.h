@@ -1,0 +1,22 @@
+// Baked files from the disk, as a preview looks at them.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "bakers/preview/preview_assets.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+// All assets of a folder of a bake, and the parameters that its manifest recorded; `path` is the
+// folder or the manifest. E0300, E0304 as the readers of manifests and files; E0304 where the
+// manifest has no assets.
+config::Outcome<PreviewAssets> load_folder(const std::filesystem::path& path);
+
+// Single EXR, VDB and bin files, each with what the manifest of its folder says of it; where none
+// claims it, with what it says of itself. Parameters are there where all are of one folder. E0300;
+// E0304, too, where a file says nothing of itself.
+config::Outcome<PreviewAssets> load_files(std::span<const std::filesystem::path> files);
+
+}  // namespace skybake

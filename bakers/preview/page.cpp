@@ -1,0 +1,257 @@
+#include "bakers/preview/page.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "bakers/io/release.h"
+#include "bakers/io/spelling.h"
+#include "bakers/preview/base64.h"
+#include "bakers/preview/page_template.h"
+
+namespace skybake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const PagePicture& picture) {
+    return {{"name", picture.name},     {"file", picture.name + ".png"},
+            {"title", picture.title},   {"caption", picture.caption},
+            {"width", picture.width},   {"height", picture.height},
+            {"src", "data:image/png;base64," + base64(picture.png)}};
+}
+
+Json to_json(const std::vector<PagePicture>& pictures) {
+    Json json = Json::array();
+    for (const PagePicture& picture : pictures) json.push_back(to_json(picture));
+    return json;
+}
+
+// The width or height that a drawing of `report` states.
+int svg_extent(std::string_view svg, std::string_view attribute) {
+    const std::size_t at = svg.find(fmt::format(" {}=\"", attribute), svg.find("<svg"));
+    if (at == std::string_view::npos) return 0;
+    int value = 0;
+    for (const char c : svg.substr(at + attribute.size() + 3)) {
+        if (c < '0' || c > '9' || value > 100000) break;
+        value = 10 * value + (c - '0');
+    }
+    return value;
+}
+
+Json plot_json(const PageAsset& asset) {
+    const std::string name = asset.entry.name + "_report";
+    return {{"name", name},
+            {"file", name + ".svg"},
+            {"title", "Speed against error"},
+            {"caption", "What accuracy costs: time of the bake against error, for many variants."},
+            {"width", svg_extent(asset.plot_svg, "width")},
+            {"height", svg_extent(asset.plot_svg, "height")},
+            {"plot", true},
+            {"src", "data:image/svg+xml;base64," + base64(asset.plot_svg)}};
+}
+
+Json error_json(const std::optional<Certificate>& error) {
+    if (!error) return nullptr;
+    return {{"lookup", {{"max", error->lookup.max}, {"rms", error->lookup.rms}}},
+            {"texel", {{"max", error->texel.max}, {"rms", error->texel.rms}}},
+            {"points", error->lookup_points},
+            {"texel_points", error->texel_points},
+            {"reference", error->reference},
+            {"scale", error->scale},
+            {"worst", error->worst},
+            {"advice", error->advice}};
+}
+
+Json to_json(const ManifestAsset& entry) {
+    Json files = Json::array();
+    for (const ManifestFile& file : entry.files) {
+        files.push_back({{"path", file.path},
+                         {"format", file.format},
+                         {"pixel_type", spell(file.pixel_type)},
+                         {"bytes", file.bytes},
+                         {"xxh3", file.xxh3}});
+    }
+    Json axes = Json::array();
+    for (const AxisMapping& axis : entry.axes) {
+        axes.push_back({{"quantity", axis.quantity},
+                        {"first", axis.first},
+                        {"last", axis.last},
+                        {"formula", axis.formula},
+                        {"convention", axis.convention}});
+    }
+    Json statistics = Json::array();
+    if (entry.is_volume()) {
+        for (const ValueStatistics& channel : entry.levels[0].statistics) {
+            statistics.push_back(
+                {{"min", channel.min}, {"mean", channel.mean}, {"max", channel.max}});
+        }
+    }
+    Json json = {{"name", entry.name},
+                 {"kind", entry.kind},
+                 {"content", entry.content},
+                 {"size", entry.size},
+                 {"channels", entry.channels},
+                 {"mapping", entry.mapping},
+                 {"axes", std::move(axes)},
+                 {"error", error_json(entry.error)},
+                 {"bake_s", entry.timing.bake_s},
+                 {"threads", entry.timing.threads},
+                 {"files", std::move(files)},
+                 {"statistics", std::move(statistics)},
+                 {"details", entry.details},
+                 {"content_hash", entry.content_hash},
+                 {"parameters", entry.parameters}};
+    if (entry.is_volume()) json["seam_error"] = entry.seam_error;
+    return json;
+}
+
+Json to_json(const PageAsset& asset) {
+    Json json = to_json(asset.entry);
+    json["pictures"] = to_json(asset.pictures);
+    if (!asset.plot_svg.empty()) json["pictures"].push_back(plot_json(asset));
+    return json;
+}
+
+Json to_json(const PageScene& scene) {
+    return {{"title", scene.title},
+            {"content", scene.content},
+            {"pictures", to_json(scene.pictures)}};
+}
+
+Json to_json(const PageVariant& variant) {
+    Json cells = Json::array();
+    for (const PageVariant::Cell& cell : variant.cells) {
+        if (cell.number) {
+            cells.push_back(*cell.number);
+        } else {
+            cells.push_back(cell.text.empty() ? Json(nullptr) : Json(cell.text));
+        }
+    }
+    Json json = {{"cells", std::move(cells)}, {"picture", nullptr}};
+    if (variant.picture) json["picture"] = to_json(*variant.picture);
+    return json;
+}
+
+Json to_json(const PageSweep& sweep) {
+    Json columns = Json::array();
+    for (const PageSweep::Column& column : sweep.columns) {
+        columns.push_back({{"title", column.title},
+                           {"number", column.is_number},
+                           {"error", column.is_error}});
+    }
+    Json rows = Json::array();
+    for (const PageVariant& variant : sweep.variants) rows.push_back(to_json(variant));
+    return {{"content", sweep.content},
+            {"pictures", to_json(sweep.pictures)},
+            {"columns", std::move(columns)},
+            {"rows", std::move(rows)}};
+}
+
+template <class T>
+Json array_of(const std::vector<T>& elements) {
+    Json json = Json::array();
+    for (const T& element : elements) json.push_back(to_json(element));
+    return json;
+}
+
+std::string generator() { return fmt::format("{} {} preview", tool_name(), release()); }
+
+// JSON within a script element ends at "</script", whatever JSON thinks of it, and "<!--" changes
+// how its end is found: no "<" is written as itself.
+std::string script_text(const Json& json) {
+    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string safe;
+    safe.reserve(text.size());
+    for (const char c : text) {
+        if (c == '<') {
+            safe += "\\u003c";
+        } else {
+            safe += c;
+        }
+    }
+    return safe;
+}
+
+std::string page_data(const PreviewPage& page) {
+    return script_text({{"generator", generator()},
+                        {"title", page.title},
+                        {"notes", page.notes},
+                        {"sweep", page.sweep ? to_json(*page.sweep) : Json(nullptr)},
+                        {"scenes", array_of(page.scenes)},
+                        {"assets", array_of(page.assets)}});
+}
+
+std::string html_text(std::string_view text) {
+    static const std::map<char, std::string_view> entities = {
+        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+    std::string escaped;
+    for (const char c : text) {
+        const auto entity = entities.find(c);
+        entity == entities.end() ? void(escaped += c) : void(escaped += entity->second);
+    }
+    return escaped;
+}
+
+// The template with each {{name}} replaced, once: what stands in the values stays as it is.
+std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values) {
+    std::string text;
+    for (std::size_t at = 0;;) {
+        const std::size_t open = form.find("{{", at);
+        const std::size_t close = form.find("}}", open);
+        if (close == std::string_view::npos) return text.append(form.substr(at));
+        text.append(form.substr(at, open - at));
+        text.append(values.at(form.substr(open + 2, close - open - 2)));
+        at = close + 2;
+    }
+}
+
+std::string watch_element(int revision) {
+    if (revision == 0) return "";
+    return "<script>\n" +
+           filled(page_watch_script(), {{"revision", std::to_string(revision)}}) + "</script>\n";
+}
+
+}  // namespace
+
+std::string page_html(const PreviewPage& page) {
+    return filled(page_html_template(), {{"generator", html_text(generator())},
+                                         {"title", html_text(page.title)},
+                                         {"style", std::string(page_style())},
+                                         {"data", page_data(page)},
+                                         {"script", std::string(page_script())},
+                                         {"watch", watch_element(page.watch_revision)}});
+}
+
+std::string page_state_text(const PageState& state) {
+    Json diagnostics = Json::array();
+    for (const config::Diagnostic& diagnostic : state.diagnostics) {
+        const bool error = diagnostic.severity == config::Severity::error;
+        diagnostics.push_back({{"severity", error ? "error" : "warning"},
+                               {"code", diagnostic.code},
+                               {"message", diagnostic.message},
+                               {"file", diagnostic.where.source},
+                               {"line", diagnostic.where.line},
+                               {"column", diagnostic.where.column},
+                               {"length", diagnostic.where.length},
+                               {"text", diagnostic.where.line_text},
+                               {"label", diagnostic.label}});
+    }
+    return fmt::format("skybakePreview({});\n",
+                       script_text({{"revision", state.revision},
+                                    {"seconds", state.seconds},
+                                    {"ended", state.ended},
+                                    {"diagnostics", std::move(diagnostics)}}));
+}
+
+bool is_page_text(std::string_view text, std::string_view picture) {
+    const std::string sign =
+        fmt::format("<meta name=\"generator\" content=\"{} ", html_text(tool_name()));
+    if (text.substr(0, 1024).find(sign) == std::string_view::npos) return false;
+    if (picture.empty()) return true;
+    return text.find(fmt::format("\"file\":{}", script_text(picture))) != std::string_view::npos;
+}
+
+}  // namespace skybake

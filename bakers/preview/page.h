@@ -1,0 +1,88 @@
+// The page of a preview: one HTML file that holds everything it shows.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bakers/io/manifest.h"
+#include "bakers/preview/picture.h"
+
+namespace skybake {
+
+// A picture as its file.
+struct PagePicture {
+    std::string name;  // of the file, without ".png"
+    std::string title;
+    std::string caption;
+    int width = 0;
+    int height = 0;
+    std::string png;  // bytes
+};
+
+// An asset with its pictures.
+struct PageAsset {
+    ManifestAsset entry;
+    std::vector<PagePicture> pictures;
+    std::string plot_svg;  // speed against error, as `report` draws it, or empty
+};
+
+// Pictures of several assets together: the sky.
+struct PageScene {
+    std::string title;
+    std::string content;  // what is shown, in a sentence
+    std::vector<PagePicture> pictures;
+};
+
+// One variant of a sweep; a cell is a number or a text.
+struct PageVariant {
+    struct Cell {
+        std::optional<double> number;
+        std::string text;
+    };
+    std::vector<Cell> cells;  // as the columns
+    std::optional<PagePicture> picture;
+};
+
+struct PageSweep {
+    struct Column {
+        std::string title;
+        bool is_number = true;
+        bool is_error = false;  // shown with two digits
+    };
+    std::string content;
+    std::vector<PagePicture> pictures;  // the contact sheet
+    std::vector<Column> columns;
+    std::vector<PageVariant> variants;
+};
+
+struct PreviewPage {
+    std::string title;
+    std::vector<std::string> notes;
+    std::vector<PageAsset> assets;
+    std::vector<PageScene> scenes;
+    std::optional<PageSweep> sweep;
+    int watch_revision = 0;  // of pages that follow a recipe: counts from 1; 0 for all others
+};
+
+// The page's text. It needs no other file and no network, but for pages that watch, which look at
+// page_state_name beside them.
+std::string page_html(const PreviewPage& page);
+
+// What a watched page is told. Its file is page_state_name.
+struct PageState {
+    int revision = 0;    // of the page that belongs to it
+    double seconds = 0;  // from the change to the files
+    bool ended = false;  // nobody watches any longer
+    std::vector<config::Diagnostic> diagnostics;
+};
+inline constexpr const char* page_state_name = "preview_state.js";
+std::string page_state_text(const PageState& state);
+
+inline constexpr const char* page_name = "index.html";
+
+// Whether a text was written by page_html and says that a picture of this name lies beside it, or
+// (without a name) whether it was written by page_html at all.
+bool is_page_text(std::string_view text, std::string_view picture = {});
+
+}  // namespace skybake

@@ -1,0 +1,287 @@
+'use strict';
+// Builds the page of the data that stand in it. Texts become text nodes and nothing else, so that no
+// name of a recipe can become markup.
+(() => {
+    const preview = JSON.parse(document.getElementById('preview').textContent);
+
+    // --- Elements -------------------------------------------------------------------------------
+
+    // element('p', {class: 'lead'}, 'text', child, ...); null children are left out.
+    function element(name, attributes, ...children) {
+        const made = document.createElement(name);
+        for (const [key, value] of Object.entries(attributes || {})) {
+            if (key === 'onclick') {
+                made.addEventListener('click', value);
+            } else if (value !== null && value !== undefined) {
+                made.setAttribute(key, value);
+            }
+        }
+        made.append(...children.filter((child) => child !== null && child !== undefined));
+        return made;
+    }
+
+    // --- Numbers --------------------------------------------------------------------------------
+
+    // Two significant digits: 0.0036, 7.1e-6, 12.
+    function figure(value) {
+        if (value === 0) return '0';
+        const size = Math.abs(value);
+        if (size < 1e-3 || size >= 1e5) return value.toExponential(1).replace('e+', 'e');
+        return String(Number(value.toPrecision(2)));
+    }
+    // Four: values of a table or a parameter.
+    function number(value) {
+        const size = Math.abs(value);
+        if (size !== 0 && (size < 1e-4 || size >= 1e6)) {
+            return String(value.toExponential(3)).replace(/\.?0+e/, 'e').replace('e+', 'e');
+        }
+        return String(Number(value.toPrecision(4)));
+    }
+    function duration(seconds) {
+        if (seconds < 1e-3) return `${figure(seconds * 1e6)} µs`;
+        if (seconds < 1) return `${figure(seconds * 1e3)} ms`;
+        return `${seconds < 60 ? figure(seconds) : Math.round(seconds)} s`;
+    }
+    function byteCount(bytes) {
+        if (bytes < 1024) return `${bytes} B`;
+        if (bytes < 1048576) return `${number(Number((bytes / 1024).toPrecision(3)))} KiB`;
+        return `${number(Number((bytes / 1048576).toPrecision(3)))} MiB`;
+    }
+
+    // --- Sortable tables ------------------------------------------------------------------------
+
+    // columns: {title, number}; rows: arrays of cells {text, value, content, wraps}. A cell sorts by
+    // its value (numbers, then texts, then what has none), shows its content or its text.
+    function sortableTable(columns, rows, label) {
+        const body = element('tbody');
+        const heads = [];
+        const lines = rows.map((cells) => {
+            const line = element('tr', {}, ...cells.map((cell, i) => element('td', {
+                class: [columns[i].number ? 'number' : '', cell.wraps ? 'wraps' : ''].join(' ').trim() || null,
+            }, cell.content || cell.text)));
+            return {cells, line};
+        });
+        body.append(...lines.map((row) => row.line));
+        function sortBy(column) {
+            const ascending = heads[column].getAttribute('aria-sort') !== 'ascending';
+            heads.forEach((head, i) => head.setAttribute(
+                'aria-sort', i !== column ? 'none' : ascending ? 'ascending' : 'descending'));
+            const sorted = lines.slice().sort((a, b) => compare(a.cells[column], b.cells[column], ascending));
+            body.append(...sorted.map((row) => row.line));
+        }
+        columns.forEach((column, i) => {
+            const plain = column.title === '' || rows.length < 2;
+            heads.push(element('th', {scope: 'col', class: column.number ? 'number' : null,
+                                      'aria-sort': plain ? null : 'none'},
+                plain ? column.title
+                      : element('button', {type: 'button', onclick: () => sortBy(i)}, column.title)));
+        });
+        return element('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': label},
+            element('table', {}, element('thead', {}, element('tr', {}, ...heads)), body));
+    }
+    // Missing values are last whichever way the table is sorted.
+    function compare(a, b, ascending) {
+        const missing = (cell) => cell.value === null || cell.value === undefined;
+        if (missing(a) || missing(b)) return missing(a) - missing(b);
+        const both = typeof a.value === 'number' && typeof b.value === 'number';
+        const order = both ? a.value - b.value
+                           : String(a.value).localeCompare(String(b.value), 'en', {numeric: true});
+        return ascending ? order : -order;
+    }
+    const text = (value, wraps) => ({text: value, value, wraps});
+    const amount = (value, shown) => value === null || value === undefined
+        ? {text: '–', value: null} : {text: shown(value), value};
+
+    // --- Pictures -------------------------------------------------------------------------------
+
+    const shown = [];  // every picture of the page, in its order
+    function pictureButton(picture) {
+        const index = shown.push(picture) - 1;
+        return element('button', {type: 'button', class: 'picture', 'aria-label': `Enlarge: ${picture.title}`,
+                                  onclick: () => enlarge(index)}, imageOf(picture));
+    }
+    function imageOf(picture) {
+        return element('img', {src: picture.src, alt: picture.caption || picture.title, width: picture.width,
+                               height: picture.height, decoding: 'async',
+                               class: picture.plot ? 'plot' : null});
+    }
+    function gallery(pictures) {
+        if (pictures.length === 0) return null;
+        return element('div', {class: 'gallery'}, ...pictures.map((picture) => element('figure',
+            {class: picture.width > 1.6 * picture.height ? 'wide' : null, 'data-name': picture.name},
+            pictureButton(picture),
+            element('figcaption', {}, element('b', {}, picture.title), picture.caption))));
+    }
+
+    // --- The enlarged picture -------------------------------------------------------------------
+
+    // A modal dialog: the browser keeps the focus within, closes it by Esc, and gives the focus back.
+    const count = element('span', {class: 'count', 'aria-live': 'polite'});
+    const file = element('a', {}, 'Save');
+    const stage = element('div', {class: 'stage', onclick: () => dialog.close()});
+    const words = element('p');
+    const dialog = element('dialog', {'aria-label': 'Enlarged picture'},
+        element('div', {class: 'bar'}, count, file,
+            element('button', {type: 'button', 'aria-label': 'Previous picture', onclick: () => step(-1)}, '←'),
+            element('button', {type: 'button', 'aria-label': 'Next picture', onclick: () => step(1)}, '→'),
+            element('button', {type: 'button', 'aria-label': 'Close', autofocus: '', onclick: () => dialog.close()}, '✕')),
+        stage, words);
+    let enlarged = 0;
+    function enlarge(index) {
+        enlarged = index;
+        const picture = shown[index];
+        count.textContent = `${index + 1} of ${shown.length}`;
+        file.href = picture.src;
+        file.download = picture.file;
+        dialog.dataset.name = picture.name;
+        stage.replaceChildren(imageOf(picture));
+        words.replaceChildren(element('b', {}, picture.title), picture.caption ? ` ${picture.caption}` : '');
+        if (!dialog.open) dialog.showModal();
+    }
+    function step(by) {
+        enlarge((enlarged + by + shown.length) % shown.length);
+    }
+    dialog.addEventListener('keydown', (event) => {
+        if (event.key === 'ArrowLeft') step(-1);
+        if (event.key === 'ArrowRight') step(1);
+    });
+
+    // --- What the page says ---------------------------------------------------------------------
+
+    const extent = (asset) => asset.size.join(' × ');
+    const totalBytes = (asset) => asset.files.length === 0
+        ? null : asset.files.reduce((sum, entry) => sum + entry.bytes, 0);
+
+    function anchor(title) {
+        return `s-${encodeURIComponent(title)}`;
+    }
+
+    function overview() {
+        const columns = [{title: 'Asset'}, {title: 'Kind'}, {title: 'Size'}, {title: 'Channels'},
+            {title: 'Lookup error, max', number: true}, {title: 'RMS', number: true},
+            {title: 'Bake', number: true}, {title: 'Files', number: true}];
+        const rows = preview.assets.map((asset) => [
+            {text: asset.name, value: asset.name, wraps: true,
+             content: element('a', {href: `#${anchor(asset.name)}`}, asset.name)},
+            text(asset.kind.replaceAll('_', ' ')),
+            {text: extent(asset), value: asset.size.reduce((product, edge) => product * edge, 1)},
+            text(asset.channels.join(' ')),
+            amount(asset.error && asset.error.lookup.max, figure),
+            amount(asset.error && asset.error.lookup.rms, figure),
+            amount(asset.bake_s || null, duration),
+            amount(totalBytes(asset), byteCount),
+        ]);
+        return sortableTable(columns, rows, 'All assets');
+    }
+
+    function fact(title, value, ...more) {
+        return element('div', {}, element('dt', {}, title),
+            element('dd', {}, value, ...more.filter(Boolean).map((line) => element('small', {}, line))));
+    }
+    function facts(asset) {
+        const error = asset.error;
+        const type = asset.files.length > 0 ? asset.files[0].pixel_type : asset.pixel_type;
+        return element('dl', {class: 'facts'},
+            fact('Size', extent(asset), [asset.channels.join(' '), type].filter(Boolean).join(', ')),
+            error ? fact('Lookup error, max / RMS', `${figure(error.lookup.max)} / ${figure(error.lookup.rms)}`,
+                `${error.points} points; ${error.scale}`) : fact('Lookup error', 'not measured'),
+            error ? fact('Texel error, max / RMS', `${figure(error.texel.max)} / ${figure(error.texel.rms)}`,
+                `${error.texel_points} texels`) : null,
+            error ? fact('Reference', '', error.reference) : null,
+            asset.bake_s > 0 ? fact('Bake time', duration(asset.bake_s),
+                asset.threads === 1 ? 'one thread' : `${asset.threads} threads`) : null,
+            totalBytes(asset) === null ? null : fact('Files', byteCount(totalBytes(asset)),
+                asset.files.map((entry) => entry.path).join(', ')),
+            fact('Mapping', asset.mapping, asset.axes.map((axis) => axis.quantity).join(', ')),
+            asset.seam_error === undefined ? null : fact('Seam', figure(asset.seam_error),
+                'largest difference across a border'));
+    }
+    function folded(title, content) {
+        return element('details', {}, element('summary', {}, title), content);
+    }
+    function axisTable(asset) {
+        const letters = ['u', 'v', 'w'];
+        return sortableTable(
+            [{title: 'Axis'}, {title: 'Quantity'}, {title: 'From', number: true}, {title: 'To', number: true},
+             {title: 'Formula'}, {title: 'Convention'}],
+            asset.axes.map((axis, i) => [text(letters[i]), text(axis.quantity), amount(axis.first, number),
+                amount(axis.last, number), text(axis.formula, true), text(axis.convention, true)]),
+            `Axes of ${asset.name}`);
+    }
+    function channelTable(asset) {
+        return sortableTable(
+            [{title: 'Channel'}, {title: 'Minimum', number: true}, {title: 'Mean', number: true},
+             {title: 'Maximum', number: true}],
+            asset.statistics.map((channel, i) => [text(asset.channels[i]), amount(channel.min, number),
+                amount(channel.mean, number), amount(channel.max, number)]),
+            `Values of ${asset.name}`);
+    }
+    function code(value) {
+        return {text: value, value, content: element('span', {class: 'code'}, value)};
+    }
+    function fileTable(asset) {
+        return sortableTable(
+            [{title: 'File'}, {title: 'Format'}, {title: 'Pixels'}, {title: 'Bytes', number: true}, {title: 'XXH3 of the file'}],
+            asset.files.map((entry) => [text(entry.path, true), text(entry.format), text(entry.pixel_type),
+                amount(entry.bytes, (bytes) => bytes.toLocaleString('en')), code(entry.xxh3)]),
+            `Files of ${asset.name}`);
+    }
+    function detailTable(asset) {
+        return sortableTable([{title: 'Fact'}, {title: 'Value'}],
+            asset.details.concat([['hash of the content', asset.content_hash]]).map(
+                ([key, value]) => [text(key.replaceAll('_', ' ')), text(value, true)]),
+            `Further facts of ${asset.name}`);
+    }
+    function assetSection(asset) {
+        return element('section', {id: anchor(asset.name)},
+            element('h2', {}, asset.name),
+            element('p', {class: 'lead'}, asset.content),
+            facts(asset),
+            asset.error && asset.error.worst ? element('p', {class: 'advice'},
+                `Largest lookup error at ${asset.error.worst}${asset.error.advice ? '; ' + asset.error.advice : ''}.`) : null,
+            gallery(asset.pictures),
+            asset.statistics.length > 0 ? folded('Values', channelTable(asset)) : null,
+            folded('Mapping', axisTable(asset)),
+            asset.files.length > 0 ? folded('Files and hashes', fileTable(asset)) : null,
+            folded('Details', detailTable(asset)),
+            asset.parameters ? folded('Parameters', element('pre', {}, asset.parameters)) : null);
+    }
+    function sceneSection(scene) {
+        return element('section', {id: anchor(scene.title)}, element('h2', {}, scene.title),
+            scene.content ? element('p', {class: 'lead'}, scene.content) : null, gallery(scene.pictures));
+    }
+    function sweepSection(sweep) {
+        const columns = [{title: ''}, ...sweep.columns];
+        const rows = sweep.rows.map((row) => [
+            {text: '', value: null, content: row.picture ? pictureButton(row.picture) : ''},
+            ...row.cells.map((value, i) => sweep.columns[i].number
+                ? amount(value, sweep.columns[i].error ? figure : number) : text(value === null ? '–' : value)),
+        ]);
+        return element('section', {id: anchor('Sweep')}, element('h2', {}, 'Sweep'),
+            element('p', {class: 'lead'}, sweep.content), gallery(sweep.pictures),
+            sortableTable(columns, rows, 'Variants of the sweep'));
+    }
+
+    function notice(notes) {
+        if (notes.length === 0) return null;
+        return element('div', {class: 'notice'}, notes.length === 1 ? notes[0]
+            : element('ul', {}, ...notes.map((note) => element('li', {}, note))));
+    }
+
+    const titles = [...(preview.sweep ? ['Sweep'] : []), ...preview.scenes.map((scene) => scene.title),
+                    ...preview.assets.map((asset) => asset.name)];
+    document.body.append(
+        element('main', {},
+            element('header', {},
+                element('p', {class: 'overline'}, preview.generator),
+                element('h1', {}, preview.title),
+                element('div', {id: 'diagnostics', 'aria-live': 'polite'}),
+                notice(preview.notes),
+                titles.length > 1 ? element('nav', {'aria-label': 'Sections'}, ...titles.map(
+                    (title) => element('a', {href: `#${anchor(title)}`}, title))) : null),
+            preview.assets.length > 0 ? overview() : null,
+            preview.sweep ? sweepSection(preview.sweep) : null,
+            ...preview.scenes.map(sceneSection),
+            ...preview.assets.map(assetSection)),
+        dialog);
+})();

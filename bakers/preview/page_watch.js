@@ -1,0 +1,77 @@
+// Only in pages of `preview --watch`. A page from file:// may not fetch, but it may load scripts: the
+// state lies in one beside it, which is loaded again and again and calls skybakePreview.
+(() => {
+    const revision = {{revision}};
+    const place = history.state || {};
+    history.scrollRestoration = 'manual';
+    const sign = document.createElement('div');
+    sign.className = 'watch';
+    sign.setAttribute('role', 'status');
+    document.body.append(sign);
+    if (place.enlarged) {
+        const picture = document.querySelector(`figure[data-name="${CSS.escape(place.enlarged)}"] .picture`);
+        if (picture) picture.click();
+    }
+    if (place.scroll) scrollTo({top: place.scroll, behavior: 'instant'});
+
+    function reload() {
+        const dialog = document.querySelector('dialog[open]');
+        history.replaceState({scroll: scrollY, enlarged: dialog ? dialog.dataset.name : null}, '');
+        location.reload();
+    }
+
+    // A recipe's texts, as texts.
+    function line(name, content, className) {
+        const made = document.createElement(name);
+        made.textContent = content;
+        if (className) made.className = className;
+        return made;
+    }
+    function diagnosticBlock(diagnostic) {
+        const block = line('div', '', 'diagnostic');
+        const head = line('div', '');
+        head.append(line('strong', `${diagnostic.severity} ${diagnostic.code}`), ` ${diagnostic.message}`);
+        const where = diagnostic.line > 0
+            ? `${diagnostic.file}:${diagnostic.line}:${diagnostic.column}` : diagnostic.file;
+        const excerpt = diagnostic.line > 0 && diagnostic.text
+            ? `\n${diagnostic.text}\n${' '.repeat(Math.max(0, diagnostic.column - 1))}${'^'.repeat(Math.max(1, diagnostic.length))} ${diagnostic.label}`
+            : diagnostic.label ? `\n${diagnostic.label}` : '';
+        block.append(head);
+        if (where || excerpt) block.append(line('pre', where + excerpt));
+        return block;
+    }
+
+    let told = '';
+    function tell(state) {
+        const wrong = state.diagnostics.some((diagnostic) => diagnostic.severity === 'error');
+        sign.className = state.ended ? 'watch ended' : wrong ? 'watch wrong' : 'watch';
+        sign.textContent = state.ended ? 'no longer watched'
+            : wrong ? 'watching: the pictures are those before the mistake'
+            : `watching: made in ${state.seconds.toFixed(2)} s, draft quality`;
+        if (told === JSON.stringify(state.diagnostics)) return;
+        told = JSON.stringify(state.diagnostics);
+        const box = line('div', '', wrong ? 'notice wrong' : 'notice');
+        box.append(...state.diagnostics.map(diagnosticBlock));
+        document.getElementById('diagnostics').replaceChildren(...(state.diagnostics.length > 0 ? [box] : []));
+    }
+
+    window.skybakePreview = (state) => {
+        if (state.revision !== revision) {
+            reload();
+            return;
+        }
+        tell(state);
+        if (!state.ended) setTimeout(look, 150);
+    };
+    function look() {
+        const script = document.createElement('script');
+        script.src = `preview_state.js?${Date.now()}`;
+        script.onload = () => script.remove();
+        script.onerror = () => {
+            script.remove();
+            setTimeout(look, 1000);
+        };
+        document.head.append(script);
+    }
+    look();
+})();

@@ -1,0 +1,16 @@
+// What `bake --json` prints: JSON Lines as event_schema.json describes them.
+#pragma once
+
+#include <string>
+
+#include "bakers/incremental/bake_folder.h"
+
+namespace skybake::cli {
+
+std::string plan_event(const FolderPlan& plan);
+
+// One for each file, then the last.
+std::string finished_events(const BakedFolder& baked, const std::filesystem::path& folder,
+                            double seconds);
+
+}  // namespace skybake::cli

@@ -1,0 +1,100 @@
+// skybake preview: pictures of recipes and of baked files, and one page of all of them.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "bakers/preview/bake_assets.h"
+#include "bakers/preview/load_assets.h"
+#include "bakers/preview/make_preview.h"
+#include "cli/bake_progress.h"
+#include "cli/bake_selection.h"
+#include "cli/command.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/preview_output.h"
+#include "cli/preview_request.h"
+#include "cli/watch_preview.h"
+
+namespace skybake::cli {
+namespace {
+
+using config::Outcome;
+using Subject = PreviewRequest::Subject;
+
+Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, const PreviewRequest& request,
+                                   Progress& progress) {
+    auto selection = select_bakes(invocation);
+    if (!selection.value) return {{}, std::move(selection.diagnostics)};
+    auto assets = bake_assets(selection.value->recipe, selection.value->bakes,
+                              request.paths[0].filename().string(),
+                              {selection.value->threads, Certification::quick, &progress});
+    assets.diagnostics.insert(assets.diagnostics.begin(), selection.diagnostics.begin(),
+                              selection.diagnostics.end());
+    return assets;
+}
+
+Outcome<PreviewAssets> gather(const Invocation& invocation, const PreviewRequest& request,
+                              Progress& progress) {
+    if (request.subject == Subject::recipe) return bake_recipe(invocation, request, progress);
+    if (request.subject == Subject::folder) return load_folder(request.paths[0]);
+    return load_files(request.paths);
+}
+
+ExitCode show(const Invocation& invocation, const PreviewRequest& request, Console& console) {
+    const auto start = std::chrono::steady_clock::now();
+    PreviewPage page;
+    {
+        BakeProgress progress("preview", console);
+        auto assets = gather(invocation, request, progress);
+        if (interrupted()) return ExitCode::interrupted;
+        if (const ExitCode code = console.report(assets.diagnostics); !assets.value) return code;
+        PreviewOptions options = request.options;
+        options.progress = &progress;
+        auto made = make_preview(std::move(*assets.value), options);
+        if (interrupted()) return ExitCode::interrupted;
+        if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
+        page = std::move(*made.value);
+    }
+    std::vector<std::string> paths;
+    if (const ExitCode code = write_preview(page, request, console, paths);
+        code != ExitCode::done) {
+        return code;
+    }
+    for (const std::string& path : paths) console.result(path + "\n");
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    console.note(fmt::format("{} pictures in {:.1f} s: open {}\n", paths.size() - 1,
+                             elapsed.count(), paths.back()));
+    return ExitCode::done;
+}
+
+ExitCode run(const Invocation& invocation, Console& console) {
+    const auto request = preview_request(invocation);
+    if (const ExitCode code = console.report(request.diagnostics); !request.value) return code;
+    if (const ExitCode code = check_output(*request.value, console); code != ExitCode::done) {
+        return code;
+    }
+    if (request.value->watch) return watch_preview(invocation, *request.value, console);
+    return show(invocation, *request.value, console);
+}
+
+}  // namespace
+
+Command preview_command() {
+    return {.name = "preview",
+            .summary = "pictures of a recipe or of baked files, and a page of all of them",
+            .arguments = {{.name = "recipe|folder|file",
+                           .help = "a recipe, a folder of a bake or sweep, or EXR, VDB, bin files",
+                           .repeatable = true}},
+            .options = preview_options(),
+            .examples = {{"skybake preview earth.toml", "the sky of a recipe: preview/index.html"},
+                         {"skybake preview out --sun-elevation 40,5,-4 -o sky",
+                          "of what was baked, for three suns"},
+                         {"skybake preview cumulus.toml --watch",
+                          "a page that follows the recipe while you write it"}},
+            .exit_codes = {ExitCode::io, ExitCode::checks},
+            .run = run};
+}
+
+}  // namespace skybake::cli

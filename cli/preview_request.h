@@ -1,0 +1,31 @@
+// What `preview` was asked for.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "bakers/preview/make_preview.h"
+#include "cli/command.h"
+#include "config/diagnostic.h"
+
+namespace skybake::cli {
+
+struct PreviewRequest {
+    enum class Subject { recipe, folder, files };
+    Subject subject = Subject::recipe;
+    std::vector<std::filesystem::path> paths;  // one, but of files
+    std::filesystem::path output;
+    bool force = false;
+    bool report = false;
+    bool watch = false;
+    PreviewOptions options;
+};
+
+// The declarations of its options.
+std::vector<Option> preview_options();
+
+// A folder or a manifest.json is a folder; .exr, .vdb and .bin are files; anything else is a recipe.
+// E0001: what cannot go together, what is no number or out of range.
+config::Outcome<PreviewRequest> preview_request(const Invocation& invocation);
+
+}  // namespace skybake::cli

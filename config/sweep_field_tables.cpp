@@ -1,0 +1,55 @@
+// The keys of [sweep] itself, and of a range in it. All other keys of [sweep] are paths of keys.
+#include "config/fields.h"
+#include "config/sweep.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr Range count_range{2, most_variants};
+constexpr Range points_range{1, most_variants};
+
+constexpr std::array scale_choices = {
+    Choice{"linear", "equal differences"},
+    Choice{"log", "equal ratios; from and to above 0"},
+};
+
+constexpr std::array sweep_table = {
+    Field{.key = "zip",
+          .kind = Kind::path_groups,
+          .documentation = "paths that walk together rather than cross; as many values each"},
+    Field{.key = "sobol",
+          .kind = Kind::integer,
+          .range = points_range,
+          .documentation = "points of a Sobol sequence that cover all ranges without a count",
+          .hint = "a power of two covers best",
+          .citation = "Joe and Kuo 2008, Constructing Sobol sequences with better two-dimensional "
+                      "projections"},
+};
+
+constexpr std::array range_table = {
+    Field{.key = "from",
+          .kind = Kind::swept,
+          .required = true,
+          .documentation = "the first value, as the key that varies takes it"},
+    Field{.key = "to",
+          .kind = Kind::swept,
+          .required = true,
+          .documentation = "the last value; Sobol points stay below it"},
+    Field{.key = "count",
+          .kind = Kind::integer,
+          .range = count_range,
+          .documentation = "how many values, both ends among them; left out: `sobol` says"},
+    Field{.key = "scale",
+          .kind = Kind::choice,
+          .choices = scale_choices,
+          .fallback = R"("linear")",
+          .documentation = "how the values are spaced"},
+};
+
+}  // namespace
+
+std::span<const Field> sweep_fields() { return sweep_table; }
+
+std::span<const Field> sweep_range_fields() { return range_table; }
+
+}  // namespace skybake::config

@@ -1,0 +1,351 @@
+// [sweep] and --vary: what varies, in which order, how it is spelled, and what is refused.
+#include "config/sweep.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::codes_and_places;
+using testing::parse;
+using testing::TemporaryFolder;
+using testing::valid;
+
+using Strings = std::vector<std::string>;
+
+const std::string clouds =
+    "[noise.n]\n"
+    "[noise.n.channels.Y]\ntype = 'worley'\n"
+    "[clouds.c]\nnoise = 'n'\nextent = ['6 km', '6 km', '1 km']\n"
+    "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [32, 32, 16]\n";
+
+Sweep sweep_of(const std::string& lines) { return valid(clouds + "[sweep]\n" + lines).sweep; }
+
+Strings errors_of(const std::string& lines) {
+    // Line 1 is the first of [sweep].
+    return codes_and_places(parse("[sweep]\n" + lines + clouds).diagnostics);
+}
+
+// The plain values of one axis with one path.
+Strings values_of(const Sweep& sweep, std::size_t axis = 0) {
+    Strings values;
+    for (const auto& row : sweep.axes.at(axis).rows) values.push_back(row.at(0).plain);
+    return values;
+}
+
+Outcome<Sweep> varied(const std::string& text, const SweepOptions& options) {
+    const TemporaryFolder folder;
+    return load_sweep(folder.write("r.toml", text), {}, options);
+}
+
+TEST(Sweep, WithoutATableNothingVaries) {
+    const Recipe recipe = valid(clouds);
+    EXPECT_EQ(variant_count(recipe.sweep), 0);
+    EXPECT_TRUE(swept_paths(recipe.sweep).empty());
+}
+
+TEST(Sweep, RangesAreEvenAndWithoutNoise) {
+    EXPECT_EQ(values_of(sweep_of("'clouds.c.threshold' = { from = 0.2, to = 0.5, count = 7 }")),
+              (Strings{"0.2", "0.25", "0.3", "0.35", "0.4", "0.45", "0.5"}));
+    EXPECT_EQ(values_of(sweep_of("'clouds.c.threshold' = { from = 0, to = 1, count = 4 }")),
+              (Strings{"0", "0.33333333333", "0.66666666667", "1"}));
+    EXPECT_EQ(values_of(sweep_of("'clouds.c.threshold' = { from = 1, to = 0, count = 3 }")),
+              (Strings{"1", "0.5", "0"}));
+    EXPECT_EQ(
+        values_of(
+            sweep_of("'clouds.c.base_altitude' = { from = '-0.3 km', to = '0.7 km', count = 11 }"))
+            .at(3),
+        "0 km");
+    EXPECT_EQ(values_of(sweep_of("'noise.n.seed' = { from = 1, to = 4, count = 4 }")),
+              (Strings{"1", "2", "3", "4"}));
+}
+
+TEST(Sweep, LogRangesHaveEqualRatios) {
+    EXPECT_EQ(values_of(sweep_of(
+                  "'clouds.c.threshold' = { from = 1e-3, to = 1, count = 4, scale = 'log' }")),
+              (Strings{"0.001", "0.01", "0.1", "1"}));
+    EXPECT_EQ(
+        values_of(sweep_of("'noise.n.seed' = { from = 1, to = 64, count = 7, scale = 'log' }")),
+        (Strings{"1", "2", "4", "8", "16", "32", "64"}));
+}
+
+TEST(Sweep, QuantitiesKeepTheUnitThatTheEndsShare) {
+    const Sweep shared =
+        sweep_of("'clouds.c.base_altitude' = { from = '1 km', to = '2 km', count = 3 }");
+    EXPECT_EQ(values_of(shared), (Strings{"1 km", "1.5 km", "2 km"}));
+    EXPECT_EQ(shared.axes[0].rows[1][0].toml, "\"1.5 km\"");
+    EXPECT_EQ(values_of(sweep_of(
+                  "'clouds.c.base_altitude' = { from = '500 m', to = '1 km', count = 3 }")),
+              (Strings{"500 m", "750 m", "1 km"}));
+}
+
+// The ends are as given, all values lie between them in order, and none has more than 12 digits.
+void check_range(double from, double to, int count, bool log) {
+    const Sweep sweep = sweep_of(
+        "'clouds.c.threshold' = { from = " + std::to_string(from) + ", to = " + std::to_string(to) +
+        ", count = " + std::to_string(count) + (log ? ", scale = 'log' }" : " }"));
+    const Strings values = values_of(sweep);
+    RC_ASSERT(values.size() == static_cast<std::size_t>(count));
+    double before = std::stod(values[0]);
+    RC_ASSERT(std::fabs(before - from) < 1e-9);
+    RC_ASSERT(std::fabs(std::stod(values.back()) - to) < 1e-9);
+    for (int i = 1; i < count; ++i) {
+        const std::string& text = values[static_cast<std::size_t>(i)];
+        const double value = std::stod(text);
+        const bool in_order = from < to ? value > before : value < before;
+        RC_ASSERT(in_order);
+        before = value;
+        if (i + 1 < count) RC_ASSERT(text.size() <= 17u);  // 12 digits, "0.0000", no more
+        const double share = double(i) / (count - 1);
+        const double expected =
+            log ? from * std::pow(to / from, share) : from + (to - from) * share;
+        RC_ASSERT(std::fabs(value - expected) <= 1e-11 * std::max(from, to));
+    }
+}
+
+TEST(Sweep, RangesStayBetweenTheirEndsInOrder) {
+    EXPECT_TRUE(rc::check("ends, order, digits", [] {
+        const int from = *rc::gen::inRange(1, 1'000'000);
+        const int to = *rc::gen::distinctFrom(rc::gen::inRange(1, 1'000'000), from);
+        check_range(from * 1e-4, to * 1e-4, *rc::gen::inRange(2, 60), *rc::gen::arbitrary<bool>());
+    }));
+}
+
+TEST(Sweep, ListsTakeWhatTheKeyTakes) {
+    const Sweep sweep = sweep_of(
+        "'bake.v.size' = [[8, 8, 4], [16, 16, 8]]\n"
+        "'clouds.c.threshold_at' = ['bake', 'runtime']\n"
+        "'clouds.c.base_altitude' = ['1 km', '2000 m']\n"
+        "'preset' = ['earth', 'mars']");
+    EXPECT_EQ(values_of(sweep, 0), (Strings{"[8, 8, 4]", "[16, 16, 8]"}));
+    EXPECT_EQ(values_of(sweep, 1), (Strings{"bake", "runtime"}));
+    EXPECT_EQ(sweep.axes[1].rows[1][0].toml, "\"runtime\"");
+    EXPECT_EQ(values_of(sweep, 3), (Strings{"earth", "mars"}));
+    EXPECT_EQ(variant_count(sweep), 16);
+}
+
+TEST(Sweep, AxesCrossInTheOrderOfWritingAndTheLastVariesFastest) {
+    const Sweep sweep = sweep_of("'noise.n.seed' = [7, 8]\n'clouds.c.coverage' = [0.1, 0.2, 0.3]");
+    EXPECT_EQ(swept_paths(sweep), (Strings{"noise.n.seed", "clouds.c.coverage"}));
+    ASSERT_EQ(variant_count(sweep), 6);
+    EXPECT_EQ(variant_settings(sweep, 0), (Strings{"noise.n.seed=7", "clouds.c.coverage=0.1"}));
+    EXPECT_EQ(variant_settings(sweep, 1), (Strings{"noise.n.seed=7", "clouds.c.coverage=0.2"}));
+    EXPECT_EQ(variant_settings(sweep, 3), (Strings{"noise.n.seed=8", "clouds.c.coverage=0.1"}));
+    std::set<Strings> all;
+    for (int i = 0; i < 6; ++i) all.insert(variant_settings(sweep, i));
+    EXPECT_EQ(all.size(), 6u);
+}
+
+TEST(Sweep, ZippedPathsWalkTogether) {
+    const Sweep sweep = sweep_of(
+        "'noise.n.seed' = [7, 8]\n'clouds.c.wisp_height' = [0.5, 0.6]\n"
+        "'clouds.c.coverage' = { from = 0.1, to = 0.2, count = 2 }\n"
+        "zip = ['noise.n.seed', 'clouds.c.coverage']");
+    EXPECT_EQ(swept_paths(sweep),
+              (Strings{"noise.n.seed", "clouds.c.coverage", "clouds.c.wisp_height"}));
+    ASSERT_EQ(variant_count(sweep), 4);
+    EXPECT_EQ(variant_settings(sweep, 3),
+              (Strings{"noise.n.seed=8", "clouds.c.coverage=0.2", "clouds.c.wisp_height=0.6"}));
+}
+
+TEST(Sweep, SobolPointsCoverTheRangesWithoutACount) {
+    const Sweep sweep = sweep_of(
+        "'clouds.c.coverage' = { from = 0, to = 1 }\n"
+        "'clouds.c.base_altitude' = { from = '1 km', to = '2 km' }\n"
+        "'noise.n.seed' = { from = 1, to = 4 }\nsobol = 8");
+    ASSERT_EQ(variant_count(sweep), 8);
+    EXPECT_EQ(
+        variant_settings(sweep, 0),
+        (Strings{"clouds.c.coverage=0", "clouds.c.base_altitude=\"1 km\"", "noise.n.seed=1"}));
+    EXPECT_EQ(variant_settings(sweep, 2),
+              (Strings{"clouds.c.coverage=0.75", "clouds.c.base_altitude=\"1.25 km\"",
+                       "noise.n.seed=2"}));
+    std::multiset<std::string> seeds;
+    for (int i = 0; i < 8; ++i) seeds.insert(variant_values(sweep, i).at(2).plain);
+    for (const char* seed : {"1", "2", "3", "4"}) EXPECT_EQ(seeds.count(seed), 2u) << seed;
+}
+
+TEST(Sweep, UnknownPathsAreErrorsOfTheWhole) {
+    EXPECT_EQ(errors_of("'clouds.c.treshold' = [1]\n"), (Strings{"E0102 2:1"}));
+    EXPECT_EQ(errors_of("'clouds.d.threshold' = [1]\n"), (Strings{"E0102 2:1"}));
+    EXPECT_EQ(errors_of("'cloud.c.threshold' = [1]\n"), (Strings{"E0102 2:1"}));
+    EXPECT_EQ(errors_of("'clouds.c' = [1]\n"), (Strings{"E0102 2:1"}));
+    EXPECT_EQ(errors_of("'' = [1]\n"), (Strings{"E0102 2:1"}));
+    EXPECT_EQ(errors_of("'sweep.zip' = [1]\n"), (Strings{"E0102 2:1"}));
+    EXPECT_EQ(errors_of("clouds.c.threshold = [1]\n"), (Strings{"E0102 2:1"}));
+    const auto misspelt = parse("[sweep]\n'clouds.c.treshold' = [1]\n" + clouds).diagnostics;
+    EXPECT_EQ(misspelt.at(0).label, "did you mean `threshold`?");
+}
+
+TEST(Sweep, ValuesOfNoUseAreErrorsOfTheWhole) {
+    EXPECT_EQ(errors_of("'clouds.c.base_altitude' = ['1 km', '1 deg', 5]\n"),
+              (Strings{"E0107 2:37", "E0107 2:46"}));
+    EXPECT_EQ(errors_of("'clouds.c.threshold_at' = ['bake', 'later']\n"), (Strings{"E0104 2:36"}));
+    EXPECT_EQ(errors_of("'bake.v.size' = [16, 16, 8]\n").size(), 3u);
+    EXPECT_EQ(errors_of("'clouds.c.threshold' = 0.5\n"), (Strings{"E0103 2:24"}));
+    EXPECT_EQ(errors_of("'clouds.c.threshold' = []\n"), (Strings{"E0108 2:24"}));
+    EXPECT_EQ(errors_of("'clouds.c.threshold' = [1979-05-27]\n"), (Strings{"E0103 2:25"}));
+    EXPECT_EQ(errors_of("'bake.v.size' = [[16, 16, 8]]\n'bake.v.voxel_size' = ['1 m']\n"),
+              (Strings{"E0109 3:1"}));
+    EXPECT_EQ(errors_of("'noise.n.seed' = [1]\n'noise.\"n\".seed' = [2]\n").size(), 1u);
+}
+
+// Whether a value is in range depends on the variant, which fails alone.
+TEST(Sweep, ValuesOutOfRangeAreForTheVariants) {
+    const TemporaryFolder folder;
+    const auto path =
+        folder.write("r.toml", clouds + "[sweep]\n'clouds.c.coverage' = [0.5, 1.5]\n");
+    const auto sweep = load_sweep(path, {}, {});
+    ASSERT_TRUE(sweep.value);
+    EXPECT_TRUE(load_variant(path, {}, *sweep.value, 0).value);
+    const auto second = load_variant(path, {}, *sweep.value, 1);
+    EXPECT_FALSE(second.value);
+    ASSERT_EQ(second.diagnostics.size(), 1u);
+    EXPECT_EQ(second.diagnostics[0].code, "E0110");
+    EXPECT_EQ(second.diagnostics[0].where.source, "--set `clouds.c.coverage=1.5`");
+}
+
+TEST(Sweep, BadRangesAreErrorsOfTheWhole) {
+    const auto range = [](const std::string& path, const std::string& text) {
+        return errors_of("'" + path + "' = { " + text + " }\n");
+    };
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1").size(), 1u);
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, count = 3"), (Strings{"E0105 2:1"}));
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, cuont = 3").at(0).substr(0, 5),
+              "E0102");
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, count = 1"), (Strings{"E0110 2:53"}));
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, count = 2e9").size(), 1u);
+    EXPECT_EQ(range("clouds.c.coverage", "from = 1, to = 1, count = 2"), (Strings{"E0135 2:41"}));
+    EXPECT_EQ(range("clouds.c.coverage", "from = nan, to = 1, count = 2").size(), 1u);
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = nan, count = 2").size(), 1u);
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1e300, count = 2").size(), 1u);
+    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, count = 3, scale = 'log'"),
+              (Strings{"E0135 2:32"}));
+    EXPECT_EQ(range("clouds.c.base_altitude", "from = '1 km', to = '2 deg', count = 2"),
+              (Strings{"E0107 2:53"}));
+    EXPECT_EQ(range("noise.n.seed", "from = 1, to = 4, count = 3"), (Strings{"E0135 2:18"}));
+    EXPECT_EQ(range("bake.v.size", "from = 1, to = 4, count = 3"), (Strings{"E0135 2:1"}));
+    EXPECT_EQ(range("clouds.c.threshold_at", "from = 1, to = 4, count = 3").size(), 1u);
+}
+
+TEST(Sweep, WhatCannotWalkTogetherIsRefused) {
+    const std::string two = "'noise.n.seed' = [1, 2]\n'clouds.c.coverage' = [0.1, 0.2, 0.3]\n";
+    EXPECT_EQ(errors_of(two + "zip = ['noise.n.seed', 'clouds.c.coverage']\n"),
+              (Strings{"E0136 4:7"}));
+    EXPECT_EQ(errors_of(two + "zip = ['noise.n.seed', 'clouds.c.threshold']\n"),
+              (Strings{"E0136 4:7"}));
+    EXPECT_EQ(errors_of(two + "zip = [['noise.n.seed'], ['noise.n.seed']]\n"),
+              (Strings{"E0136 4:7"}));
+    EXPECT_EQ(errors_of(two + "zip = 3\n"), (Strings{"E0103 4:7"}));
+    EXPECT_EQ(errors_of(two + "sobol = 4\n"), (Strings{"E0135 4:1"}));
+    EXPECT_EQ(errors_of("'noise.n.seed' = { from = 1, to = 2 }\nsobol = 0\n"),
+              (Strings{"E0110 3:9"}));
+    EXPECT_EQ(errors_of("'noise.n.seed' = { from = 1, to = 2 }\n'clouds.c.coverage' = [1, 2]\n"
+                        "sobol = 2\nzip = ['noise.n.seed', 'clouds.c.coverage']\n"),
+              (Strings{"E0136 5:7"}));
+}
+
+TEST(Sweep, TooManyVariantsAreRefusedBeforeTheyAreMade) {
+    std::string lines;
+    for (const char* key : {"coverage", "threshold", "wisp_height", "edge_softness"}) {
+        lines += "'clouds.c." + std::string(key) + "' = { from = 0.1, to = 1, count = 100000 }\n";
+    }
+    EXPECT_EQ(errors_of(lines), (Strings{"E0137 5:1"}));
+}
+
+TEST(Sweep, TheCommandLineVariesToo) {
+    SweepOptions options;
+    options.vary = {"clouds.c.coverage=0.2:0.8:4", "noise.n.seed=1,2,3",
+                    "clouds.c.base_altitude=1 km:100km:3:log", "bake.v.size=[8,8,4],[16,16,8]",
+                    "clouds.c.threshold=[0.1, 0.2]"};
+    const auto sweep = varied(clouds, options);
+    ASSERT_TRUE(sweep.value);
+    EXPECT_EQ(variant_count(*sweep.value), 4 * 3 * 3 * 2 * 2);
+    EXPECT_EQ(values_of(*sweep.value, 0), (Strings{"0.2", "0.4", "0.6", "0.8"}));
+    EXPECT_EQ(values_of(*sweep.value, 2), (Strings{"1 km", "10 km", "100km"}));
+    EXPECT_EQ(values_of(*sweep.value, 3), (Strings{"[8, 8, 4]", "[16, 16, 8]"}));
+}
+
+TEST(Sweep, AnOptionReplacesTheRecipesEntry) {
+    SweepOptions options;
+    options.vary = {"clouds.c.coverage=0.5,0.6"};
+    const std::string recipe = clouds +
+                               "[sweep]\n'clouds.c.coverage' = { from = 0.1, to = 0.4, count = 4, "
+                               "scale = 'log' }\n'noise.n.seed' = [1, 2]\n";
+    const auto listed = varied(recipe, options);
+    ASSERT_TRUE(listed.value);
+    EXPECT_EQ(swept_paths(*listed.value), (Strings{"noise.n.seed", "clouds.c.coverage"}));
+    EXPECT_EQ(values_of(*listed.value, 1), (Strings{"0.5", "0.6"}));
+    options.vary = {"clouds.c.coverage=0:1:3"};
+    const auto ranged = varied(recipe, options);
+    ASSERT_TRUE(ranged.value);
+    EXPECT_EQ(values_of(*ranged.value, 1), (Strings{"0", "0.5", "1"}));
+}
+
+TEST(Sweep, OptionsZipAndSetPoints) {
+    SweepOptions options;
+    options.vary = {"clouds.c.coverage=0.5,0.6", "noise.n.seed=1,2", "clouds.c.threshold=0:0.5"};
+    options.zip = {"clouds.c.coverage,noise.n.seed"};
+    options.sobol = "4";
+    const auto sweep = varied(clouds, options);
+    ASSERT_TRUE(sweep.value);
+    EXPECT_EQ(variant_count(*sweep.value), 8);
+}
+
+TEST(Sweep, MalformedOptionsAreRefused) {
+    for (const char* text : {"", "=", "a", "noise.n.seed", "noise.n.seed=", "noise.n.seed=1,,2",
+                             "noise.n.seed=1:", "noise.n.seed=1:2:3:4:5",
+                             "noise.n.seed=1:2:log:log", "=1,2", "noise..n=1"}) {
+        SweepOptions options;
+        options.vary = {text};
+        const auto sweep = varied(clouds, options);
+        EXPECT_FALSE(sweep.value) << text;
+        EXPECT_EQ(codes_and_places(sweep.diagnostics), (Strings{"E0122 0:0"})) << text;
+    }
+    SweepOptions options;
+    options.vary = {"clouds.c.base_altitude=1 km:2 deg:3"};
+    const auto wrong_unit = varied(clouds, options);
+    ASSERT_EQ(wrong_unit.diagnostics.size(), 1u);
+    EXPECT_EQ(wrong_unit.diagnostics[0].code, "E0107");
+    EXPECT_EQ(wrong_unit.diagnostics[0].where.source,
+              "--vary `clouds.c.base_altitude=1 km:2 deg:3`");
+}
+
+// What varies is no part of what is baked, and `bake` of such a recipe bakes its own values.
+TEST(Sweep, IsNoParameterOfTheRecipe) {
+    const Recipe with = valid(clouds + "[sweep]\n'clouds.c.coverage' = [0.25]\n");
+    EXPECT_EQ(testing::all_parameters(with), testing::all_parameters(valid(clouds)));
+    EXPECT_EQ(with.values.size(), valid(clouds).values.size());
+    ASSERT_EQ(with.sweep_values.size(), 1u);
+    EXPECT_EQ(with.sweep_values[0].path, "sweep.\"clouds.c.coverage\"");
+    EXPECT_EQ(with.sweep_values[0].written, "[0.25]");
+}
+
+TEST(Sweep, AVariantIsTheRecipeWithItsValues) {
+    const TemporaryFolder folder;
+    const auto path = folder.write(
+        "r.toml", clouds + "[clouds.\"c=d\"]\nnoise = 'n'\nextent = ['6 km', '6 km', '1 km']\n");
+    SweepOptions options;
+    options.vary = {"clouds.\"c=d\".coverage=0.25,0.75"};
+    const std::vector<std::string> settings = {"noise.n.seed=9"};
+    const auto sweep = load_sweep(path, settings, options);
+    EXPECT_FALSE(sweep.value && load_variant(path, settings, *sweep.value, 0).value)
+        << "names of clouds are bare keys";
+    options.vary = {"clouds.c.coverage=0.25,0.75"};
+    const auto plain = load_sweep(folder.write("s.toml", clouds), settings, options);
+    ASSERT_TRUE(plain.value);
+    const auto variant = load_variant(folder.path() / "s.toml", settings, *plain.value, 1);
+    ASSERT_TRUE(variant.value);
+    EXPECT_EQ(variant.value->parameters.clouds.at(0).coverage, 0.75);
+    EXPECT_EQ(variant.value->parameters.noises.at(0).seed, 9u);
+    EXPECT_TRUE(variant.value->sweep_values.empty());
+}
+
+}  // namespace
+}  // namespace skybake::config
