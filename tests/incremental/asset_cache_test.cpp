@@ -1,0 +1,140 @@
+#include "bakers/incremental/asset_cache.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "bakers/io/verify.h"
+#include "tests/incremental/bakes.h"
+
+namespace skybake {
+namespace {
+
+using namespace skybake::testing;
+namespace fs = std::filesystem;
+
+class Cache : public ::testing::Test {
+  protected:
+    Cache() { bake_.run(); }
+
+    ReadyAsset asset(std::size_t i) const {
+        return {bake_.bake.folder, read_manifest(bake_.bake.folder).value->assets.at(i)};
+    }
+
+    TemporaryFolder folder_;
+    TestBake bake_{recipe_of(small_recipe), folder_ / "out"};
+    AssetCache cache_{folder_ / "cache"};
+};
+
+TEST_F(Cache, GivesBackWhatItWasOffered) {
+    EXPECT_FALSE(cache_.find(asset(0).entry.key).has_value());
+    EXPECT_FALSE(fs::exists(folder_ / "cache"));  // looking makes nothing
+    cache_.offer(asset(0));
+    const auto found = cache_.find(asset(0).entry.key);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->entry.content_hash, asset(0).entry.content_hash);
+    EXPECT_EQ(read_bytes(found->folder / "transmittance.exr"),
+              read_bytes(folder_ / "out/transmittance.exr"));
+    EXPECT_FALSE(cache_.find(asset(1).entry.key).has_value());
+    EXPECT_TRUE(verify_bake(found->folder, {}, {}).value->failures.empty());
+    EXPECT_TRUE(fs::is_empty(folder_ / "cache/pending"));
+}
+
+TEST_F(Cache, AKeyLeadsNowhereElse) {
+    for (const std::string& key : {std::string("../../out"), std::string(), std::string("/etc"),
+                                   std::string(32, 'g'), std::string(31, 'a') + "/"}) {
+        EXPECT_FALSE(cache_.find(key).has_value()) << key;
+        ReadyAsset hostile = asset(0);
+        hostile.entry.key = key;
+        cache_.offer(hostile);
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "cache"));
+}
+
+TEST_F(Cache, DoesNotKeepWhatIsNotWhatItsManifestSays) {
+    write_bytes(folder_ / "out/transmittance.exr", "damaged");
+    cache_.offer(asset(0));
+    EXPECT_FALSE(cache_.find(asset(0).entry.key).has_value());
+    ASSERT_EQ(cache_.problems().size(), 1U);
+    EXPECT_EQ(cache_.problems()[0].code, "W0301");
+    EXPECT_EQ(cache_.problems()[0].severity, config::Severity::warning);
+}
+
+TEST_F(Cache, ManyAtOnceEndWithWholeEntries) {
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 8; ++i) {
+        threads.emplace_back([this] {
+            AssetCache cache(folder_ / "cache");
+            for (std::size_t k = 0; k < 3; ++k) cache.offer(asset(k));
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(cache_entries(folder_ / "cache").value->size(), 3U);
+    EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
+    EXPECT_TRUE(fs::is_empty(folder_ / "cache/pending"));
+}
+
+TEST_F(Cache, VerifyRemovesDamage) {
+    for (std::size_t i = 0; i < 3; ++i) cache_.offer(asset(i));
+    const auto damaged = cache_.find(asset(2).entry.key)->folder / "shape.bin";
+    write_bytes(damaged, read_bytes(damaged) + "x");
+    write_bytes(cache_.find(asset(1).entry.key)->folder / "manifest.json", "{");
+    const auto verified = verify_cache(folder_ / "cache");
+    EXPECT_EQ(verified.value->entries, 3U);
+    EXPECT_EQ(verified.value->damaged.size(), 2U);
+    EXPECT_EQ(cache_entries(folder_ / "cache").value->size(), 1U);
+    EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
+}
+
+TEST_F(Cache, GarbageIsWhatWasUsedLeastRecently) {
+    for (std::size_t i = 0; i < 3; ++i) cache_.offer(asset(i));
+    std::uint64_t all = 0;
+    for (const CacheEntry& entry : *cache_entries(folder_ / "cache").value) all += entry.bytes;
+    const auto set_last_use = [this](std::size_t i, long seconds) {
+        const timespec times[2] = {{seconds, 0}, {seconds, 0}};
+        const auto manifest = cache_.find(asset(i).entry.key)->folder / "manifest.json";
+        ASSERT_EQ(::utimensat(AT_FDCWD, manifest.c_str(), times, 0), 0);
+    };
+    set_last_use(1, 1000);
+    set_last_use(2, 2000);
+    set_last_use(0, 3000);
+    EXPECT_TRUE(collect_garbage(folder_ / "cache", all).value->empty());
+    const auto removed = collect_garbage(folder_ / "cache", all - 1);
+    ASSERT_EQ(removed.value->size(), 1U);
+    EXPECT_EQ((*removed.value)[0].key, asset(1).entry.key);
+    cache_.find(asset(2).entry.key);  // used again: now the youngest
+    const std::uint64_t left = all - (*removed.value)[0].bytes;
+    EXPECT_EQ((*collect_garbage(folder_ / "cache", left - 1).value)[0].key, asset(0).entry.key);
+    EXPECT_EQ(collect_garbage(folder_ / "cache", 0).value->size(), 1U);
+    EXPECT_TRUE(cache_entries(folder_ / "cache").value->empty());
+}
+
+TEST_F(Cache, GarbageIsWhatKilledProcessesLeft) {
+    cache_.offer(asset(0));
+    fs::create_directories(folder_ / "cache/pending/99999999-0");
+    write_bytes(folder_ / "cache/pending/99999999-0/shape.bin", "half");
+    collect_garbage(folder_ / "cache", 1u << 30);
+    EXPECT_TRUE(fs::is_empty(folder_ / "cache/pending"));
+    EXPECT_EQ(cache_entries(folder_ / "cache").value->size(), 1U);
+}
+
+TEST_F(Cache, AMissingCacheIsEmpty) {
+    EXPECT_TRUE(cache_entries(folder_ / "none").value->empty());
+    EXPECT_TRUE(collect_garbage(folder_ / "none", 0).value->empty());
+    EXPECT_EQ(verify_cache(folder_ / "none").value->entries, 0U);
+    EXPECT_FALSE(fs::exists(folder_ / "none"));
+}
+
+TEST_F(Cache, OneThatCannotBeWrittenWarnsOnce) {
+    write_bytes(folder_ / "file", "no folder");
+    AssetCache cache(folder_ / "file");
+    cache.offer(asset(0));
+    cache.offer(asset(1));
+    EXPECT_EQ(cache.problems().size(), 1U);
+    EXPECT_FALSE(cache.find(asset(0).entry.key).has_value());
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,181 @@
+#include "bakers/incremental/bake_folder.h"
+
+#include <filesystem>
+#include <map>
+
+#include "bakers/incremental/asset_cache.h"
+#include "tests/incremental/bakes.h"
+
+namespace skybake {
+namespace {
+
+using namespace skybake::testing;
+namespace fs = std::filesystem;
+
+using States = std::vector<AssetState>;
+constexpr AssetState up_to_date = AssetState::up_to_date;
+constexpr AssetState copied = AssetState::copied;
+constexpr AssetState baked = AssetState::baked;
+
+std::map<std::string, fs::file_time_type> time_stamps(const fs::path& folder) {
+    std::map<std::string, fs::file_time_type> result;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        result[entry.path().filename().string()] = entry.last_write_time();
+    }
+    return result;
+}
+
+TEST(BakeFolder, MakesEverythingOnceAndNothingTwice) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    EXPECT_EQ(bake.states(), (States{baked, baked, baked}));
+    const auto before = time_stamps(folder / "out");
+    EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
+    EXPECT_EQ(time_stamps(folder / "out"), before);  // the manifest's, too
+}
+
+TEST(BakeFolder, MakesJustWhatDependsOnAChange) {
+    const TemporaryFolder folder;
+    TestBake first(recipe_of(small_recipe), folder / "out");
+    first.run();
+    const auto before = time_stamps(folder / "out");
+    TestBake second(recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"}),
+                    folder / "out");
+    EXPECT_EQ(second.states(), (States{up_to_date, baked, up_to_date}));
+    ASSERT_EQ(second.observer.reasons.size(), 3U);
+    EXPECT_TRUE(second.observer.reasons[0].empty());
+    EXPECT_EQ(second.observer.reasons[1],
+              (std::vector<std::string>{
+                  "atmosphere.ground_albedo [0.3, 0.3, 0.3] → [0.125, 0.125, 0.125]"}));
+    const auto after = time_stamps(folder / "out");
+    EXPECT_EQ(after.at("transmittance.exr"), before.at("transmittance.exr"));
+    EXPECT_NE(after.at("multiple_scattering.exr"), before.at("multiple_scattering.exr"));
+}
+
+TEST(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    bake.run();
+    const fs::path table = folder / "out/transmittance.exr";
+    const std::string whole = read_bytes(table);
+    std::string damaged = whole;
+    damaged[damaged.size() / 2] ^= 1;
+    write_bytes(table, damaged);
+    fs::remove(folder / "out/shape.bin");
+    EXPECT_EQ(bake.states(), (States{baked, up_to_date, baked}));
+    EXPECT_EQ(
+        bake.observer.reasons[0],
+        (std::vector<std::string>{"transmittance.exr has other bytes than manifest.json says"}));
+    EXPECT_EQ(bake.observer.reasons[2], (std::vector<std::string>{"shape.bin cannot be read"}));
+    EXPECT_EQ(read_bytes(table), whole);
+}
+
+TEST(BakeFolder, IncrementalAndCleanBakesEndWithTheSameFiles) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> settings = {"atmosphere.ground_albedo=0.7",
+                                               "noise.shape.seed=9"};
+    TestBake(recipe_of(small_recipe), folder / "grown").run();
+    TestBake(recipe_of(small_recipe, {}, settings), folder / "grown").run();
+    TestBake(recipe_of(small_recipe, {}, settings), folder / "clean").run();
+    for (const char* file :
+         {"transmittance.exr", "multiple_scattering.exr", "shape.exr", "shape.bin"}) {
+        EXPECT_EQ(read_bytes(folder / "grown" / file), read_bytes(folder / "clean" / file)) << file;
+    }
+}
+
+TEST(BakeFolder, AnotherCertificationIsAnotherAsset) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    bake.run();
+    bake.bake.certification = Certification::off;
+    EXPECT_EQ(bake.states(), (States{baked, baked, baked}));
+    EXPECT_EQ(bake.observer.reasons[0], (std::vector<std::string>{"--certify quick → off"}));
+}
+
+TEST(BakeFolder, AFailureLeavesTheFolderAsItWas) {
+    const TemporaryFolder folder;
+    TestBake good(recipe_of(small_recipe), folder / "out");
+    good.run();
+    const auto before = time_stamps(folder / "out");
+    // A noise beyond what unorm8 holds: found after the tables have been baked.
+    TestBake bad(recipe_of(small_recipe, {},
+                           {"atmosphere.ground_albedo=0.1", "noise.shape.channels.Y.type=constant",
+                            "noise.shape.channels.Y.value=2", "bake.shape.pixel_type=unorm8",
+                            "bake.shape.formats=bin"}),
+                 folder / "out");
+    const auto outcome = bad.run();
+    EXPECT_FALSE(outcome.value.has_value());
+    ASSERT_FALSE(outcome.diagnostics.empty());
+    EXPECT_EQ(outcome.diagnostics[0].code, "E0402");
+    EXPECT_EQ(time_stamps(folder / "out"), before);
+    EXPECT_FALSE(TestBake(recipe_of(small_recipe, {},
+                                    {"noise.shape.channels.Y.type=constant",
+                                     "noise.shape.channels.Y.value=2",
+                                     "bake.shape.pixel_type=unorm8", "bake.shape.formats=bin"}),
+                          folder / "new/deep")
+                     .run()
+                     .value.has_value());
+    EXPECT_FALSE(fs::exists(folder / "new"));
+}
+
+TEST(BakeFolder, AnInterruptionLeavesTheFolderAsItWas) {
+    for (const char* asset : {"transmittance", "multiple_scattering", "shape", "manifest.json"}) {
+        const TemporaryFolder folder;
+        TestBake bake(recipe_of(small_recipe), folder / "out");
+        bake.observer.cancel_at = asset;
+        const auto outcome = bake_folder(bake.bake, bake.observer);
+        EXPECT_FALSE(outcome.value.has_value()) << asset;
+        EXPECT_TRUE(outcome.diagnostics.empty()) << asset;
+        EXPECT_EQ(folder.names(), std::vector<std::string>{}) << asset;
+    }
+}
+
+TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    bake.run();
+    bake.bake.bakes = {bake.recipe.parameters.bakes[1]};
+    EXPECT_EQ(bake.states(), (States{up_to_date}));
+    EXPECT_EQ(read_manifest(folder / "out").value->assets.size(), 3U);
+}
+
+TEST(BakeFolder, RefusesWhatNeedsMoreMemoryThanAllowed) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    bake.bake.memory_limit_mib = 0.001;
+    const auto outcome = bake.run();
+    ASSERT_FALSE(outcome.value.has_value());
+    EXPECT_EQ(outcome.diagnostics.at(0).code, "E0002");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    bake.bake.memory_limit_mib = 1e6;
+    ASSERT_TRUE(bake.run().value.has_value());
+    // What is up to date needs none.
+    bake.bake.memory_limit_mib = 0;
+    EXPECT_TRUE(bake.run().value.has_value());
+}
+
+TEST(BakeFolder, TakesWhatACacheHasAndBakesWhatIsDamagedThere) {
+    const TemporaryFolder folder;
+    AssetCache cache(folder / "cache");
+    TestBake first(recipe_of(small_recipe), folder / "first");
+    first.bake.sources = {&cache};
+    EXPECT_EQ(first.states(), (States{baked, baked, baked}));
+    TestBake second(recipe_of(small_recipe), folder / "second");
+    second.bake.sources = {&cache};
+    EXPECT_EQ(second.states(), (States{copied, copied, copied}));
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "cache")) {
+        if (entry.path().filename() == "shape.exr") write_bytes(entry.path(), "damaged");
+    }
+    TestBake third(recipe_of(small_recipe), folder / "third");
+    third.bake.sources = {&cache};
+    EXPECT_EQ(third.states(), (States{copied, copied, baked}));
+    EXPECT_EQ(read_bytes(folder / "third/shape.exr"), read_bytes(folder / "first/shape.exr"));
+    // A folder that others have filled is offered to a cache as well.
+    AssetCache other(folder / "other");
+    third.bake.sources = {&other};
+    EXPECT_EQ(third.states(), (States{up_to_date, up_to_date, up_to_date}));
+    EXPECT_EQ(cache_entries(folder / "other").value->size(), 3U);
+}
+
+}  // namespace
+}  // namespace skybake
