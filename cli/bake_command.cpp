@@ -112,6 +112,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command bake_command() {
     return {
         .name = "bake",
+        .brief = "make what a recipe asks for",
         .summary = "make what a recipe asks for and the folder has not: files and manifest.json",
         .arguments = {{.name = "recipe.toml", .help = "the recipe"}},
         .options = {{.name = "output",

@@ -133,6 +133,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command cache_command() {
     return {.name = "cache",
+            .brief = "keep ready-made assets",
             .summary = "look after the folder of ready-made assets",
             .arguments = {{.name = "stats|gc|verify",
                            .help = "what it holds, make room, prove that all is whole"}},
@@ -143,8 +144,7 @@ Command cache_command() {
                          .value = "SIZE",
                          .help = "gc: remove what was used least recently until this is left"},
                         {.name = "json", .help = "the result as JSON"}},
-            .examples = {{"skybake bake sky.toml --cache-dir ~/.cache/skybake",
-                          "what any recipe has baked there is copied"},
+            .examples = {{"skybake cache stats --cache-dir ~/.cache/skybake", "what it holds"},
                          {"skybake cache gc --cache-dir ~/.cache/skybake --max-size 10GiB",
                           "make room"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},

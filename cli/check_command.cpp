@@ -40,6 +40,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command check_command() {
     return {.name = "check",
+            .brief = "find all its errors",
             .summary = "find all errors of a recipe, bake nothing",
             .arguments = {{.name = "recipe.toml", .help = "the recipe to check"}},
             .options = {set_option()},

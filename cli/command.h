@@ -65,6 +65,7 @@ struct Example {
 
 struct Command {
     std::string_view name = {};
+    std::string_view brief = {};    // a few words, for the shortest help
     std::string_view summary = {};  // one line without a full stop
     std::vector<Argument> arguments = {};
     std::vector<Option> options = {};

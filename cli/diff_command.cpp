@@ -284,6 +284,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command diff_command() {
     return {.name = "diff",
+            .brief = "compare baked files",
             .summary = "compare two baked files or folders",
             .arguments = {{.name = "first", .help = "an EXR, VDB or raw file, or a folder of them"},
                           {.name = "second", .help = "the same to compare with"}},

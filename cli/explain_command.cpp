@@ -41,6 +41,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command explain_command() {
     return {
         .name = "explain",
+        .brief = "a key or a code",
         .summary = "say what a key or a diagnostic code means",
         .arguments = {{.name = "name",
                        .help = "a key's path or its tail, a table, or a code; left out: all keys",

@@ -94,8 +94,18 @@ constexpr std::array<Example, 3> first_steps = {{
 }  // namespace
 
 std::string short_help(std::span<const Command> commands) {
-    return "usage: skybake <command> [recipe.toml] [options]\n" + command_table(commands) +
-           "`skybake <command> --help` says more\n";
+    TextTable table;
+    const std::size_t rows = (commands.size() + 1) / 2;
+    for (std::size_t i = 0; i < rows; ++i) {
+        std::vector<std::string> row;
+        for (std::size_t k = i; k < commands.size(); k += rows) {
+            row.emplace_back(commands[k].name);
+            row.emplace_back(commands[k].brief);
+        }
+        table.add_row(row);
+    }
+    return "usage: skybake <command> [recipe.toml] [options]\n" + table.text() +
+           "`skybake --help` and `skybake <command> --help` say more\n";
 }
 
 std::string global_help(std::span<const Command> commands, std::span<const Option> global_options) {

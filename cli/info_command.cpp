@@ -253,6 +253,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command info_command() {
     return {.name = "info",
+            .brief = "look into baked files",
             .summary = "look into a baked file or folder",
             .arguments = {{.name = "path",
                            .help = "an EXR or VDB file, a folder of a bake, or its manifest.json"}},

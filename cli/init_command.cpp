@@ -120,6 +120,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command init_command() {
     return {.name = "init",
+            .brief = "write a recipe",
             .summary = "write a commented recipe from a preset",
             .arguments = {{.name = "file",
                            .help = "the recipe to write (default skybake.toml); - is stdout",

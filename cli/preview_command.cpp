@@ -8,6 +8,7 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
+#include "bakers/preview/report_plots.h"
 #include "cli/bake_progress.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
@@ -50,6 +51,11 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
         auto assets = gather(invocation, request, progress);
         if (interrupted()) return ExitCode::interrupted;
         if (const ExitCode code = console.report(assets.diagnostics); !assets.value) return code;
+        if (request.report) {
+            const auto problems = measure_plots(*assets.value, request.options.threads, &progress);
+            if (const ExitCode code = console.report(problems); code != ExitCode::done) return code;
+            if (interrupted()) return ExitCode::interrupted;
+        }
         PreviewOptions options = request.options;
         options.progress = &progress;
         auto made = make_preview(std::move(*assets.value), options);

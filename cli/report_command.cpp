@@ -94,6 +94,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command report_command() {
     return {
         .name = "report",
+        .brief = "what accuracy costs",
         .summary = "measure what accuracy costs: time, error and bytes of many variants",
         .arguments = {{.name = "recipe.toml", .help = "the recipe"}},
         .options = {{.name = "output",

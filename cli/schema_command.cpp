@@ -47,6 +47,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command schema_command() {
     return {.name = "schema",
+            .brief = "JSON Schemas",
             .summary = "print the JSON Schema of recipes, manifests or bake --json",
             .arguments = {{.name = "what",
                            .help = "recipe (default), manifest or events",

@@ -175,6 +175,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command show_command() {
     return {
         .name = "show",
+        .brief = "every resolved value",
         .summary = "show every resolved value and where it came from",
         .arguments = {{.name = "recipe.toml", .help = "the recipe to resolve"},
                       {.name = "path",

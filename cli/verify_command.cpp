@@ -54,6 +54,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command verify_command() {
     return {
         .name = "verify",
+        .brief = "prove baked files",
         .summary = "prove that baked files are what their manifest says",
         .arguments = {{.name = "path",
                        .help = "the output folder of a bake, or its manifest.json"}},

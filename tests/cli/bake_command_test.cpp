@@ -48,6 +48,58 @@ class Bake : public ::testing::Test {
                                            "transmittance.exr"};
 };
 
+TEST_F(Bake, MakesWhatIsStaleAndSaysWhy) {
+    EXPECT_EQ(bake().code, 0);
+    const Result warm = bake();
+    EXPECT_TRUE(contains(warm.error, "2 assets up to date")) << warm.error;
+    EXPECT_EQ(count_lines(warm.out), 3);  // what a bake gives, whether it was made now or before
+    const std::vector<std::string> change = {"--set", "atmosphere.ground_albedo=0.125"};
+    const Result plan = bake({change[0], change[1], "--dry-run"});
+    const std::string why = "atmosphere.ground_albedo [0.3, 0.3, 0.3] → [0.125, 0.125, 0.125]";
+    EXPECT_TRUE(contains(plan.out, why)) << plan.out;
+    EXPECT_TRUE(contains(plan.out, "up to date")) << plan.out;
+    const Result stale = bake(change);
+    EXPECT_TRUE(contains(stale.error, "  multiple_scattering: " + why + "\n")) << stale.error;
+    EXPECT_TRUE(contains(stale.error, "2 assets (1 up to date)")) << stale.error;
+}
+
+TEST_F(Bake, ACacheServesOtherFolders) {
+    const std::string cache = (folder_ / "cache").string();
+    EXPECT_EQ(bake({"--cache-dir", cache}).code, 0);
+    const std::string other = (folder_ / "other").string();
+    const Result copied = run_program({"bake", recipe_, "-o", other, "--cache-dir", cache});
+    EXPECT_TRUE(contains(copied.error, "2 assets (2 ready-made)")) << copied.error;
+    EXPECT_EQ(read_bytes(other + "/transmittance.exr"), read_bytes(out_ + "/transmittance.exr"));
+    const Result stats = run_program({"cache", "stats", "--cache-dir", cache, "--json"});
+    EXPECT_TRUE(contains(stats.out, "\"assets\": 2")) << stats.out;
+    EXPECT_EQ(run_program({"cache", "verify", "--cache-dir", cache}).code, 0);
+    EXPECT_EQ(run_program({"cache", "gc", "--cache-dir", cache, "--max-size", "0"}).code, 0);
+    EXPECT_TRUE(contains(run_program({"cache", "stats", "--cache-dir", cache}).out, "0 assets"));
+    EXPECT_EQ(run_program({"cache", "gc", "--cache-dir", cache}).code, 2);
+    EXPECT_EQ(run_program({"cache", "stats"}, [] { ::unsetenv("SKYBAKE_CACHE_DIR"); }).code, 2);
+    EXPECT_EQ(run_program({"cache", "dust", "--cache-dir", cache}).code, 2);
+}
+
+TEST_F(Bake, RefusesBeforeWorkWhatNeedsTooMuchMemory) {
+    const Result result = bake({"--max-memory", "4KiB"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.error, "error[E0002]")) << result.error;
+    EXPECT_FALSE(fs::exists(out_));
+    EXPECT_EQ(bake({"--max-memory", "many"}).code, 2);
+    EXPECT_EQ(bake({"--max-memory", "4GiB"}).code, 0);
+}
+
+TEST_F(Bake, WritesADepfile) {
+    const std::string depfile = (folder_ / "sky.d").string();
+    EXPECT_EQ(bake({"--depfile", depfile}).code, 0);
+    const std::string text = read_bytes(depfile);
+    EXPECT_EQ(text.rfind(out_ + "/transmittance.exr ", 0), 0U) << text;
+    EXPECT_TRUE(contains(text, "\n  " + recipe_)) << text;
+    const Result lost = bake({"--depfile", (folder_ / "none/sky.d").string()});
+    EXPECT_EQ(lost.code, 3);
+    EXPECT_TRUE(contains(lost.error, "E0301")) << lost.error;
+}
+
 TEST_F(Bake, PrintsPathsOnStdoutAndTheTableOnStderr) {
     const Result result = bake();
     EXPECT_EQ(result.code, 0) << result.error;
