@@ -102,6 +102,9 @@ std::string summary_text(const BakedFolder& baked, double seconds) {
                                   asset.error->advice);
         }
     }
+    for (const RetiredFile& file : baked.retired) {
+        advice += fmt::format("  {}: of an earlier recipe, left as it is\n", file.path);
+    }
     const std::size_t count = baked.assets.size();
     std::string state;
     if (made == 0) state = " up to date";

@@ -128,6 +128,8 @@ class FolderMaker {
         if (partial && plan_.folder.previous) {
             manifest = merge_manifests(*plan_.folder.previous, std::move(manifest));
         }
+        if (plan_.folder.previous) manifest.retired = retired_files(manifest);
+        result_.retired = manifest.retired;
         const auto progress = observer_.begin(manifest_name);
         const std::string text = manifest_json(manifest);
         const auto staged =
@@ -135,6 +137,16 @@ class FolderMaker {
         if (!staged.value) return stop(staged.diagnostics);
         result_.manifest = *staged.value;
         return result_.manifest != WriteResult::interrupted || stop_for_interruption();
+    }
+
+    // What is still there of earlier recipes.
+    std::vector<RetiredFile> retired_files(const Manifest& manifest) const {
+        auto files = files_no_longer_made(*plan_.folder.previous, manifest);
+        std::erase_if(files, [this](const RetiredFile& file) {
+            std::error_code error;
+            return !fs::exists(fs::symlink_status(bake_.folder / file.path, error));
+        });
+        return files;
     }
 
     bool commit() {

@@ -45,6 +45,7 @@ struct FinishedAsset {
 struct BakedFolder {
     std::vector<FinishedAsset> assets;  // in the order of FolderBake::bakes
     WriteResult manifest = WriteResult::unchanged;
+    std::vector<RetiredFile> retired;  // still there, of earlier recipes
 };
 
 // Diagnostics of plan_folder, of bakers (E0401 to E0405) and of writing (E0301), after which the

@@ -71,7 +71,23 @@ bool claims(const Manifest& manifest, const std::filesystem::path& file) {
             if (std::filesystem::path(claimed.path).lexically_normal() == wanted) return true;
         }
     }
-    return false;
+    return std::any_of(manifest.retired.begin(), manifest.retired.end(),
+                       [&wanted](const RetiredFile& retired) {
+                           return std::filesystem::path(retired.path).lexically_normal() == wanted;
+                       });
+}
+
+std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Manifest& fresh) {
+    std::vector<RetiredFile> retired;
+    for (const ManifestAsset& asset : previous.assets) {
+        for (const ManifestFile& file : asset.files) {
+            if (!claims(fresh, file.path)) retired.push_back({file.path, file.xxh3});
+        }
+    }
+    for (const RetiredFile& file : previous.retired) {
+        if (!claims(fresh, file.path)) retired.push_back(file);
+    }
+    return retired;
 }
 
 }  // namespace skybake

@@ -89,12 +89,20 @@ struct ManifestAsset {
     bool is_volume() const { return !levels.empty(); }
 };
 
+// A file that an earlier bake left in the folder and the recipe no longer asks for: skybake wrote
+// it, so a later bake may write it again.
+struct RetiredFile {
+    std::string path;
+    std::string xxh3;
+};
+
 struct Manifest {
     std::string tool_name;
     std::string tool_version;
     std::string parameters = "{}";  // JSON text of an object: the resolved parameters of the recipe
     std::vector<double> wavelengths_nm;  // one per channel
     std::vector<ManifestAsset> assets;
+    std::vector<RetiredFile> retired;
 };
 
 // An empty manifest of this release for a recipe.
@@ -124,6 +132,9 @@ ManifestPlace manifest_place(const std::filesystem::path& path);
 // `fresh` with those assets of `previous` that it does not name, in the order of `previous`; for
 // bakes of a part of a recipe.
 Manifest merge_manifests(const Manifest& previous, Manifest fresh);
+
+// The files that `previous` lists, as its assets' or as retired ones, and `fresh` does not.
+std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Manifest& fresh);
 
 // Whether the manifest lists the file (a path relative to its folder), or is that file itself.
 bool claims(const Manifest& manifest, const std::filesystem::path& file);

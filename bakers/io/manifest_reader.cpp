@@ -295,6 +295,10 @@ Manifest read_whole(const Node& node) {
     manifest.wavelengths_nm = numbers(node["conventions"]["wavelengths_nm"]);
     for (const Node& asset : node["assets"].elements())
         manifest.assets.push_back(read_asset(asset));
+    if (!node.has("retired")) return manifest;
+    for (const Node& file : node["retired"].elements()) {
+        manifest.retired.push_back({path_within_folder(file["path"]), file["xxh3"].text()});
+    }
     return manifest;
 }
 

@@ -35,6 +35,8 @@ Json to_json(const ManifestFile& file, bool of_volume) {
 
 Json to_json(const ManifestInput& input) { return {{"file", input.file}, {"xxh3", input.xxh3}}; }
 
+Json to_json(const RetiredFile& file) { return {{"path", file.path}, {"xxh3", file.xxh3}}; }
+
 Json to_json(const AxisMapping& axis) {
     return {{"quantity", axis.quantity},
             {"formula", axis.formula},
@@ -183,11 +185,12 @@ std::string manifest_json(const Manifest& manifest) {
     for (const ManifestAsset& asset : manifest.assets) assets.push_back(to_json(asset));
     Json parameters = Json::parse(manifest.parameters, nullptr, false);
     if (!parameters.is_object()) parameters = Json::object();
-    const Json json = {{"format", manifest_format},
-                       {"tool", {{"name", manifest.tool_name}, {"version", manifest.tool_version}}},
-                       {"conventions", conventions_json(manifest)},
-                       {"parameters", std::move(parameters)},
-                       {"assets", std::move(assets)}};
+    Json json = {{"format", manifest_format},
+                 {"tool", {{"name", manifest.tool_name}, {"version", manifest.tool_version}}},
+                 {"conventions", conventions_json(manifest)},
+                 {"parameters", std::move(parameters)},
+                 {"assets", std::move(assets)}};
+    if (!manifest.retired.empty()) json["retired"] = array_of(manifest.retired);
     return text_of(json, 2) + "\n";
 }
 

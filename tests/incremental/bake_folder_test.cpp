@@ -130,6 +130,24 @@ TEST(BakeFolder, AnInterruptionLeavesTheFolderAsItWas) {
     }
 }
 
+TEST(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
+    const TemporaryFolder folder;
+    TestBake(recipe_of(small_recipe), folder / "out").run();
+    TestBake less(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out");
+    const auto first = less.run();
+    ASSERT_TRUE(first.value.has_value());
+    ASSERT_EQ(first.value->retired.size(), 1U);
+    EXPECT_EQ(first.value->retired[0].path, "shape.bin");
+    EXPECT_TRUE(fs::exists(folder / "out/shape.bin"));
+    EXPECT_EQ(less.run().value->manifest, WriteResult::unchanged);
+    const auto back = TestBake(recipe_of(small_recipe), folder / "out").run();
+    ASSERT_TRUE(back.value.has_value());  // no file of somebody else's
+    EXPECT_TRUE(back.value->retired.empty());
+    TestBake(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out").run();
+    fs::remove(folder / "out/shape.bin");
+    EXPECT_TRUE(less.run().value->retired.empty());
+}
+
 TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");
