@@ -9,6 +9,7 @@ Command show_command();
 Command explain_command();
 Command schema_command();
 Command bake_command();
+Command sweep_command();
 Command preview_command();
 Command report_command();
 Command info_command();
@@ -18,9 +19,9 @@ Command cache_command();
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> table = {
-        init_command(),   check_command(),  show_command(),   explain_command(),
-        schema_command(), bake_command(),   preview_command(), report_command(), info_command(),
-        diff_command(),   verify_command(), cache_command(),
+        init_command(), check_command(),  show_command(),    explain_command(), schema_command(),
+        bake_command(), sweep_command(),  preview_command(), report_command(),  info_command(),
+        diff_command(), verify_command(), cache_command(),
     };
     return table;
 }

@@ -24,9 +24,9 @@ std::string_view severity_word(const config::Diagnostic& diagnostic) {
     return diagnostic.severity == config::Severity::error ? "error" : "warning";
 }
 
-// "--set `a.b=c`" and "preset earth" are places, but no files.
+// "--set `a.b=c`", "--vary `a.b=1,2`" and "preset earth" are places, but no files.
 bool is_file(const std::string& source) {
-    return !source.empty() && !source.starts_with("--set ") && !source.starts_with("preset ");
+    return !source.empty() && !source.starts_with("--") && !source.starts_with("preset ");
 }
 
 // RFC 3986: everything but unreserved signs and the slashes between folders is escaped.

@@ -9,6 +9,7 @@
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/report_plots.h"
+#include "bakers/preview/sweep_preview.h"
 #include "cli/bake_progress.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
@@ -43,28 +44,34 @@ Outcome<PreviewAssets> gather(const Invocation& invocation, const PreviewRequest
     return load_files(request.paths);
 }
 
+// No value and no errors: the user has interrupted.
+Outcome<PreviewPage> make_page(const Invocation& invocation, const PreviewRequest& request,
+                               Progress& progress) {
+    PreviewOptions options = request.options;
+    options.progress = &progress;
+    if (request.subject == Subject::sweep) return make_sweep_preview(request.paths[0], options);
+    auto assets = gather(invocation, request, progress);
+    if (!assets.value) return {{}, std::move(assets.diagnostics)};
+    if (request.report) {
+        auto problems = measure_plots(*assets.value, options.threads, &progress);
+        if (!problems.empty() || interrupted()) return {{}, std::move(problems)};
+    }
+    auto page = make_preview(*assets.value, options);
+    page.diagnostics.insert(page.diagnostics.begin(), assets.diagnostics.begin(),
+                            assets.diagnostics.end());
+    return page;
+}
+
 ExitCode show(const Invocation& invocation, const PreviewRequest& request, Console& console) {
     const auto start = std::chrono::steady_clock::now();
-    PreviewPage page;
-    {
+    auto page = [&] {
         BakeProgress progress("preview", console);
-        auto assets = gather(invocation, request, progress);
-        if (interrupted()) return ExitCode::interrupted;
-        if (const ExitCode code = console.report(assets.diagnostics); !assets.value) return code;
-        if (request.report) {
-            const auto problems = measure_plots(*assets.value, request.options.threads, &progress);
-            if (const ExitCode code = console.report(problems); code != ExitCode::done) return code;
-            if (interrupted()) return ExitCode::interrupted;
-        }
-        PreviewOptions options = request.options;
-        options.progress = &progress;
-        auto made = make_preview(std::move(*assets.value), options);
-        if (interrupted()) return ExitCode::interrupted;
-        if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
-        page = std::move(*made.value);
-    }
+        return make_page(invocation, request, progress);
+    }();
+    if (interrupted()) return ExitCode::interrupted;
+    if (const ExitCode code = console.report(page.diagnostics); !page.value) return code;
     std::vector<std::string> paths;
-    if (const ExitCode code = write_preview(page, request, console, paths);
+    if (const ExitCode code = write_preview(*page.value, request, console, paths);
         code != ExitCode::done) {
         return code;
     }
@@ -89,6 +96,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command preview_command() {
     return {.name = "preview",
+            .brief = "pictures of it",
             .summary = "pictures of a recipe or of baked files, and a page of all of them",
             .arguments = {{.name = "recipe|folder|file",
                            .help = "a recipe, a folder of a bake or sweep, or EXR, VDB, bin files",

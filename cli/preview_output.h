@@ -16,8 +16,9 @@ class Console;
 // where not. E0302, E0303.
 ExitCode check_output(const PreviewRequest& request, Console& console);
 
-// Writes all files at once, and says which in `paths`, the page last. E0301, E0302, E0303.
-ExitCode write_preview(const PreviewPage& page, const PreviewRequest& request, Console& console,
+// Writes all files at once, and says which in `paths`, the page last. Pictures of earlier previews
+// that are not made any more stay where they are. E0301, E0302, E0303.
+ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console,
                        std::vector<std::string>& paths);
 
 }  // namespace skybake::cli

@@ -9,6 +9,7 @@
 
 #include "bakers/io/manifest.h"
 #include "bakers/io/spelling.h"
+#include "bakers/preview/load_sweep.h"
 #include "cli/bake_selection.h"
 #include "cli/parse_arguments.h"
 #include "config/key_path.h"
@@ -24,6 +25,7 @@ using Subject = PreviewRequest::Subject;
 
 Subject subject_of(const fs::path& path) {
     std::error_code error;
+    if (is_sweep_folder(path)) return Subject::sweep;
     if (fs::is_directory(path, error) || path.filename() == manifest_name) return Subject::folder;
     const std::string extension = path.extension().string();
     const bool baked = extension.size() > 1 && volume_format_of(extension.substr(1)).has_value();
@@ -102,6 +104,10 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
         problems.push_back(usage_error("one recipe or one folder at a time",
                                        "several files are possible: a.exr b.exr"));
     }
+    if (request.subject == Subject::sweep && request.report) {
+        problems.push_back(usage_error("--report is not for sweeps",
+                                       "its variants are folders: one of them may be reported on"));
+    }
     if (request.subject == Subject::recipe) return;
     for (const char* option : {"set", "only", "watch"}) {
         if (!invocation.has(option)) continue;
@@ -128,8 +134,7 @@ std::vector<Option> preview_options() {
             {.name = "exposure", .value = "STOPS", .help = "fixed: 0 is 1 (default: chosen)"},
             {.name = "altitude",
              .value = "LENGTH",
-             .help = "of the camera under the sky",
-             .fallback = "0m"},
+             .help = "of the camera under the sky (default 200m)"},
             {.name = "report", .help = "measure and plot speed against error, too"},
             {.name = "watch", .help = "follow the recipe: drafts, at every save, until Ctrl-C"},
             jobs_option("threads; pictures do not depend on it (default: all)"),

@@ -11,7 +11,7 @@
 namespace skybake::cli {
 
 struct PreviewRequest {
-    enum class Subject { recipe, folder, files };
+    enum class Subject { recipe, folder, sweep, files };
     Subject subject = Subject::recipe;
     std::vector<std::filesystem::path> paths;  // one, but of files
     std::filesystem::path output;
@@ -24,8 +24,8 @@ struct PreviewRequest {
 // The declarations of its options.
 std::vector<Option> preview_options();
 
-// A folder or a manifest.json is a folder; .exr, .vdb and .bin are files; anything else is a recipe.
-// E0001: what cannot go together, what is no number or out of range.
+// A folder or a manifest.json is a folder; .exr, .vdb and .bin are files; anything else is a
+// recipe. E0001: what cannot go together, what is no number or out of range.
 config::Outcome<PreviewRequest> preview_request(const Invocation& invocation);
 
 }  // namespace skybake::cli

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bakers/io/manifest.h"
+#include "bakers/sweep/index_files.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/event_schema.h"
@@ -24,6 +25,7 @@ struct Schema {
 constexpr std::array schemas = {
     Schema{"recipe", config::recipe_schema},
     Schema{"manifest", [] { return std::string(manifest_schema()); }},
+    Schema{"sweep", [] { return std::string(sweep_schema()); }},
     Schema{"events", [] { return std::string(event_schema()); }},
 };
 
@@ -38,7 +40,7 @@ ExitCode run(const Invocation& invocation, Console& console) {
         return ExitCode::done;
     }
     std::string label = config::did_you_mean(name, names);
-    if (label.empty()) label = "recipe, manifest or events";
+    if (label.empty()) label = "recipe, manifest, sweep or events";
     return console.report(
         std::array{usage_error(fmt::format("there is no schema `{}`", name), label)});
 }
@@ -48,9 +50,9 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command schema_command() {
     return {.name = "schema",
             .brief = "JSON Schemas",
-            .summary = "print the JSON Schema of recipes, manifests or bake --json",
+            .summary = "print the JSON Schema of recipes, manifests, sweeps or --json",
             .arguments = {{.name = "what",
-                           .help = "recipe (default), manifest or events",
+                           .help = "recipe (default), manifest, sweep or events",
                            .required = false}},
             .examples = {{"skybake schema > recipe.schema.json", "for an editor's TOML mode"},
                          {"skybake schema manifest", "what a manifest.json contains"}},

@@ -91,12 +91,13 @@ class Watch {
         BakeProgress progress("preview", console_);
         const BakeOptions options{selection.threads, Certification::off, &progress};
         Outcome<PreviewPage> outcome;
-        auto assets = bake_assets(draft, bakes, title(), options);
-        outcome.diagnostics = std::move(assets.diagnostics);
+        const auto assets = bake_assets(draft, bakes, title(), options, &baked_);
+        outcome.diagnostics = assets.diagnostics;
         if (!assets.value) return outcome;
         PreviewOptions pictures = request_.options;
         pictures.progress = &progress;
-        add(outcome, make_preview(std::move(*assets.value), pictures));
+        pictures.memory = &pictures_;
+        add(outcome, make_preview(*assets.value, pictures));
         return outcome;
     }
 
@@ -129,8 +130,8 @@ class Watch {
     // A page from file:// reads the state beside it.
     void tell() {
         if (state_.revision == 0) return;
-        const auto written = write_file_atomically(request_.output / page_state_name,
-                                                   page_state_text(state_));
+        const auto written =
+            write_file_atomically(request_.output / page_state_name, page_state_text(state_));
         if (!written.value) exit_code_ = console_.report(written.diagnostics);
     }
 
@@ -139,6 +140,8 @@ class Watch {
     Console& console_;
     WatchedFiles files_;
     std::vector<fs::path> good_inputs_;
+    AssetMemory baked_;
+    PictureMemory pictures_;
     PageState state_;
     ExitCode exit_code_ = ExitCode::done;  // of writing: what ends the watch
 };

@@ -244,6 +244,14 @@ std::string bakes_of_cloud(const std::string& name, const std::array<int, 3>& si
                       occupancy);
 }
 
+// How the recipe would be baked with many values of one of its keys.
+std::string sweep_text(const std::string& path, std::string_view values) {
+    return fmt::format(
+        "\n# One recipe, many values: `skybake sweep` bakes it with each of\n#   [sweep]\n#   {} = "
+        "{}\n",
+        toml_string(path), values);
+}
+
 }  // namespace
 
 std::string noise_init_name(std::string_view preset) {
@@ -260,8 +268,9 @@ std::string noise_init_text(const Preset& preset) {
     std::string text = head_comment(preset.text) + note_on_comments(preset.name);
     text += section_from_preset(*find_section("noise.*"), path, preset.name, *keys);
     text += commented_channels(*keys, path);
-    return text + table_text(*find_section("bake.*", "noise_volume"), join_path("bake", name),
-                             bake_of_noise(name));
+    text += table_text(*find_section("bake.*", "noise_volume"), join_path("bake", name),
+                       bake_of_noise(name));
+    return text + sweep_text(join_path(path, "seed"), "[1, 2, 3]");
 }
 
 std::string cloud_init_text(const Preset& preset) {
@@ -277,7 +286,8 @@ std::string cloud_init_text(const Preset& preset) {
     text += noises.text;
     text += section_from_preset(*find_section("clouds.*"), path, preset.name, *keys);
     text += commented_tables(*keys, path);
-    return text + bakes_of_cloud(name, noises.size);
+    text += bakes_of_cloud(name, noises.size);
+    return text + sweep_text(join_path(path, "coverage"), "{ from = 0.2, to = 0.8, count = 4 }");
 }
 
 std::string init_text(const Preset& preset) {
@@ -294,7 +304,8 @@ std::string init_text(const Preset& preset) {
         text += table_text(*find_section("atmosphere"), "atmosphere", *table);
         text += layers_text(*table);
     }
-    return text + bakes_text(*root);
+    text += bakes_text(*root);
+    return text + sweep_text("atmosphere.ground_albedo", "{ from = 0, to = 0.6, count = 4 }");
 }
 
 }  // namespace skybake::config

@@ -8,6 +8,7 @@
 #include "config/key_path.h"
 #include "config/merge.h"
 #include "config/presets.h"
+#include "config/setting_text.h"
 #include "config/suggest.h"
 #include "config/text_file.h"
 #include "config/toml_source.h"
@@ -50,28 +51,6 @@ Table wrap(const std::vector<std::string>& names, Value value) {
         table = {};
     }
     return std::get<Table>(std::move(value.data));
-}
-
-std::string_view trim(std::string_view text) {
-    constexpr std::string_view blanks = " \t";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return "";
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-// The '=' between key and value: one in the quotes of a name is part of it.
-std::size_t find_equals(std::string_view setting) {
-    bool quoted = false;
-    for (std::size_t i = 0; i < setting.size(); ++i) {
-        if (quoted && setting[i] == '\\') {
-            ++i;
-        } else if (setting[i] == '"') {
-            quoted = !quoted;
-        } else if (setting[i] == '=' && !quoted) {
-            return i;
-        }
-    }
-    return std::string_view::npos;
 }
 
 // Whether two paths lead to the same file; a file that does not exist is like no other.
@@ -144,7 +123,7 @@ class Loader {
         const Place place{&source};
         const std::size_t equals = find_equals(setting);
         const std::string_view text = setting;
-        const std::optional<std::string> key = equals == std::string::npos
+        const std::optional<std::string> key = equals == std::string_view::npos
                                                    ? std::nullopt
                                                    : parse_toml_key(trim(text.substr(0, equals)));
         const auto names = key ? split_path(*key) : std::nullopt;

@@ -91,6 +91,16 @@ struct SweepReader {
         return true;
     }
 
+    // How many values an entry asks for, as far as one can see without reading them.
+    static std::size_t asked_values(const Value& value) {
+        if (const auto* list = std::get_if<Array>(&value.data)) return list->size();
+        const Table* range = as_table(value);
+        const Entry* count = range ? find_entry(*range, "count") : nullptr;
+        const auto* number = count ? std::get_if<std::int64_t>(&count->value.data) : nullptr;
+        return number && *number > 0 && *number <= most_variants ? static_cast<std::size_t>(*number)
+                                                                 : 1;
+    }
+
     bool read_values(Swept& swept) const {
         const Value& value = swept.entry->value;
         if (const auto* list = std::get_if<Array>(&value.data)) return read_list(*list, swept);
@@ -121,10 +131,14 @@ struct SweepReader {
 
     void read_keys() {
         constexpr std::size_t most_keys = 64;
+        constexpr std::size_t most_values = 4 * most_variants;
+        std::size_t listed = 0;
         for (const Entry* entry : entries()) {
-            if (keys.size() == most_keys) {
-                error("E0137", entry->key_place, fmt::format("more than {} keys vary", most_keys),
-                      "leave out those with one value");
+            listed += asked_values(entry->value);
+            if (keys.size() == most_keys || listed > most_values) {
+                error("E0137", entry->key_place, "too much varies",
+                      fmt::format("at most {} keys, with {} values together", most_keys,
+                                  most_values));
                 return;
             }
             auto key = find_swept_key(root, entry->key, entry->key_place, decoder);

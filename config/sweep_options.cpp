@@ -6,17 +6,11 @@
 #include <algorithm>
 
 #include "config/key_path.h"
+#include "config/setting_text.h"
 #include "config/toml_source.h"
 
 namespace skybake::config {
 namespace {
-
-std::string_view trim(std::string_view text) {
-    constexpr std::string_view blanks = " \t";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return "";
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 // The pieces between separators that stand neither in quotes nor in brackets.
 std::vector<std::string_view> split_outside(std::string_view text, char separator) {
@@ -95,11 +89,11 @@ std::optional<Value> values_of(std::string_view text) {
 
 // The entry of [sweep] that one --vary stands for.
 std::optional<Entry> varied_entry(const std::string& option) {
-    const std::vector<std::string_view> sides = split_outside(option, '=');
-    if (sides.size() < 2) return std::nullopt;
-    const std::optional<std::string> key = parse_toml_key(sides[0]);
-    const auto begin = static_cast<std::size_t>(sides[1].data() - option.data());
-    std::optional<Value> values = values_of(trim(std::string_view(option).substr(begin)));
+    const std::string_view text = option;
+    const std::size_t equals = find_equals(text);
+    if (equals == std::string_view::npos) return std::nullopt;
+    const std::optional<std::string> key = parse_toml_key(trim(text.substr(0, equals)));
+    std::optional<Value> values = values_of(text.substr(equals + 1));
     if (!key || !values) return std::nullopt;
     return entry_of(*key, std::move(*values));
 }

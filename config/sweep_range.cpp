@@ -231,11 +231,16 @@ std::optional<SweptRange> read_range(const Field& field, const std::string& path
     const DecodedSection section =
         decode_section(*find_section("sweep.*"), join_path("sweep", path), entry.key_place,
                        *as_table(entry.value), Absent::filled_in, decoder);
+    const Table& keys = *as_table(entry.value);
+    const bool has_unknown_keys = std::any_of(keys.begin(), keys.end(), [&](const Entry& key) {
+        return !find_field(*find_section("sweep.*"), key.key);
+    });
     const DecodedField& from = section.at("from");
     const DecodedField& to = section.at("to");
     const DecodedField& count = section.at("count");
     const DecodedField& scale = section.at("scale");
-    if (!from.value || !to.value || !scale.value || (count.source && !count.value)) {
+    const bool count_at_fault = count.source && !count.value;
+    if (!from.value || !to.value || !scale.value || count_at_fault || has_unknown_keys) {
         return std::nullopt;
     }
     const bool from_fits = check_form(field, path, *from.source, decoder);

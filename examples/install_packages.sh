@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what skybake needs on Debian 12, as root or with sudo. Does nothing where all is there.
-#   examples/install_packages.sh          to build and run
-#   examples/install_packages.sh --tests  to run the tests as well
+#   examples/install_packages.sh            to build and run
+#   examples/install_packages.sh --tests    to run the tests as well; those of pages where npm is there
+#   examples/install_packages.sh --browser  to run all of them: Debian's npm has some 300 packages
 set -euo pipefail
 
 packages=(
@@ -10,11 +11,16 @@ packages=(
     libimath-dev libopenexr-dev libopenimageio-dev libopenvdb-dev libtbb-dev libtomlplusplus-dev
     libxxhash-dev nlohmann-json3-dev zlib1g-dev
 )
-if [[ "${1:-}" == --tests ]]; then
+if [[ "${1:-}" == --tests || "${1:-}" == --browser ]]; then
     packages+=(
         clang-14 libclang-rt-14-dev libbenchmark-dev libboost-dev libgtest-dev librapidcheck-dev
         locales-all openexr python3 python3-jsonschema
     )
+    if command -v npm >/dev/null; then
+        packages+=(chromium)
+    elif [[ "$1" == --browser ]]; then
+        packages+=(chromium nodejs npm)
+    fi
 fi
 
 missing=()

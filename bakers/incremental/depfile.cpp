@@ -8,13 +8,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As GCC writes them: what all readers of depfiles understand.
+// As GCC writes them, which is what all readers of depfiles understand: a backslash is one by
+// itself, unless what follows it is escaped.
 std::string escaped(const fs::path& path) {
+    const std::string& name = path.native();
     std::string text;
-    for (const char c : path.string()) {
-        if (c == ' ' || c == '#' || c == '\\') text += '\\';
-        if (c == '$') text += '$';
-        text += c;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (name[i] == ' ' || name[i] == '#' || name[i] == ':') text += '\\';
+        if (name[i] == '$') text += '$';
+        if (name[i] == '\\') {
+            const std::size_t next = std::min(name.find_first_not_of('\\', i), name.size() - 1);
+            if (name[next] == ' ' || name[next] == '#') text += '\\';
+        }
+        text += name[i];
     }
     return text;
 }

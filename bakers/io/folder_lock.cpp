@@ -35,6 +35,16 @@ bool is_still(const fs::path& folder, int descriptor) {
            named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
 }
 
+// Linux closes the descriptors of a dying process in ascending order. The lock's is a high one, so
+// that whoever gets it from a process that was killed finds the temporaries of that one unlocked.
+// Where there are not as many descriptors it stays as it is.
+FileDescriptor closed_last(FileDescriptor descriptor) {
+    if (!descriptor.valid()) return descriptor;
+    constexpr int high = 512;  // of the 1024 that processes have by default
+    FileDescriptor last(::fcntl(descriptor.get(), F_DUPFD_CLOEXEC, high));
+    return last.valid() ? std::move(last) : std::move(descriptor);
+}
+
 }  // namespace
 
 config::Outcome<FolderLock> FolderLock::acquire(const fs::path& folder,
@@ -44,7 +54,8 @@ config::Outcome<FolderLock> FolderLock::acquire(const fs::path& folder,
     FileDescriptor open;
     for (bool waited = false;;) {
         if (!open.valid()) {
-            open = FileDescriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+            open = closed_last(
+                FileDescriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
         }
         if (!open.valid()) {
             return {{},

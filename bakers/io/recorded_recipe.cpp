@@ -56,7 +56,8 @@ void append_toml(const Json& table, const std::string& path, std::string& text) 
     if (!path.empty()) text += fmt::format("[{}]\n", path);
     for (const auto& [key, value] : table.items()) {
         if (value.is_object() || value.is_null() || only_tells_the_origin(path, key)) continue;
-        text += fmt::format("{} = {}\n", config::spell_key(key), config::spell_value(value_of(value)));
+        text +=
+            fmt::format("{} = {}\n", config::spell_key(key), config::spell_value(value_of(value)));
     }
     for (const auto& [key, value] : table.items()) {
         if (value.is_object()) append_toml(value, config::join_path(path, key), text);

@@ -3,17 +3,15 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstring>
 #include <functional>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,37 +66,41 @@ std::string temporary_prefix(const fs::path& path) {
 
 constexpr std::string_view temporary_suffix = ".tmp";
 
-// The PID of ".NAME.skybake-PID-N.tmp", or nothing for any other name.
-std::optional<pid_t> temporary_owner(std::string_view name, std::string_view prefix) {
+// Whether it is ".NAME.skybake-PID-N.tmp".
+bool is_temporary(std::string_view name, std::string_view prefix) {
     if (name.size() <= prefix.size() + temporary_suffix.size() ||
         name.substr(0, prefix.size()) != prefix ||
         name.substr(name.size() - temporary_suffix.size()) != temporary_suffix) {
-        return std::nullopt;
+        return false;
     }
     name = name.substr(prefix.size(), name.size() - prefix.size() - temporary_suffix.size());
     pid_t owner = 0;
     unsigned number = 0;
     const char* const end = name.data() + name.size();
     const auto pid = std::from_chars(name.data(), end, owner);
-    if (pid.ec != std::errc{} || pid.ptr == end || *pid.ptr != '-' || owner <= 0)
-        return std::nullopt;
+    if (pid.ec != std::errc{} || pid.ptr == end || *pid.ptr != '-' || owner <= 0) return false;
     const auto count = std::from_chars(pid.ptr + 1, end, number);
-    if (count.ec != std::errc{} || count.ptr != end) return std::nullopt;
-    return owner;
+    return count.ec == std::errc{} && count.ptr == end;
 }
 
-// A temporary is left over if its process is gone *and* nobody holds its lock: process numbers are
-// told apart by neither containers nor machines that share a folder, the lock is.
-bool is_left_over(const fs::path& temporary, pid_t owner) {
-    const bool alive = owner != ::getpid() && (::kill(owner, 0) == 0 || errno != ESRCH);
-    if (alive) return false;
+// Removes a temporary that nobody holds the lock of: its process is gone. Its number would not
+// tell, since a process that is being killed, or that its parent has not waited for, still has one,
+// another may have it by now, and neither containers nor machines that share a folder tell them
+// apart.
+void remove_if_left_over(const fs::path& temporary) {
     const FileDescriptor file(
         ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    return file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
+    if (file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(temporary.c_str());
 }
 
-// Held while a temporary exists without its lock, so that no other thread takes it for a left-over.
-std::mutex creation_mutex;
+// Locks a temporary that has just been made. False where another process has taken it for a
+// left-over in the meantime: it holds the lock, or the name is gone. File systems without locks
+// have no left-overs removed either.
+bool lock_unless_removed(int descriptor) {
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+    struct stat status {};
+    return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
 
 // What a name would begin with if it were a temporary's.
 std::string own_prefix(const std::string& name) {
@@ -109,23 +111,20 @@ std::string own_prefix(const std::string& name) {
 
 void remove_stale(const fs::path& folder,
                   const std::function<std::string(const std::string& name)>& prefix_for) {
-    const std::lock_guard lock(creation_mutex);
     std::error_code error;
-    std::vector<fs::path> stale;
+    std::vector<fs::path> temporaries;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
         const std::string name = entry->path().filename().native();
-        const auto owner = temporary_owner(name, prefix_for(name));
-        if (owner && is_left_over(entry->path(), *owner)) stale.push_back(entry->path());
+        if (is_temporary(name, prefix_for(name))) temporaries.push_back(entry->path());
     }
-    for (const fs::path& temporary : stale) ::unlink(temporary.c_str());
+    for (const fs::path& temporary : temporaries) remove_if_left_over(temporary);
 }
 
 }  // namespace
 
 TemporaryFile::TemporaryFile(const fs::path& target) {
     static std::atomic<unsigned> counter{0};
-    const std::lock_guard lock(creation_mutex);
     do {
         leave(slot_);
         path_ = target.parent_path() / fmt::format("{}{}-{}{}", temporary_prefix(target),
@@ -133,9 +132,7 @@ TemporaryFile::TemporaryFile(const fs::path& target) {
         slot_ = enter(path_);  // first: no moment in which a signal would miss the file
         file_ =
             FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    } while (!file_.valid() && (errno == EINTR || errno == EEXIST));
-    // Where a file system has no locks the sweep finds none either, and removes nothing.
-    if (file_.valid()) ::flock(file_.get(), LOCK_EX | LOCK_NB);
+    } while (file_.valid() ? !lock_unless_removed(file_.get()) : errno == EINTR || errno == EEXIST);
 }
 
 TemporaryFile::~TemporaryFile() {

@@ -30,7 +30,7 @@ class TemporaryFile {
     bool renamed_ = false;
 };
 
-// Removes temporaries of `target` whose process is gone. Errors are not reported: a leftover is
+// Removes temporaries of `target` that no process is writing. Errors are not reported: a leftover is
 // untidy, not wrong.
 void remove_stale_temporaries(const std::filesystem::path& target);
 

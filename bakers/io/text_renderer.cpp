@@ -103,10 +103,11 @@ Glyph glyph_of(const FT_GlyphSlot slot, int whole_pixels) {
     Glyph glyph{slot->bitmap_left + whole_pixels, -slot->bitmap_top, static_cast<int>(bitmap.width),
                 static_cast<int>(bitmap.rows),
                 std::vector<std::uint8_t>(std::size_t{bitmap.width} * bitmap.rows)};
+    auto to = glyph.coverage.begin();
     for (unsigned row = 0; row < bitmap.rows; ++row) {
         const unsigned char* const from =
             bitmap.buffer + static_cast<std::ptrdiff_t>(row) * bitmap.pitch;
-        std::copy_n(from, bitmap.width, glyph.coverage.begin() + std::size_t{row} * bitmap.width);
+        to = std::copy_n(from, bitmap.width, to);
     }
     return glyph;
 }

@@ -21,7 +21,7 @@ struct Step {
 std::vector<double> steps_within(double range, AxisTicks kind) {
     std::vector<double> steps;
     if (kind == AxisTicks::angles) {
-        for (const double angle : {90.0, 45.0, 30.0, 15.0, 5.0}) {
+        for (const double angle : {90.0, 30.0, 15.0, 5.0}) {
             if (angle <= range) steps.push_back(angle);
         }
         range = std::min(range, 2.0);

@@ -7,6 +7,7 @@
 #include "bakers/core/parallel.h"
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/tiles.h"
+#include "bakers/incremental/asset_identity.h"
 #include "bakers/io/metadata.h"
 #include "bakers/registry.h"
 
@@ -41,47 +42,94 @@ std::vector<float> stored_voxels(const BakedVolume& volume, const VolumeLevel& l
     return voxels;
 }
 
-void add_volume(BakedVolume volume, const BakeOptions& options, PreviewAssets& shown) {
+PreviewAsset volume_asset(const BakedVolume& volume, const BakeOptions& options,
+                          std::vector<std::string>& notes) {
     ManifestAsset entry = describe(volume);
     entry.timing = {volume.bake_seconds, 0, thread_count(options.threads)};
     const std::optional<std::size_t> level = previewed_level(entry);
-    if (level != std::size_t{0}) shown.notes.push_back(level_note(entry, level));
+    if (level != std::size_t{0}) notes.push_back(level_note(entry, level));
     PreviewAsset asset;
     asset.entry = level ? at_level(entry, *level) : std::move(entry);
     if (level) asset.voxels = stored_voxels(volume, volume.levels[*level], options);
-    shown.assets.push_back(std::move(asset));
+    return asset;
 }
 
-void add_table(BakedTable table, const BakeOptions& options, PreviewAssets& shown) {
+PreviewAsset table_asset(BakedTable table, const BakeOptions& options) {
     ManifestAsset entry = describe(table);
     entry.timing = {table.bake_seconds, 0, thread_count(options.threads)};
-    shown.assets.push_back({std::move(entry), std::move(table.image), {}});
+    return {std::move(entry), std::move(table.image), {}};
 }
+
+class PreviewBake {
+  public:
+    PreviewBake(const config::Recipe& recipe, const BakeOptions& options, AssetMemory* memory)
+        : recipe_(recipe), options_(options), memory_(memory) {}
+
+    Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
+        shown_.title = title;
+        shown_.recipe = recipe_;
+        for (const config::Bake& bake : bakes) {
+            const bool made = add(bake);
+            if (options_.progress != nullptr && options_.progress->cancelled()) return {};
+            if (!made) return {{}, std::move(diagnostics_)};
+        }
+        if (memory_ != nullptr) *memory_ = std::move(fresh_memory_);
+        return {std::move(shown_), std::move(diagnostics_)};
+    }
+
+  private:
+    bool add(const config::Bake& bake) {
+        const std::string key = key_of(bake);
+        if (const PreviewAsset* known = remembered(key)) {
+            shown_.assets.push_back(*known);
+        } else if (!add_baked(bake)) {
+            return false;
+        }
+        if (!key.empty()) fresh_memory_.assets[key] = shown_.assets.back();
+        return true;
+    }
+
+    // Empty without a memory, and where an input cannot be read, which is for the bake to report.
+    std::string key_of(const config::Bake& bake) const {
+        if (memory_ == nullptr) return "";
+        const auto identity = asset_identity(recipe_, bake, options_.certification);
+        return identity.value ? identity.value->key : "";
+    }
+
+    const PreviewAsset* remembered(const std::string& key) const {
+        if (key.empty()) return nullptr;
+        const auto known = memory_->assets.find(key);
+        return known == memory_->assets.end() ? nullptr : &known->second;
+    }
+
+    bool add_baked(const config::Bake& bake) {
+        Outcome<BakedAsset> baked = bake_asset(recipe_, bake, options_);
+        std::move(baked.diagnostics.begin(), baked.diagnostics.end(),
+                  std::back_inserter(diagnostics_));
+        if (!baked.value) return false;
+        if (const auto* volume = std::get_if<BakedVolume>(&*baked.value)) {
+            shown_.assets.push_back(volume_asset(*volume, options_, shown_.notes));
+        } else {
+            shown_.assets.push_back(
+                table_asset(std::get<BakedTable>(std::move(*baked.value)), options_));
+        }
+        return true;
+    }
+
+    const config::Recipe& recipe_;
+    const BakeOptions& options_;
+    AssetMemory* memory_;
+    AssetMemory fresh_memory_;
+    PreviewAssets shown_;
+    std::vector<config::Diagnostic> diagnostics_;
+};
 
 }  // namespace
 
 Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
                                    std::span<const config::Bake> bakes, const std::string& title,
-                                   const BakeOptions& options) {
-    Outcome<PreviewAssets> outcome;
-    PreviewAssets shown;
-    shown.title = title;
-    shown.parameters = recipe.parameters;
-    for (const config::Bake& bake : bakes) {
-        Outcome<BakedAsset> baked = bake_asset(recipe, bake, options);
-        std::move(baked.diagnostics.begin(), baked.diagnostics.end(),
-                  std::back_inserter(outcome.diagnostics));
-        if (options.progress != nullptr && options.progress->cancelled()) return {};
-        if (!baked.value) return outcome;
-        if (auto* volume = std::get_if<BakedVolume>(&*baked.value)) {
-            add_volume(std::move(*volume), options, shown);
-        } else {
-            add_table(std::get<BakedTable>(std::move(*baked.value)), options, shown);
-        }
-        if (options.progress != nullptr && options.progress->cancelled()) return {};
-    }
-    outcome.value = std::move(shown);
-    return outcome;
+                                   const BakeOptions& options, AssetMemory* memory) {
+    return PreviewBake(recipe, options, memory).bake(bakes, title);
 }
 
 }  // namespace skybake

@@ -61,11 +61,12 @@ Canvas::Canvas(int width, int height, Colour background) : picture_(width, heigh
 }
 
 void Canvas::fill(int x, int y, int width, int height, Colour colour) {
-    const int x_end = std::min(x + width, picture_.width);
-    const int y_end = std::min(y + height, picture_.height);
-    for (int row = std::max(y, 0); row < y_end; ++row) {
-        for (int column = std::max(x, 0); column < x_end; ++column) {
-            blend(column, row, colour, 1);
+    const int x_begin = std::max(x, 0), x_end = std::min(x + width, picture_.width);
+    for (int row = std::max(y, 0); row < std::min(y + height, picture_.height); ++row) {
+        auto pixel = picture_.rgb.begin() +
+                     3 * (static_cast<std::ptrdiff_t>(row) * picture_.width + x_begin);
+        for (int column = x_begin; column < x_end; ++column) {
+            pixel = std::copy(colour.begin(), colour.end(), pixel);
         }
     }
 }

@@ -6,6 +6,7 @@
 
 #include "bakers/preview/chart_frame.h"
 #include "bakers/preview/colour_map.h"
+#include "bakers/preview/field_scaling.h"
 
 namespace skybake {
 namespace {
@@ -15,16 +16,20 @@ constexpr int plot_to_bar = 18;
 
 // --- Colours ------------------------------------------------------------------------------------
 
+// Where there is no value.
+constexpr Colour missing_colour = {0xd0, 0xd4, 0xd9};
+
 // Where a value stands on a scale: 0 at low, 1 at high; beyond them, and what has no logarithm, at
 // the nearer end.
 double place_on(const ColourScale& scale, double value) {
     const double t = scale.logarithmic ? std::log(std::max(value, scale.low) / scale.low) /
                                              std::log(scale.high / scale.low)
                                        : (value - scale.low) / (scale.high - scale.low);
-    return std::isnan(t) ? 0 : std::clamp(t, 0.0, 1.0);
+    return std::isnan(t) ? 0.5 : std::clamp(t, 0.0, 1.0);  // low == high
 }
 
 Colour colour_of(const ColourScale& scale, double value) {
+    if (std::isnan(value)) return missing_colour;
     const double t = place_on(scale, value);
     return scale.diverging ? diverging_colour(t) : sequential_colour(t);
 }
@@ -38,38 +43,14 @@ ChartAxis axis_of(const ColourScale& scale) {
     return {scale.title, linear, AxisTicks::decimal};
 }
 
-// --- Fields -------------------------------------------------------------------------------------
-
-// Means of blocks of `block` x `block` texels; the last ones of a row or column may be smaller.
-Image2<float> averaged(const Image2<float>& field, int block) {
-    Image2<float> small((field.width + block - 1) / block, (field.height + block - 1) / block, 1);
-    for (int y = 0; y < small.height; ++y) {
-        for (int x = 0; x < small.width; ++x) {
-            const int x_end = std::min((x + 1) * block, field.width);
-            const int y_end = std::min((y + 1) * block, field.height);
-            double sum = 0;
-            for (int row = y * block; row < y_end; ++row) {
-                for (int column = x * block; column < x_end; ++column) {
-                    sum += double{*field.texel(column, row)};
-                }
-            }
-            const int count = (x_end - x * block) * (y_end - y * block);
-            *small.texel(x, y) = static_cast<float>(sum / count);
-        }
-    }
-    return small;
-}
-
-// Each texel as a square of `edge` pixels, row 0 at the bottom.
-Picture coloured(const Image2<float>& field, const ColourScale& scale, int edge) {
-    Picture picture(field.width * edge, field.height * edge);
-    for (int y = 0; y < picture.height; ++y) {
-        const int row = field.height - 1 - y / edge;
+// One pixel a texel, row 0 at the bottom.
+Picture coloured(const Image2<float>& field, const ColourScale& scale) {
+    Picture picture(field.width, field.height);
+    auto pixel = picture.rgb.begin();
+    for (int y = field.height - 1; y >= 0; --y) {
         for (int x = 0; x < field.width; ++x) {
-            const Colour colour = colour_of(scale, double{*field.texel(x, row)});
-            auto pixel = picture.rgb.begin() +
-                         3 * (static_cast<std::ptrdiff_t>(y) * picture.width + x * edge);
-            for (int i = 0; i < edge; ++i) pixel = std::copy(colour.begin(), colour.end(), pixel);
+            const Colour colour = colour_of(scale, double{*field.texel(x, y)});
+            pixel = std::copy(colour.begin(), colour.end(), pixel);
         }
     }
     return picture;
@@ -109,13 +90,9 @@ void draw_bar(ChartFrame& frame, const ColourScale& scale, const std::vector<Axi
 Picture false_colour_chart(const Image2<float>& field, const ColourScale& scale,
                            const std::string& title, const ChartAxis& across, const ChartAxis& up,
                            int smallest_edge) {
-    constexpr int longest_edge = 1024;  // of a field that is not averaged
-    const int longer = std::max(field.width, field.height);
-    const int block = (longer + longest_edge - 1) / longest_edge;
-    const Image2<float> shown = block > 1 ? averaged(field, block) : field;
-    const int shown_edge = std::max(shown.width, shown.height);
-    const Picture plot = coloured(shown, scale, (smallest_edge + shown_edge - 1) / shown_edge);
-
+    if (field.width <= 0 || field.height <= 0) return {};
+    const int longest_edge = std::max(1024, 2 * smallest_edge);
+    const Picture plot = coloured(fitted(field, smallest_edge, longest_edge), scale);
     const ChartAxis bar_axis = axis_of(scale);
     const std::vector<AxisTick> ticks = axis_ticks(bar_axis, tick_gap_up(plot.height));
     const int room = room_for_bar(ticks);
@@ -127,6 +104,7 @@ Picture false_colour_chart(const Image2<float>& field, const ColourScale& scale,
 
 Picture framed(const Picture& picture, const std::string& title, const ChartAxis& across,
                const ChartAxis& up) {
+    if (picture.width <= 0 || picture.height <= 0) return {};
     ChartFrame frame = make_frame({picture.width, picture.height, title, across, up, 0, 0});
     frame.canvas.place(picture, frame.plot.x, frame.plot.y);
     return frame.canvas.picture();

@@ -15,7 +15,7 @@ namespace skybake {
 
 enum class AxisTicks {
     decimal,      // at 1, 2 and 5 times powers of ten
-    angles,       // at 90, 45, 30, 15 degrees where there is no room for finer ones
+    angles,       // at 90, 30, 15, 5 degrees where there is no room for finer ones
     logarithmic,  // at powers of ten
 };
 
@@ -36,13 +36,16 @@ struct ColourScale {
     std::string title;       // "transmittance"
 };
 
-// A scalar field in false colours (one channel; row 0 at the bottom), enlarged to at least
-// `smallest_edge` pixels along its longer edge by nearest texels, with axes and colour bar.
+// A scalar field in false colours (one channel; row 0 at the bottom; grey where it is NaN),
+// enlarged to at least `smallest_edge` pixels along its longer edge by nearest texels, with axes
+// and colour bar. Fields of more than 1024 texels along an edge, or 2 smallest_edge, are averaged.
+// An empty field has an empty chart.
 Picture false_colour_chart(const Image2<float>& field, const ColourScale& scale,
                            const std::string& title, const ChartAxis& across, const ChartAxis& up,
                            int smallest_edge = 512);
 
-// A finished picture (row 0 at the top) in the same frame, without a colour bar.
+// A finished picture (row 0 at the top) in the same frame, without a colour bar; of an empty
+// one, an empty chart.
 Picture framed(const Picture& picture, const std::string& title, const ChartAxis& across,
                const ChartAxis& up);
 

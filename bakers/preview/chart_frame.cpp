@@ -55,7 +55,7 @@ void draw_ticks_up(ChartFrame& frame, const std::string& title) {
 
 }  // namespace
 
-double tick_gap_up(int pixels) { return 2.0 * tick_style.em_pixels / pixels; }
+double tick_gap_up(int pixels) { return 2.8 * tick_style.em_pixels / pixels; }
 
 void draw_border(Canvas& canvas, const PlotArea& area) {
     canvas.fill(area.x - 1, area.y - 1, area.width + 2, 1, border_colour);

@@ -28,13 +28,6 @@ struct Blocks {
     }
 };
 
-double density(const CloudOptics& optics, float value) {
-    if (!(double{value} > (optics.has_edge ? optics.threshold : 0.0))) return 0;
-    if (!optics.has_edge || optics.edge_softness == 0) return double{value};
-    const double x = std::min((double{value} - optics.threshold) / optics.edge_softness, 1.0);
-    return double{value} * x * x * (3 - 2 * x);
-}
-
 double mean_density(const CloudMedium& medium, const Blocks& blocks, int i, int j, int k) {
     double sum = 0;
     int count = 0;
@@ -43,7 +36,7 @@ double mean_density(const CloudMedium& medium, const Blocks& blocks, int i, int 
             const float* row = medium.volume.values.data() + (z + 1) * medium.volume.plane() +
                                (y + 1) * medium.volume.row() + 1;
             for (int x = blocks.first(0, i); x < blocks.first(0, i + 1); ++x) {
-                sum += density(medium.optics, row[x]);
+                sum += density(medium.optics, double{row[x]});
                 ++count;
             }
         }
@@ -154,27 +147,6 @@ DiffuseShare diffuse_share(const CloudMedium& medium, int block, int threads) {
     carry(medium, blocks, depths, false, shares);
     result.from_ground = padded_volume(shares.data(), blocks.size, 0, 1, threads);
     return result;
-}
-
-LightSegments light_segments(double first_m, double growth, double length_m) {
-    LightSegments segments;
-    double begin = 0;
-    for (double length = first_m; begin < length_m; length *= growth) {
-        segments.begin_m.push_back(static_cast<float>(begin));
-        segments.length_m.push_back(static_cast<float>(length));
-        begin += length;
-    }
-    segments.bucket_m = static_cast<float>(first_m);
-    std::size_t ended = 0;
-    for (int bucket = 0; bucket * first_m <= begin; ++bucket) {
-        const float edge = static_cast<float>(bucket) * segments.bucket_m;
-        while (ended < segments.begin_m.size() &&
-               segments.begin_m[ended] + segments.length_m[ended] <= edge) {
-            ++ended;
-        }
-        segments.first_beyond.push_back(static_cast<float>(ended));
-    }
-    return segments;
 }
 
 }  // namespace skybake

@@ -58,15 +58,4 @@ struct DiffuseShare {
 };
 DiffuseShare diffuse_share(const CloudMedium& medium, int block, int threads);
 
-// Segments of a march towards the sun: the first as long as the medium's voxels, each longer than
-// the one before by `growth`, until `length_m` is covered.
-struct LightSegments {
-    std::vector<float> begin_m;
-    std::vector<float> length_m;
-    // first_beyond[i] segments end at or before i * bucket_m.
-    std::vector<float> first_beyond;
-    float bucket_m = 1;
-};
-LightSegments light_segments(double first_m, double growth, double length_m);
-
 }  // namespace skybake

@@ -26,6 +26,9 @@ struct CloudOptics {
 
 CloudOptics cloud_optics(const config::Cloud& cloud);
 
+// Extinction over extinction_per_m, of a value in double.
+double density(const CloudOptics& optics, double value);
+
 // Voxels with one more on each side, so that the eight voxels of any lookup are where they should
 // be: of the next tile along x and y, the same again along z.
 struct PaddedVolume {

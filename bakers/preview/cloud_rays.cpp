@@ -4,7 +4,11 @@
 // Highway wants its own header after foreach_target.h.
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "bakers/preview/cloud_rays.h"
 #include "bakers/preview/ray_lanes-inl.h"
@@ -66,8 +70,8 @@ HWY_INLINE RayFloats lookup(const PaddedVolume& volume, RayFloats x, RayFloats y
                  mixed(along_x(plane), along_x(plane + row), ty.weight), tz.weight);
 }
 
-// Samples evenly along a ray.
-struct EvenSamples {
+// Samples stand evenly along a ray.
+struct Samples {
     RayFloats jitter;
     float step_m;
     float steps_per_m;
@@ -79,31 +83,12 @@ struct EvenSamples {
     }
 };
 
-// Samples in the segments towards the sun.
-struct SegmentSamples {
-    RayFloats jitter;
-    const LightSegments& segments;
-    float last_bucket;
-
-    HWY_INLINE RayFloats length(RayFloats k) const {
-        return gather(segments.length_m.data(), to_int(k));
-    }
-    HWY_INLINE RayFloats distance(RayFloats k) const {
-        return gather(segments.begin_m.data(), to_int(k)) + jitter * length(k);
-    }
-    HWY_INLINE RayFloats first_beyond(RayFloats distance_m) const {
-        const RayFloats bucket =
-            minimum(distance_m * RayFloats(1 / segments.bucket_m), RayFloats(last_bucket));
-        return gather(segments.first_beyond.data(), to_int(maximum(bucket, RayFloats(0.0F))));
-    }
-};
-
 // A ray with its samples, in each lane.
-template <class Samples>
 struct Path {
     const CloudMedium& medium;
     RayFloats origin_x, origin_y, origin_z;           // voxels
     RayFloats direction_x, direction_y, direction_z;  // voxels per metre
+    RayFloats pace_x, pace_y, pace_z;                 // metres per voxel
     Samples samples;
 
     HWY_INLINE RayFloats x_at(RayFloats t) const { return origin_x + t * direction_x; }
@@ -119,89 +104,74 @@ struct Path {
         place.within_height = (RayFloats(0.0F) <= place.z) & (place.z <= top);
         return place;
     }
-
-    RayFloats leap(RayMask going, RayFloats k, RayFloats end, std::int64_t& cells) const;
 };
 
-// A box of places from `low` to below `high`.
-struct Box {
-    RayFloats low_x, low_y, low_z;
-    RayFloats high_x, high_y, high_z;
+// 1 / direction; where a coordinate does not move, 2^60 of the unit stands for never.
+HWY_INLINE RayFloats pace_of(RayFloats direction) {
+    const RayMask still = (RayFloats(0.0F) <= direction) & (direction <= RayFloats(0.0F));
+    return select(still, RayFloats(0x1p60F),
+                  RayFloats(1.0F) / select(still, RayFloats(1.0F), direction));
+}
+
+// Places from `low` to below `high`.
+struct Interval {
+    RayFloats low, high;
+
+    HWY_INLINE RayMask contains(RayFloats x) const { return (low <= x) & (x < high); }
 };
 
-// The cell of a place and everything within its reach.
-HWY_INLINE void box_about(RayInts cell, int shift, int size, RayFloats tile, RayFloats reach,
-                          RayFloats& low, RayFloats& high) {
+// A cell along one axis and everything within its reach.
+HWY_INLINE Interval interval_about(RayInts cell, int shift, int size, RayFloats tile,
+                                   RayFloats reach) {
     const RayFloats first = to_float(shifted_left(cell, shift));
     const RayFloats last = minimum(to_float(shifted_left(cell + RayInts(1), shift)),
                                    RayFloats(static_cast<float>(size)));
-    low = (tile + first) - reach;
-    high = (tile + last) + reach;
+    return {(tile + first) - reach, (tile + last) + reach};
 }
 
-// The distance at which a coordinate leaves [low, high]. Where it does not move, 2^60 of the unit
-// stands for never.
-HWY_INLINE RayFloats exit_distance(RayFloats origin, RayFloats direction, RayFloats low,
-                                   RayFloats high) {
-    const RayMask forwards = RayFloats(0.0F) < direction;
-    const RayMask still = (RayFloats(0.0F) <= direction) & (direction <= RayFloats(0.0F));
-    const RayFloats face = select(forwards, high, low);
-    const RayFloats speed = select(still, RayFloats(1.0F), direction);
-    return select(still, RayFloats(0x1p60F), (face - origin) / speed);
+// About the distance at which a coordinate leaves an interval. `pace` is 1 / direction.
+HWY_INLINE RayFloats exit_distance(RayFloats origin, RayFloats pace, const Interval& within) {
+    const RayFloats face = select(RayFloats(0.0F) < pace, within.high, within.low);
+    return (face - origin) * pace;
 }
 
-// The next sample from k on that is in an occupied cell, for the lanes that are `going`; at most
-// `end`. Samples that are not within the volume's height are left to the caller.
-template <class Samples>
-HWY_INLINE RayFloats Path<Samples>::leap(RayMask going, RayFloats k, RayFloats end,
-                                         std::int64_t& cells) const {
-    const LeapGrid& grid = medium.leaps;
-    const std::array<int, 3>& size = medium.volume.size;
+// Of lanes that are `looking` at sample k, those whose cell is empty; these get `next`: the first
+// sample that is not known to be in empty cells, or `end`.
+HWY_INLINE RayMask leap(const Path& path, const Place& at, RayMask looking, RayFloats k,
+                        RayFloats end, RayFloats& next) {
+    const LeapGrid& grid = path.medium.leaps;
+    const std::array<int, 3>& size = path.medium.volume.size;
     const int shift = std::countr_zero(static_cast<unsigned>(grid.cell));
-    RayMask looking = going & (k < end);
-    while (any(looking)) {
-        const Place at = place(samples.distance(zero_unless(looking, k)));
-        looking = looking & at.within_height;
-        const RayInts cell_x = shifted_right(to_int(at.x), shift);
-        const RayInts cell_y = shifted_right(to_int(at.y), shift);
-        // The volume's top belongs to the highest cell.
-        const RayFloats z = zero_unless(looking, at.z);
-        const RayInts cell_z = minimum(shifted_right(to_int(z), shift), RayInts(grid.cells[2] - 1));
-        const RayInts index =
-            (cell_z * RayInts(grid.cells[1]) + cell_y) * RayInts(grid.cells[0]) + cell_x;
-        const RayFloats reach = gather(grid.reach.data(), index);
-        cells += count_of(looking);
-        looking = looking & (RayFloats(0.0F) <= reach);
-        if (!any(looking)) break;
+    const RayInts cell_x = shifted_right(to_int(at.x), shift);
+    const RayInts cell_y = shifted_right(to_int(at.y), shift);
+    // The volume's top belongs to the highest cell.
+    const RayInts cell_z = minimum(shifted_right(to_int(zero_unless(looking, at.z)), shift),
+                                   RayInts(grid.cells[2] - 1));
+    const RayFloats reach =
+        gather(grid.reach.data(),
+               (cell_z * RayInts(grid.cells[1]) + cell_y) * RayInts(grid.cells[0]) + cell_x);
+    const RayMask empty = looking & (RayFloats(0.0F) <= reach);
+    if (!any(empty)) return empty;
 
-        Box box;
-        box_about(cell_x, shift, size[0], at.tile_x, reach, box.low_x, box.high_x);
-        box_about(cell_y, shift, size[1], at.tile_y, reach, box.low_y, box.high_y);
-        box_about(cell_z, shift, size[2], RayFloats(0.0F), reach, box.low_z, box.high_z);
-        const RayFloats exit =
-            minimum(exit_distance(origin_x, direction_x, box.low_x, box.high_x),
-                    minimum(exit_distance(origin_y, direction_y, box.low_y, box.high_y),
-                            exit_distance(origin_z, direction_z, box.low_z, box.high_z)));
+    const Interval x = interval_about(cell_x, shift, size[0], at.tile_x, reach);
+    const Interval y = interval_about(cell_y, shift, size[1], at.tile_y, reach);
+    const Interval z = interval_about(cell_z, shift, size[2], RayFloats(0.0F), reach);
+    const RayFloats exit = minimum(exit_distance(path.origin_x, path.pace_x, x),
+                                   minimum(exit_distance(path.origin_y, path.pace_y, y),
+                                           exit_distance(path.origin_z, path.pace_z, z)));
 
-        // Geometry says about where the samples within the box end. Positions go one way along each
-        // axis, their roundings too: if the last of them is within it, all are.
-        const RayFloats next_k = k + RayFloats(1.0F);
-        RayFloats next = minimum(maximum(samples.first_beyond(exit), next_k), end);
-        for (;;) {
-            const RayFloats t = samples.distance(zero_unless(looking, next - RayFloats(1.0F)));
-            const RayFloats x = x_at(t);
-            const RayFloats y = y_at(t);
-            const RayFloats last_z = z_at(t);
-            const RayMask inside = (box.low_x <= x) & (x < box.high_x) & (box.low_y <= y) &
-                                   (y < box.high_y) & (box.low_z <= last_z) & (last_z < box.high_z);
-            const RayMask too_far = and_not(looking & (next_k < next), inside);
-            if (!any(too_far)) break;
-            next = select(too_far, next - RayFloats(1.0F), next);
-        }
-        k = select(looking, next, k);
-        looking = looking & (k < end);
+    // Geometry says about where the samples within the box end. Positions go one way along each
+    // axis, their roundings too: if the last of them is within it, all are.
+    const RayFloats at_least = k + RayFloats(1.0F);
+    next = minimum(maximum(path.samples.first_beyond(exit), at_least), end);
+    for (;;) {
+        const RayFloats t = path.samples.distance(zero_unless(empty, next - RayFloats(1.0F)));
+        const RayMask inside =
+            x.contains(path.x_at(t)) & y.contains(path.y_at(t)) & z.contains(path.z_at(t));
+        const RayMask too_far = and_not(empty & (at_least < next), inside);
+        if (!any(too_far)) return empty;
+        next = select(too_far, next - RayFloats(1.0F), next);
     }
-    return k;
 }
 
 // Extinction per metre at places of the volume, 0 elsewhere.
@@ -219,41 +189,178 @@ HWY_INLINE RayFloats extinction(const CloudMedium& medium, const Place& at, RayM
     return zero_unless(visible, sigma);
 }
 
-// The optical depth from places towards the sun, for the lanes in `lit`.
-HWY_INLINE RayFloats depth_towards_sun(const CloudMarch& march, const Place& from, RayMask lit,
-                                       RayFloats jitter, FetchCounts& counts) {
-    const LightSegments& segments = *march.segments;
-    const RayFloats count(static_cast<float>(segments.begin_m.size()));
-    const Path<SegmentSamples> path{
-        *march.medium,
-        zero_unless(lit, from.x),
-        zero_unless(lit, from.y),
-        zero_unless(lit, from.z),
-        RayFloats(march.light_direction[0]),
-        RayFloats(march.light_direction[1]),
-        RayFloats(march.light_direction[2]),
-        {jitter, segments, static_cast<float>(segments.first_beyond.size() - 1)}};
-    RayFloats tau(0.0F);
-    RayFloats k(0.0F);
-    RayMask going = lit & (k < count);
-    while (any(going)) {
-        if (march.leaping) {
-            k = path.leap(going, k, count, counts.cells);
-            going = going & (k < count);
-            if (!any(going)) break;
-        }
-        const RayFloats inside_k = zero_unless(going, k);
-        const Place at = path.place(path.samples.distance(inside_k));
-        going = going & at.within_height;  // which it never enters again
-        if (!any(going)) break;
-        counts.light_samples += count_of(going);
-        const RayFloats sigma = extinction(*march.medium, at, going);
-        tau = tau + sigma * path.samples.length(inside_k);
-        k = k + RayFloats(1.0F);
-        going = going & (k < count);
-    }
-    return tau;
+// How far lanes are: at sample k, the one before it having been nothing or not.
+struct Progress {
+    RayFloats k;
+    RayFloats was_empty;  // 1 or 0
+};
+
+// Which lanes look into the volume at their sample; of the others that are going, those that stand
+// in empty cells have leapt on. A lane looks for an empty cell only after a sample that was
+// nothing: in clouds there is none. Where few lanes are left to look into the volume, they wait
+// for the others to leap.
+HWY_INLINE RayMask leap_or_look(const Path& path, const Place& at, RayMask going, RayFloats end,
+                                Progress& progress, std::int64_t& cells) {
+    constexpr std::int64_t kFew = static_cast<std::int64_t>(RayFloats::kCount) / 4;
+    const RayMask looking = going & (RayFloats(0.0F) < progress.was_empty);
+    if (!any(looking)) return going;
+    cells += count_of(looking);
+    RayFloats next = progress.k;
+    const RayMask empty = leap(path, at, looking, progress.k, end, next);
+    if (!any(empty)) return going;
+    progress.k = select(empty, next, progress.k);
+    const RayMask rest = and_not(going, empty);
+    progress.was_empty = select(rest, RayFloats(0.0F), progress.was_empty);
+    return count_of(rest) <= kFew && any(empty & (progress.k < end)) ? and_not(rest, rest) : rest;
 }
+
+// Beyond the sample that lanes have looked at.
+HWY_INLINE void step_on(RayMask sampled, RayFloats sigma, Progress& progress) {
+    const RayFloats empty = select(RayFloats(0.0F) < sigma, RayFloats(0.0F), RayFloats(1.0F));
+    progress.was_empty = select(sampled, empty, progress.was_empty);
+    progress.k = select(sampled, progress.k + RayFloats(1.0F), progress.k);
+}
+
+// Where the light is looked up: after the march of a block's rays, all at once.
+struct LightPoint {
+    float x, y, z;  // voxels, within the tile
+    float jitter;   // of its samples towards the sun
+    float k;        // the next of them
+    float tau;      // of those before
+    float weight;   // the share of its light that reaches the eye
+    std::uint32_t ray;
+};
+using LightPoints = std::vector<LightPoint>;
+
+// Marches from all points towards the sun. Points that are to look into the volume next are kept
+// apart from those that are to look for empty cells, so that vectors are full of either.
+class SunMarches {
+  public:
+    SunMarches(const CloudMarch& march, LightPoints& points, FetchCounts& counts)
+        : march_(march), points_(points), counts_(counts) {}
+
+    HWY_NOINLINE void run() {
+        for (;;) {
+            if (leaping_.size() >= kLanes) {
+                leap_some();
+                continue;
+            }
+            // In clouds at first.
+            while (sampling_.size() < kLanes && next_ < points_.size())
+                sampling_.push_back(next_++);
+            if (!sampling_.empty()) {
+                sample_some();
+            } else if (!leaping_.empty()) {
+                leap_some();
+            } else {
+                return;
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t kLanes = RayFloats::kCount;
+    using Waiting = std::vector<std::size_t>;
+
+    // The last points of those that wait, in the lanes that are `going`.
+    struct Batch {
+        std::size_t points[kLanes];
+        std::size_t count;
+        alignas(64) float x[kLanes] = {};
+        alignas(64) float y[kLanes] = {};
+        alignas(64) float z[kLanes] = {};
+        alignas(64) float jitter[kLanes] = {};
+        alignas(64) float k[kLanes] = {};
+        alignas(64) float going[kLanes] = {};
+    };
+
+    void take(Waiting& waiting, Batch& batch) const {
+        batch.count = std::min(kLanes, waiting.size());
+        for (std::size_t lane = 0; lane < batch.count; ++lane) {
+            const std::size_t index = waiting[waiting.size() - batch.count + lane];
+            const LightPoint& point = points_[index];
+            batch.points[lane] = index;
+            batch.x[lane] = point.x;
+            batch.y[lane] = point.y;
+            batch.z[lane] = point.z;
+            batch.jitter[lane] = point.jitter;
+            batch.k[lane] = point.k;
+            batch.going[lane] = 1;
+        }
+        waiting.resize(waiting.size() - batch.count);
+    }
+
+    Path path_of(const Batch& batch) const {
+        return {*march_.medium,
+                RayFloats::load(batch.x),
+                RayFloats::load(batch.y),
+                RayFloats::load(batch.z),
+                RayFloats(march_.light_direction[0]),
+                RayFloats(march_.light_direction[1]),
+                RayFloats(march_.light_direction[2]),
+                pace_of(RayFloats(march_.light_direction[0])),
+                pace_of(RayFloats(march_.light_direction[1])),
+                pace_of(RayFloats(march_.light_direction[2])),
+                {RayFloats::load(batch.jitter), march_.light_step_m, 1 / march_.light_step_m}};
+    }
+
+    // A march ends with its last sample, or where it leaves the volume's height: it never comes
+    // back.
+    RayMask still_going(const Batch& batch, const Place& at) const {
+        return (RayFloats(0.0F) < RayFloats::load(batch.going)) & at.within_height &
+               (RayFloats::load(batch.k) < RayFloats(march_.light_samples));
+    }
+
+    void sample_some() {
+        Batch batch;
+        take(sampling_, batch);
+        const Path path = path_of(batch);
+        const Place at = path.place(path.samples.distance(RayFloats::load(batch.k)));
+        const RayMask going = still_going(batch, at);
+        counts_.light_samples += count_of(going);
+        alignas(64) float sigma[kLanes];
+        alignas(64) float goes_on[kLanes];
+        extinction(*march_.medium, at, going).store(sigma);
+        zero_unless(going, RayFloats(1.0F)).store(goes_on);
+        for (std::size_t lane = 0; lane < batch.count; ++lane) {
+            if (goes_on[lane] == 0) continue;
+            LightPoint& point = points_[batch.points[lane]];
+            point.tau += sigma[lane] * march_.light_step_m;
+            point.k += 1;
+            const bool leaps = march_.leaping && sigma[lane] == 0;
+            (leaps ? leaping_ : sampling_).push_back(batch.points[lane]);
+        }
+    }
+
+    void leap_some() {
+        Batch batch;
+        take(leaping_, batch);
+        const Path path = path_of(batch);
+        const RayFloats k = RayFloats::load(batch.k);
+        const Place at = path.place(path.samples.distance(k));
+        const RayMask going = still_going(batch, at);
+        counts_.cells += count_of(going);
+        RayFloats next = k;
+        const RayMask empty = leap(path, at, going, k, RayFloats(march_.light_samples), next);
+        alignas(64) float goes_on[kLanes];
+        alignas(64) float goes_to[kLanes];
+        zero_unless(going, RayFloats(1.0F)).store(goes_on);
+        select(empty, next, k).store(goes_to);
+        for (std::size_t lane = 0; lane < batch.count; ++lane) {
+            if (goes_on[lane] == 0) continue;
+            LightPoint& point = points_[batch.points[lane]];
+            (goes_to[lane] > point.k ? leaping_ : sampling_).push_back(batch.points[lane]);
+            point.k = goes_to[lane];
+        }
+    }
+
+    const CloudMarch& march_;
+    LightPoints& points_;
+    FetchCounts& counts_;
+    Waiting sampling_;
+    Waiting leaping_;
+    std::size_t next_ = 0;
+};
 
 // The octaves of sun_scattering for the angle of each lane: b^n p_n.
 struct OctaveLanes {
@@ -301,96 +408,183 @@ HWY_INLINE RayFloats scattered_sunlight(const OctaveLanes& octaves, RayFloats ta
     return sum;
 }
 
-HWY_INLINE RayFloats share_at(const CloudMarch& march, const PaddedVolume& shares, const Place& at,
-                              RayMask lit) {
-    const std::array<int, 3>& voxels = march.medium->volume.size;
-    const auto scaled = [&](RayFloats x, std::size_t axis) HWY_ATTR {
+// A share of diffuse light at places of the volume.
+HWY_INLINE RayFloats share_at(const std::array<int, 3>& voxels, const PaddedVolume& shares,
+                              RayFloats x, RayFloats y, RayFloats z) {
+    const auto scaled = [&](RayFloats value, std::size_t axis) HWY_ATTR {
         const double scale = static_cast<double>(shares.size[axis]) / voxels[axis];
-        return minimum(x * RayFloats(static_cast<float>(scale)),
+        return minimum(value * RayFloats(static_cast<float>(scale)),
                        RayFloats(static_cast<float>(shares.size[axis])));
     };
-    return lookup(shares, scaled(at.x, 0), scaled(at.y, 1), scaled(zero_unless(lit, at.z), 2));
+    return lookup(shares, scaled(x, 0), scaled(y, 1), scaled(z, 2));
 }
 
-struct Sums {
-    RayFloats sun_at_base;
-    RayFloats sun_at_top;
-    RayFloats from_sky;
-    RayFloats from_ground;
-    RayFloats transmittance;
-    RayFloats distance;
+// The light of each point goes to its ray, in the order of points.
+class Lighting {
+  public:
+    Lighting(const CloudMarch& march, const RayBlock& rays) : march_(march) {
+        for (std::size_t i = 0; i < RayBlock::kCount; i += RayFloats::kCount) {
+            const OctaveLanes octaves = octaves_at(march, RayFloats::load(&rays.sun_offset[i]));
+            for (std::size_t n = 0; n < kOctaves; ++n) octaves.value[n].store(&octaves_[n][i]);
+        }
+    }
+
+    HWY_NOINLINE void add(const LightPoints& points, RayResults& results) const {
+        for (std::size_t first = 0; first < points.size(); first += RayFloats::kCount) {
+            add_packet(points, first, results);
+        }
+    }
+
+  private:
+    void add_packet(const LightPoints& points, std::size_t first, RayResults& results) const {
+        alignas(64) float x[RayFloats::kCount] = {};
+        alignas(64) float y[RayFloats::kCount] = {};
+        alignas(64) float z[RayFloats::kCount] = {};
+        alignas(64) float tau[RayFloats::kCount] = {};
+        alignas(64) float octaves[kOctaves][RayFloats::kCount] = {};
+        const std::size_t count = std::min(RayFloats::kCount, points.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const LightPoint& point = points[first + i];
+            x[i] = point.x;
+            y[i] = point.y;
+            z[i] = point.z;
+            tau[i] = point.tau;
+            for (std::size_t n = 0; n < kOctaves; ++n) octaves[n][i] = octaves_[n][point.ray];
+        }
+        OctaveLanes lanes;
+        for (std::size_t n = 0; n < kOctaves; ++n) lanes.value[n] = RayFloats::load(octaves[n]);
+        const std::array<int, 3>& voxels = march_.medium->volume.size;
+        const RayFloats at_x = RayFloats::load(x);
+        const RayFloats at_y = RayFloats::load(y);
+        const RayFloats at_z = RayFloats::load(z);
+        const RayFloats sunlight = scattered_sunlight(lanes, RayFloats::load(tau));
+        const RayFloats height = at_z * RayFloats(1.0F / static_cast<float>(voxels[2]));
+        const RayFloats high = sunlight * height;
+        (sunlight - high).store(x);
+        high.store(y);
+        share_at(voxels, march_.diffuse->from_sky, at_x, at_y, at_z).store(z);
+        share_at(voxels, march_.diffuse->from_ground, at_x, at_y, at_z).store(tau);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t ray = points[first + i].ray;
+            const float weight = points[first + i].weight;
+            results.sun_at_base[ray] += weight * x[i];
+            results.sun_at_top[ray] += weight * y[i];
+            results.from_sky[ray] += 0.5F * weight * z[i];
+            results.from_ground[ray] += 0.5F * weight * tau[i];
+        }
+    }
+
+    const CloudMarch& march_;
+    alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
 };
 
-// One step through cloud, for the lanes in `lit`.
-HWY_INLINE void add_step(const CloudMarch& march, const Place& at, RayMask lit, RayFloats sigma,
-                         RayFloats t, const OctaveLanes& octaves, RayFloats light_jitter,
-                         FetchCounts& counts, Sums& sums) {
-    const RayFloats tau = depth_towards_sun(march, at, lit, light_jitter, counts);
-    const RayFloats sunlight = scattered_sunlight(octaves, tau);
-    const RayFloats through =
-        exponential_of_negative(RayFloats(0.0F) - sigma * RayFloats(march.step_m));
-    const RayFloats weight = zero_unless(lit, sums.transmittance * (RayFloats(1.0F) - through));
-    const RayFloats height =
-        zero_unless(lit, at.z) * RayFloats(1.0F / static_cast<float>(march.medium->volume.size[2]));
-    const RayFloats half = weight * RayFloats(0.5F);
-    sums.sun_at_base = sums.sun_at_base + weight * sunlight * (RayFloats(1.0F) - height);
-    sums.sun_at_top = sums.sun_at_top + weight * sunlight * height;
-    sums.from_sky = sums.from_sky + half * share_at(march, march.diffuse->from_sky, at, lit);
-    sums.from_ground =
-        sums.from_ground + half * share_at(march, march.diffuse->from_ground, at, lit);
-    sums.distance = sums.distance + weight * t;
-    sums.transmittance = select(lit, sums.transmittance * through, sums.transmittance);
-}
-
-void march_packet(const CloudMarch& march, const RayBlock& rays, std::size_t first,
-                  RayResults& results, FetchCounts& counts) {
-    const Path<EvenSamples> path{
-        *march.medium,
-        RayFloats(march.origin[0]),
-        RayFloats(march.origin[1]),
-        RayFloats(march.origin[2]),
-        RayFloats::load(&rays.direction[0][first]),
-        RayFloats::load(&rays.direction[1][first]),
-        RayFloats::load(&rays.direction[2][first]),
-        {RayFloats::load(&rays.jitter[first]), march.step_m, 1 / march.step_m}};
-    const RayFloats light_jitter = RayFloats::load(&rays.light_jitter[first]);
-    const OctaveLanes octaves = octaves_at(march, RayFloats::load(&rays.sun_offset[first]));
-    const RayFloats end = RayFloats::load(&rays.end[first]);
-    RayFloats k = RayFloats::load(&rays.first[first]);
-    const RayFloats nothing(0.0F);
-    Sums sums{nothing, nothing, nothing, nothing, RayFloats(1.0F), nothing};
-    RayMask going = k < end;
-    while (any(going)) {
-        if (march.leaping) {
-            k = path.leap(going, k, end, counts.cells);
-            going = going & (k < end);
-            if (!any(going)) break;
-        }
-        const RayFloats t = path.samples.distance(zero_unless(going, k));
-        const Place at = path.place(t);
-        const RayMask wanted = going & at.within_height;
-        counts.samples += count_of(wanted);
-        const RayFloats sigma = extinction(*march.medium, at, wanted);
-        const RayMask lit = wanted & (RayFloats(0.0F) < sigma);
-        if (any(lit)) add_step(march, at, lit, sigma, t, octaves, light_jitter, counts, sums);
-        k = k + RayFloats(1.0F);
-        going = going & (k < end) & (RayFloats(kOpaque) <= sums.transmittance);
+// What of a packet's samples becomes points of light: of samples k and k + 1, both in cloud and k
+// even, the latter has the light of the former.
+class PointCollector {
+  public:
+    PointCollector(const RayBlock& rays, LightPoints& points, std::size_t first_ray)
+        : rays_(rays), points_(points), first_ray_(first_ray) {
+        for (float& k : last_k_) k = -2;  // one after none
     }
-    sums.sun_at_base.store(&results.sun_at_base[first]);
-    sums.sun_at_top.store(&results.sun_at_top[first]);
-    sums.from_sky.store(&results.from_sky[first]);
-    sums.from_ground.store(&results.from_ground[first]);
-    sums.transmittance.store(&results.transmittance[first]);
-    sums.distance.store(&results.distance_m[first]);
+
+    HWY_NOINLINE void add(const Place& at, RayFloats k, RayFloats weight, RayMask lit) {
+        alignas(64) float values[5][RayFloats::kCount];
+        at.x.store(values[0]);
+        at.y.store(values[1]);
+        at.z.store(values[2]);
+        zero_unless(lit, weight).store(values[3]);
+        k.store(values[4]);
+        for (std::size_t lane = 0; lane < RayFloats::kCount; ++lane) {
+            if (values[3][lane] == 0) continue;
+            const bool odd = (static_cast<std::int32_t>(values[4][lane]) & 1) != 0;
+            if (odd && last_k_[lane] + 1 == values[4][lane]) {
+                points_[last_point_[lane]].weight += values[3][lane];
+                continue;
+            }
+            last_k_[lane] = values[4][lane];
+            last_point_[lane] = points_.size();
+            const std::size_t ray = first_ray_ + lane;
+            points_.push_back({values[0][lane], values[1][lane], values[2][lane],
+                               rays_.light_jitter[ray], 0, 0, values[3][lane],
+                               static_cast<std::uint32_t>(ray)});
+        }
+    }
+
+  private:
+    const RayBlock& rays_;
+    LightPoints& points_;
+    std::size_t first_ray_;
+    float last_k_[RayFloats::kCount];
+    std::size_t last_point_[RayFloats::kCount] = {};
+};
+
+HWY_NOINLINE void march_packet(const CloudMarch& march, const RayBlock& rays, std::size_t first,
+                               LightPoints& points, RayResults& results, FetchCounts& counts) {
+    const RayFloats direction_x = RayFloats::load(&rays.direction[0][first]);
+    const RayFloats direction_y = RayFloats::load(&rays.direction[1][first]);
+    const RayFloats direction_z = RayFloats::load(&rays.direction[2][first]);
+    const Path path{*march.medium,
+                    RayFloats(march.origin[0]),
+                    RayFloats(march.origin[1]),
+                    RayFloats(march.origin[2]),
+                    direction_x,
+                    direction_y,
+                    direction_z,
+                    pace_of(direction_x),
+                    pace_of(direction_y),
+                    pace_of(direction_z),
+                    {RayFloats::load(&rays.jitter[first]), march.step_m, 1 / march.step_m}};
+    PointCollector collector(rays, points, first);
+    const RayFloats zero(0.0F);
+    const RayFloats one(1.0F);
+    const RayFloats end = RayFloats::load(&rays.end[first]);
+    Progress progress{RayFloats::load(&rays.first[first]), one};
+    RayFloats transmittance = one;
+    RayFloats distance = zero;
+    RayMask going = progress.k < end;
+    while (any(going)) {
+        progress.k = zero_unless(going, progress.k);
+        const RayFloats k = progress.k;
+        const RayFloats t = path.samples.distance(k);
+        const Place at = path.place(t);
+        const RayMask before = and_not(going, at.within_height);
+        progress.k = select(before, k + one, k);
+        RayMask sampling = going & at.within_height;
+        if (march.leaping) {
+            sampling = leap_or_look(path, at, sampling, end, progress, counts.cells);
+        }
+        if (any(sampling)) {
+            counts.samples += count_of(sampling);
+            const RayFloats sigma = extinction(*march.medium, at, sampling);
+            step_on(sampling, sigma, progress);
+            const RayMask lit = zero < sigma;
+            if (any(lit)) {
+                const RayFloats through =
+                    exponential_of_negative(zero - sigma * RayFloats(march.step_m));
+                const RayFloats weight = transmittance * (one - through);
+                collector.add(at, k, weight, lit);
+                distance = distance + zero_unless(lit, weight * t);
+                transmittance = select(lit, transmittance * through, transmittance);
+            }
+        }
+        going = going & (progress.k < end) & (RayFloats(kOpaque) <= transmittance);
+    }
+    transmittance.store(&results.transmittance[first]);
+    distance.store(&results.distance_m[first]);
 }
 
 }  // namespace
 
 void march_all(const CloudMarch& march, const RayBlock& rays, RayResults& results,
                FetchCounts& counts) {
+    results = {};
+    const Lighting lighting(march, rays);
+    LightPoints points;
     for (std::size_t first = 0; first < RayBlock::kCount; first += RayFloats::kCount) {
-        march_packet(march, rays, first, results, counts);
+        march_packet(march, rays, first, points, results, counts);
     }
+    SunMarches(march, points, counts).run();
+    lighting.add(points, results);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -62,11 +62,12 @@ struct FetchCounts {
 struct CloudMarch {
     const CloudMedium* medium = nullptr;
     const DiffuseShare* diffuse = nullptr;
-    const LightSegments* segments = nullptr;
     std::array<OctavePhase, kOctaves> octaves = octave_phases();
     std::array<float, 3> origin{};           // of all rays, in voxels
     std::array<float, 3> light_direction{};  // towards the sun, in voxels per metre
     float step_m = 1;
+    float light_step_m = 1;   // towards the sun
+    float light_samples = 0;  // at most, towards the sun; an integer
     bool leaping = true;
 };
 

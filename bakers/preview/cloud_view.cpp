@@ -31,17 +31,18 @@ class ViewMarch {
           settings_(settings),
           rays_(settings.camera, settings.width, settings.height),
           sun_(direction_of(settings.sun.elevation_degrees, settings.sun.azimuth_degrees)),
-          diffuse_(diffuse_share(medium, 4, threads)),
-          segments_(light_segments(settings.step_m, kLightGrowth, light_length())) {
+          diffuse_(diffuse_share(medium, 4, threads)) {
         march_.medium = &medium_;
         march_.diffuse = &diffuse_;
-        march_.segments = &segments_;
         for (std::size_t a = 0; a < 3; ++a) {
             const double origin = settings.camera.position_m[a] - (a == 2 ? medium.base_m : 0);
             march_.origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
             march_.light_direction[a] = static_cast<float>(sun_[a] / medium.meters_per_voxel(a));
         }
         march_.step_m = static_cast<float>(settings.step_m);
+        march_.light_step_m = static_cast<float>(settings.light_step_m);
+        march_.light_samples =
+            static_cast<float>(std::ceil(light_length() / settings.light_step_m));
         march_.leaping = settings.leaping;
     }
 
@@ -104,7 +105,6 @@ class ViewMarch {
     CameraRays rays_;
     Direction sun_;
     DiffuseShare diffuse_;
-    LightSegments segments_;
     CloudMarch march_;
 };
 
@@ -141,12 +141,18 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
         exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
                               medium.meters_per_voxel(2)) /
                     3);
-    settings.reach_m = 8 * tile;
+    settings.light_step_m = 2 * settings.step_m;
+    settings.reach_m = 16 * tile;
+    // From below where the layer is high enough that its nearest clouds are some voxels away, else
+    // from above. The azimuth is no simple fraction of a turn: tiles do not line up.
+    const double below_m = std::max(medium.base_m - 0.15 * tile, 2.0);
+    const bool from_below = medium.base_m >= 0.1 * tile;
+    const double top_m = medium.base_m + medium.extent_m[2];
     settings.camera.position_m = {0.31 * medium.extent_m[0], 0.12 * medium.extent_m[1],
-                                  std::max(medium.base_m - 0.1 * tile, 2.0)};
+                                  from_below ? below_m : top_m + 0.15 * tile};
     settings.camera.azimuth_degrees = 63;
-    settings.camera.elevation_degrees = 12;
-    settings.camera.horizontal_field_degrees = 70;
+    settings.camera.elevation_degrees = from_below ? 10 : -10;
+    settings.camera.horizontal_field_degrees = 50;
     return settings;
 }
 

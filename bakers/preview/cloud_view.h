@@ -4,7 +4,7 @@
 // The layer is flat, repeats along x and y, and is marched up to `reach_m` from the camera. Samples
 // stand every `step_m` along a ray, shifted for each pixel by interleaved gradient noise (Jimenez,
 // "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014), which turns
-// bands into fine grain. Towards the sun steps grow by kLightGrowth each.
+// bands into fine grain; those towards the sun by another noise.
 //
 // Air between camera and cloud dims and adds light as at the mean distance of what is seen
 // (Hillaire 2016, section 5.9): with T that far and T_end along the whole ray, the share
@@ -22,8 +22,6 @@
 #include "bakers/preview/sky_tables.h"
 
 namespace skybake {
-
-inline constexpr double kLightGrowth = 1.1;
 
 // Azimuths are from +x towards +y.
 struct CloudCamera {
@@ -44,6 +42,7 @@ struct CloudViewSettings {
     CloudCamera camera;
     SunDirection sun;
     double step_m = 1;
+    double light_step_m = 1;
     double reach_m = 1;
     bool leaping = true;
 };

@@ -16,7 +16,8 @@ std::array<int, 3> reduced(const std::array<int, 3>& size) {
     if (longest <= most_voxels) return size;
     std::array<int, 3> fewer{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::int64_t edge = (2 * most_voxels * std::int64_t{size[i]} + longest) / (2 * longest);
+        const std::int64_t edge =
+            (2 * most_voxels * std::int64_t{size[i]} + longest) / (2 * longest);
         fewer[i] = static_cast<int>(std::max<std::int64_t>(edge, 1));
     }
     return fewer;
@@ -33,7 +34,10 @@ void reduce_table(Table& table, const std::array<int, 2>& most) {
 
 struct Reduce {
     void operator()(config::TransmittanceBake& table) const { reduce_table(table, {256, 64}); }
-    void operator()(config::MultipleScatteringBake& table) const { reduce_table(table, {32, 32}); }
+    void operator()(config::MultipleScatteringBake& table) const {
+        reduce_table(table, {32, 32});
+        table.max_texel_error = std::max(table.max_texel_error, 0.02);
+    }
     void operator()(config::NoiseVolumeBake& volume) const {
         volume.size = reduced(volume.size);
         volume.mips = 1;

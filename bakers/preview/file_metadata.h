@@ -10,8 +10,8 @@ namespace skybake {
 
 // The entry that a manifest would have of an EXR or VDB file, as far as its metadata say it: kind,
 // content, size, channels, mapping, statistics, parameters, hashes. Its error figures stand in
-// `details`, in words. The one file's path is its name. E0300, E0304; E0304, too, where the file has
-// no metadata of skybake's (bare voxels never have).
+// `details`, in words. The one file's path is its name. E0300, E0304; E0304, too, where the file
+// has no metadata of skybake's (bare voxels never have).
 config::Outcome<ManifestAsset> entry_from_metadata(const std::filesystem::path& file);
 
 }  // namespace skybake

@@ -21,7 +21,11 @@ struct Range {
     double high = 1;
     bool logarithmic = false;
 
-    bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0); }
+    // Far beyond anything measured; differences and quotients within are finite.
+    static constexpr double largest = 1e150;
+    bool shows(double value) const {
+        return std::abs(value) <= largest && (!logarithmic || value >= 1 / largest);
+    }
     double position(double value) const {
         const double t = logarithmic ? std::log(value / low) / std::log(high / low)
                                      : (value - low) / (high - low);
@@ -94,6 +98,7 @@ void draw_curve(ChartFrame& frame, const ChartLine& line, const Range& x_range,
     const PlotArea& plot = frame.plot;
     std::vector<CanvasPoint> run;
     const auto finish_run = [&] {
+        if (run.empty()) return;
         if (run.size() == 1) run.push_back(run.front());  // a dot
         frame.canvas.draw_line(run, line_width, Colour(line.colour));
         run.clear();

@@ -11,6 +11,7 @@
 #include "bakers/io/read_volume.h"
 #include "bakers/io/recorded_recipe.h"
 #include "bakers/preview/file_metadata.h"
+#include "bakers/preview/report_plots.h"
 
 namespace skybake {
 namespace {
@@ -25,9 +26,9 @@ Outcome<PreviewAsset> load_table(const fs::path& path, const ManifestAsset& entr
     const std::vector<int> size = {image.value->pixels.width, image.value->pixels.height};
     if (size != entry.size || image.value->channel_names != entry.channels) {
         return {{},
-                {file_error("E0304", path.string(),
-                            fmt::format("`{}` is not of the size that its manifest says",
-                                        path.string()))}};
+                {file_error(
+                    "E0304", path.string(),
+                    fmt::format("`{}` is not of the size that its manifest says", path.string()))}};
     }
     return {PreviewAsset{entry, std::move(image.value->pixels), {}}, {}};
 }
@@ -89,14 +90,21 @@ std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& e
     return {};
 }
 
-// Previews of a folder whose parameters this release cannot read still have pictures.
-void add_parameters(const Manifest& manifest, const ManifestPlace& place, PreviewAssets& shown) {
+// Previews of a folder whose recipe this release cannot read still have pictures.
+void add_recipe(const Manifest& manifest, const ManifestPlace& place, PreviewAssets& shown) {
     auto recipe = recorded_recipe(manifest, place.file.string(), place.folder);
     if (recipe.value) {
-        shown.parameters = std::move(recipe.value->parameters);
+        shown.recipe = std::move(*recipe.value);
         return;
     }
     shown.notes.push_back("no sky and no lit clouds: " + recipe.diagnostics.front().message);
+}
+
+// The parameters that a cloud's file carries are a recipe of it; those of a table lack what others
+// depend on, and may be none.
+void add_own_recipe(PreviewAssets& shown) {
+    auto recipe = config::parse_recipe(shown.assets.front().entry.parameters, "the file");
+    if (recipe.value) shown.recipe = std::move(*recipe.value);
 }
 
 std::string folder_title(const fs::path& folder) {
@@ -139,11 +147,12 @@ Outcome<PreviewAssets> load_folder(const fs::path& path) {
     }
     PreviewAssets shown;
     shown.title = folder_title(place.folder);
-    add_parameters(*manifest.value, place, shown);
+    add_recipe(*manifest.value, place, shown);
     for (const ManifestAsset& entry : manifest.value->assets) {
         auto problems = add_asset(place.folder, entry, shown);
         if (!problems.empty()) return {{}, std::move(problems)};
     }
+    find_plots(place.folder, shown);
     return {std::move(shown), {}};
 }
 
@@ -160,7 +169,8 @@ Outcome<PreviewAssets> load_files(std::span<const fs::path> files) {
         if (!problems.empty()) return {{}, std::move(problems)};
         if (entry && folder == files.front().parent_path()) recorded = std::move(manifest.value);
     }
-    if (recorded) add_parameters(*recorded, manifest_place(files.front().parent_path()), shown);
+    if (!recorded && files.size() == 1) add_own_recipe(shown);
+    if (recorded) add_recipe(*recorded, manifest_place(files.front().parent_path()), shown);
     return {std::move(shown), {}};
 }
 

@@ -1,41 +1,126 @@
 #include "bakers/preview/make_preview.h"
 
+#include <fmt/format.h>
+
+#include <array>
 #include <utility>
 
-#include "bakers/core/parallel.h"
-#include "bakers/preview/png_image.h"
+#include "bakers/preview/cloud_input.h"
+#include "bakers/preview/cloud_pictures.h"
+#include "bakers/preview/noise_pictures.h"
+#include "bakers/preview/sky_pictures.h"
+#include "bakers/preview/table_pictures.h"
 
 namespace skybake {
 namespace {
 
 using config::Outcome;
 
-}  // namespace
-
-Outcome<std::vector<PagePicture>> encode_pictures(const std::vector<PreviewPicture>& pictures,
-                                                  int threads) {
-    std::vector<Outcome<std::string>> encoded(pictures.size());
-    parallel_for(static_cast<int>(pictures.size()), threads, [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        encoded[at] = png_bytes(pictures[at].picture);
-    });
-    std::vector<PagePicture> result;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        if (!encoded[i].value) return {{}, std::move(encoded[i].diagnostics)};
-        const PreviewPicture& picture = pictures[i];
-        result.push_back({picture.name, picture.title, picture.caption, picture.picture.width,
-                          picture.picture.height, std::move(*encoded[i].value)});
-    }
-    return {std::move(result), {}};
+// Everything that pictures of an asset alone depend on.
+std::string key_of(const PreviewAsset& asset) {
+    const ManifestAsset& entry = asset.entry;
+    return fmt::format("{}\n{}\n{}\n{}\n", entry.name, entry.kind, entry.content_hash,
+                       entry.parameters);
 }
 
-Outcome<PreviewPage> make_preview(PreviewAssets assets, const PreviewOptions& options) {
-    PreviewPage page;
-    page.title = assets.title;
-    page.notes = assets.notes;
-    for (PreviewAsset& asset : assets.assets) page.assets.push_back({asset.entry, {}, {}});
-    (void)options;
-    return {std::move(page), {}};
+std::string atmosphere_key(const config::Recipe& recipe) {
+    const std::array<std::string, 3> patterns = {"wavelengths", "atmosphere.*",
+                                                 "atmosphere.layers.*.*"};
+    return config::parameters_toml(recipe, patterns);
+}
+
+class Preview {
+  public:
+    Preview(const PreviewAssets& assets, const PreviewOptions& options)
+        : assets_(assets), options_(options), encoder_(options.threads, options.memory) {}
+
+    Outcome<PreviewPage> make() {
+        page_.title = assets_.title;
+        page_.notes = assets_.notes;
+        add_sky();
+        for (const PreviewAsset& asset : assets_.assets) {
+            if (cancelled()) return {};
+            add(asset);
+        }
+        auto problems = encoder_.finish();
+        if (!problems.empty()) return {{}, std::move(problems)};
+        return {std::move(page_), {}};
+    }
+
+  private:
+    bool cancelled() const {
+        return options_.progress != nullptr && options_.progress->cancelled();
+    }
+
+    SkyPreviewOptions sky_options() const {
+        SkyPreviewOptions sky = options_.draft ? draft_sky_preview() : SkyPreviewOptions{};
+        if (!options_.sun_elevations_deg.empty()) {
+            sky.sun_elevations_degrees = options_.sun_elevations_deg;
+        }
+        sky.exposure_stops = options_.exposure_stops;
+        if (options_.altitude_m) sky.camera_altitude_km = *options_.altitude_m / 1000;
+        return sky;
+    }
+
+    // The sky takes both tables, and how the layers scatter, which neither table says.
+    void add_sky() {
+        const PreviewAsset* transmittance = assets_.of_kind("transmittance");
+        const PreviewAsset* scattering = assets_.of_kind("multiple_scattering");
+        if ((transmittance == nullptr && scattering == nullptr) || !assets_.recipe) return;
+        if (transmittance == nullptr || scattering == nullptr) {
+            page_.notes.emplace_back(
+                "no sky: it takes both a transmittance and a multiple_scattering table");
+            return;
+        }
+        const std::string key = "sky\n" + key_of(*transmittance) + key_of(*scattering) +
+                                atmosphere_key(*assets_.recipe);
+        auto pictures = encoder_.encode(key, [&] {
+            return sky_pictures(assets_.recipe->parameters.atmosphere, *transmittance, *scattering,
+                                sky_options(), options_.threads);
+        });
+        page_.scenes.push_back(
+            {"Sky",
+             "As a runtime renders it: marched rays, with the baked tables for the sun's light and "
+             "for light scattered more than once.",
+             std::move(pictures)});
+    }
+
+    void add(const PreviewAsset& asset) {
+        const auto plot = assets_.plots.find(asset.entry.name);
+        page_.assets.push_back(
+            {asset.entry, pictures_of(asset), plot == assets_.plots.end() ? "" : plot->second});
+    }
+
+    std::vector<PagePicture> pictures_of(const PreviewAsset& asset) {
+        const CloudPreviewInput cloud = cloud_input(assets_, asset, options_);
+        if (cloud.cloud != nullptr) {
+            return encoder_.encode(cloud_key(cloud),
+                                   [&] { return cloud_pictures(cloud, options_.threads); });
+        }
+        return encoder_.encode(key_of(asset), [&] {
+            return asset.entry.is_volume() ? noise_pictures(asset) : table_pictures(asset);
+        });
+    }
+
+    std::string cloud_key(const CloudPreviewInput& input) const {
+        std::string key = "cloud\n" + atmosphere_key(*assets_.recipe);
+        for (const PreviewAsset* asset :
+             {input.volume, input.occupancy, input.transmittance, input.multiple_scattering}) {
+            key += asset != nullptr ? key_of(*asset) : "none\n";
+        }
+        return key;
+    }
+
+    const PreviewAssets& assets_;
+    const PreviewOptions& options_;
+    PictureEncoder encoder_;
+    PreviewPage page_;
+};
+
+}  // namespace
+
+Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {
+    return Preview(assets, options).make();
 }
 
 }  // namespace skybake

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bakers/core/progress.h"
+#include "bakers/preview/encode_pictures.h"
 #include "bakers/preview/page.h"
 #include "bakers/preview/preview_assets.h"
 #include "config/diagnostic.h"
@@ -14,19 +15,16 @@ namespace skybake {
 struct PreviewOptions {
     std::vector<double> sun_elevations_deg;  // of skies and lit clouds; empty: a few telling ones
     std::optional<double> exposure_stops;    // 0: an exposure of 1; none: chosen for each picture
-    double altitude_m = 0;                   // of the camera that looks at the sky
+    std::optional<double> altitude_m;        // of the camera that looks at the sky
     bool draft = false;                      // few pictures, small and quick
     int threads = 0;                         // 0: as many as the machine has
     Progress* progress = nullptr;
+    PictureMemory* memory = nullptr;  // of previews with the same options
 };
 
-// All pictures of the assets, encoded. Clouds without an atmosphere of their own are lit by the sky
-// of preset "earth". Diagnostics of png_bytes. No value and no diagnostics: the user has
-// interrupted.
-config::Outcome<PreviewPage> make_preview(PreviewAssets assets, const PreviewOptions& options);
-
-// Pictures as PNG, in the same order.
-config::Outcome<std::vector<PagePicture>> encode_pictures(
-    const std::vector<PreviewPicture>& pictures, int threads);
+// All pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
+// preset "earth". Diagnostics of png_bytes. No value and no diagnostics: the user has interrupted.
+config::Outcome<PreviewPage> make_preview(const PreviewAssets& assets,
+                                          const PreviewOptions& options);
 
 }  // namespace skybake

@@ -13,7 +13,7 @@ namespace skybake {
 
 namespace {
 
-constexpr std::size_t kLevel = 8;
+constexpr std::size_t kLevel = 7;
 constexpr TransmittanceField::Size kField = {256, 128};
 constexpr double kPi = 3.14159265358979323846;
 
@@ -64,11 +64,11 @@ MultipleScatteringGrid::MultipleScatteringGrid(const Medium& medium, double firs
     });
 }
 
-const double* MultipleScatteringGrid::node(int column, int row) const {
+double MultipleScatteringGrid::value(int channel, int column, int row) const {
     const int inside_column = std::clamp(column, 0, size_.columns - 1);
     const int inside_row = std::clamp(row, 0, size_.rows - 1);
-    return psi_.data() +
-           static_cast<std::size_t>(inside_row * channels_ * size_.columns + inside_column);
+    const int index = (inside_row * channels_ + channel) * size_.columns + inside_column;
+    return psi_[static_cast<std::size_t>(index)];
 }
 
 Spectrum MultipleScatteringGrid::at(double altitude_km, double sun_cos_zenith) const {
@@ -83,8 +83,7 @@ Spectrum MultipleScatteringGrid::at(double altitude_km, double sun_cos_zenith) c
         for (int j = 0; j < 4; ++j) {
             std::array<double, 4> row{};
             for (int i = 0; i < 4; ++i) {
-                row[static_cast<std::size_t>(i)] =
-                    node(across.index + i - 1, up.index + j - 1)[c * size_.columns];
+                row[static_cast<std::size_t>(i)] = value(c, across.index + i - 1, up.index + j - 1);
             }
             column[static_cast<std::size_t>(j)] = cubic(row, across.t);
         }

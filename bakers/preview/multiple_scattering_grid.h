@@ -8,7 +8,7 @@
 
 namespace skybake {
 
-// Psi (1/sr) of multiple_scattering_kernel.h at its ninth level (0.02 % RMS of its converged
+// Psi (1/sr) of multiple_scattering_kernel.h at its eighth level (0.04 % RMS of its converged
 // value), on columns evenly spaced in the sun's zenith angle and rows at altitudes thickness * y^2,
 // y evenly spaced: closest at the ground. Between them cubics (Catmull & Rom 1974), held between
 // the two nearest values, so that they are never negative and do not ring at the terminator.
@@ -27,7 +27,8 @@ class MultipleScatteringGrid {
     Spectrum at(double altitude_km, double sun_cos_zenith) const;
 
   private:
-    const double* node(int column, int row) const;
+    // At a node; beyond the grid's edges the nearest.
+    double value(int channel, int column, int row) const;
 
     double thickness_km_ = 0;
     double first_sun_zenith_ = 0;

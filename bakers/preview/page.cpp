@@ -17,9 +17,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const PagePicture& picture) {
-    return {{"name", picture.name},     {"file", picture.name + ".png"},
-            {"title", picture.title},   {"caption", picture.caption},
-            {"width", picture.width},   {"height", picture.height},
+    return {{"name", picture.name},
+            {"file", picture.name + ".png"},
+            {"title", picture.title},
+            {"caption", picture.caption},
+            {"width", picture.width},
+            {"height", picture.height},
             {"src", "data:image/png;base64," + base64(picture.png)}};
 }
 
@@ -116,19 +119,16 @@ Json to_json(const PageAsset& asset) {
 }
 
 Json to_json(const PageScene& scene) {
-    return {{"title", scene.title},
-            {"content", scene.content},
-            {"pictures", to_json(scene.pictures)}};
+    return {
+        {"title", scene.title}, {"content", scene.content}, {"pictures", to_json(scene.pictures)}};
 }
 
 Json to_json(const PageVariant& variant) {
     Json cells = Json::array();
     for (const PageVariant::Cell& cell : variant.cells) {
-        if (cell.number) {
-            cells.push_back(*cell.number);
-        } else {
-            cells.push_back(cell.text.empty() ? Json(nullptr) : Json(cell.text));
-        }
+        Json text = cell.text.empty() ? Json(nullptr) : Json(cell.text);
+        Json value = cell.number ? Json(*cell.number) : text;
+        cells.push_back({{"value", std::move(value)}, {"text", std::move(text)}});
     }
     Json json = {{"cells", std::move(cells)}, {"picture", nullptr}};
     if (variant.picture) json["picture"] = to_json(*variant.picture);
@@ -138,9 +138,8 @@ Json to_json(const PageVariant& variant) {
 Json to_json(const PageSweep& sweep) {
     Json columns = Json::array();
     for (const PageSweep::Column& column : sweep.columns) {
-        columns.push_back({{"title", column.title},
-                           {"number", column.is_number},
-                           {"error", column.is_error}});
+        columns.push_back(
+            {{"title", column.title}, {"number", column.is_number}, {"error", column.is_error}});
     }
     Json rows = Json::array();
     for (const PageVariant& variant : sweep.variants) rows.push_back(to_json(variant));
@@ -175,13 +174,20 @@ std::string script_text(const Json& json) {
     return safe;
 }
 
+Json retired_json(const std::vector<std::string>& names) {
+    Json json = Json::array();
+    for (const std::string& name : names) json.push_back({{"file", name}});
+    return json;
+}
+
 std::string page_data(const PreviewPage& page) {
     return script_text({{"generator", generator()},
                         {"title", page.title},
                         {"notes", page.notes},
                         {"sweep", page.sweep ? to_json(*page.sweep) : Json(nullptr)},
                         {"scenes", array_of(page.scenes)},
-                        {"assets", array_of(page.assets)}});
+                        {"assets", array_of(page.assets)},
+                        {"retired", retired_json(page.retired)}});
 }
 
 std::string html_text(std::string_view text) {
@@ -210,8 +216,8 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
 
 std::string watch_element(int revision) {
     if (revision == 0) return "";
-    return "<script>\n" +
-           filled(page_watch_script(), {{"revision", std::to_string(revision)}}) + "</script>\n";
+    return "<script>\n" + filled(page_watch_script(), {{"revision", std::to_string(revision)}}) +
+           "</script>\n";
 }
 
 }  // namespace
@@ -246,12 +252,19 @@ std::string page_state_text(const PageState& state) {
                                     {"diagnostics", std::move(diagnostics)}}));
 }
 
-bool is_page_text(std::string_view text, std::string_view picture) {
+std::optional<std::vector<std::string>> files_of_page(std::string_view html) {
     const std::string sign =
         fmt::format("<meta name=\"generator\" content=\"{} ", html_text(tool_name()));
-    if (text.substr(0, 1024).find(sign) == std::string_view::npos) return false;
-    if (picture.empty()) return true;
-    return text.find(fmt::format("\"file\":{}", script_text(picture))) != std::string_view::npos;
+    if (html.substr(0, 1024).find(sign) == std::string_view::npos) return std::nullopt;
+    // Within JSON's strings quotes are escaped, so this stands only where a key begins; the names
+    // are those of file_stem, which nothing is escaped in.
+    constexpr std::string_view key = "\"file\":\"";
+    std::vector<std::string> names;
+    for (std::size_t at = html.find(key); at != std::string_view::npos; at = html.find(key, at)) {
+        at += key.size();
+        names.emplace_back(html.substr(at, html.find('"', at) - at));
+    }
+    return names;
 }
 
 }  // namespace skybake

@@ -34,7 +34,8 @@ struct PageScene {
     std::vector<PagePicture> pictures;
 };
 
-// One variant of a sweep; a cell is a number or a text.
+// One variant of a sweep. A cell sorts by its number, if it has one, and shows its text, if it has
+// one.
 struct PageVariant {
     struct Cell {
         std::optional<double> number;
@@ -62,6 +63,9 @@ struct PreviewPage {
     std::vector<PageAsset> assets;
     std::vector<PageScene> scenes;
     std::optional<PageSweep> sweep;
+    // Pictures of earlier previews that still lie beside the page, by file name: they stay
+    // skybake's.
+    std::vector<std::string> retired;
     int watch_revision = 0;  // of pages that follow a recipe: counts from 1; 0 for all others
 };
 
@@ -81,8 +85,8 @@ std::string page_state_text(const PageState& state);
 
 inline constexpr const char* page_name = "index.html";
 
-// Whether a text was written by page_html and says that a picture of this name lies beside it, or
-// (without a name) whether it was written by page_html at all.
-bool is_page_text(std::string_view text, std::string_view picture = {});
+// The names of the files that a page says lie beside it, those of earlier previews among them; none
+// where the text was not written by page_html.
+std::optional<std::vector<std::string>> files_of_page(std::string_view html);
 
 }  // namespace skybake

@@ -108,7 +108,7 @@
     function gallery(pictures) {
         if (pictures.length === 0) return null;
         return element('div', {class: 'gallery'}, ...pictures.map((picture) => element('figure',
-            {class: picture.width > 1.6 * picture.height ? 'wide' : null, 'data-name': picture.name},
+            {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name},
             pictureButton(picture),
             element('figcaption', {}, element('b', {}, picture.title), picture.caption))));
     }
@@ -134,7 +134,11 @@
         file.href = picture.src;
         file.download = picture.file;
         dialog.dataset.name = picture.name;
-        stage.replaceChildren(imageOf(picture));
+        const image = imageOf(picture);
+        const scale = picture.width < 600 ? 2 : 1;
+        image.width = picture.width * scale;
+        image.height = picture.height * scale;
+        stage.replaceChildren(image);
         words.replaceChildren(element('b', {}, picture.title), picture.caption ? ` ${picture.caption}` : '');
         if (!dialog.open) dialog.showModal();
     }
@@ -240,11 +244,12 @@
             asset.error && asset.error.worst ? element('p', {class: 'advice'},
                 `Largest lookup error at ${asset.error.worst}${asset.error.advice ? '; ' + asset.error.advice : ''}.`) : null,
             gallery(asset.pictures),
-            asset.statistics.length > 0 ? folded('Values', channelTable(asset)) : null,
-            folded('Mapping', axisTable(asset)),
-            asset.files.length > 0 ? folded('Files and hashes', fileTable(asset)) : null,
-            folded('Details', detailTable(asset)),
-            asset.parameters ? folded('Parameters', element('pre', {}, asset.parameters)) : null);
+            element('div', {class: 'more'},
+                asset.statistics.length > 0 ? folded('Values', channelTable(asset)) : null,
+                folded('Mapping', axisTable(asset)),
+                asset.files.length > 0 ? folded('Files and hashes', fileTable(asset)) : null,
+                folded('Details', detailTable(asset)),
+                asset.parameters ? folded('Parameters', element('pre', {tabindex: '0'}, asset.parameters)) : null));
     }
     function sceneSection(scene) {
         return element('section', {id: anchor(scene.title)}, element('h2', {}, scene.title),
@@ -254,8 +259,8 @@
         const columns = [{title: ''}, ...sweep.columns];
         const rows = sweep.rows.map((row) => [
             {text: '', value: null, content: row.picture ? pictureButton(row.picture) : ''},
-            ...row.cells.map((value, i) => sweep.columns[i].number
-                ? amount(value, sweep.columns[i].error ? figure : number) : text(value === null ? '–' : value)),
+            ...row.cells.map((cell, i) => cell.text !== null ? cell
+                : amount(cell.value, sweep.columns[i].error ? figure : number)),
         ]);
         return element('section', {id: anchor('Sweep')}, element('h2', {}, 'Sweep'),
             element('p', {class: 'lead'}, sweep.content), gallery(sweep.pictures),

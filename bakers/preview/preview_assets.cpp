@@ -3,13 +3,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace skybake {
+
+const PreviewAsset* PreviewAssets::of_kind(std::string_view kind) const {
+    const auto found = std::find_if(assets.begin(), assets.end(), [&](const PreviewAsset& asset) {
+        return asset.entry.kind == kind;
+    });
+    return found == assets.end() ? nullptr : &*found;
+}
 
 std::optional<std::size_t> previewed_level(const ManifestAsset& asset) {
     for (std::size_t level = 0; level < asset.levels.size(); ++level) {
         // Each extent is at most 65536 (see manifest_reader.cpp): the product fits into 64 bits.
         std::size_t values = asset.channels.size();
-        for (const int extent : asset.levels[level].size) values *= static_cast<std::size_t>(extent);
+        for (const int extent : asset.levels[level].size)
+            values *= static_cast<std::size_t>(extent);
         if (values <= most_previewed_values) return level;
     }
     return std::nullopt;

@@ -2,21 +2,26 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bakers/preview/preview_asset.h"
-#include "config/parameters.h"
+#include "config/recipe.h"
 
 namespace skybake {
 
 struct PreviewAssets {
     std::string title;  // "earth.toml", "out"
     std::vector<PreviewAsset> assets;
-    // Of the recipe that made them: without, no sky and no lit cloud can be shown.
-    std::optional<config::Parameters> parameters;
+    std::optional<config::Recipe> recipe;      // that made them: without, there is no sky to show
+    std::map<std::string, std::string> plots;  // speed against error as SVG, by the asset's name
     std::vector<std::string> notes;  // what is not shown, and why
+
+    // The first asset of that kind, or null.
+    const PreviewAsset* of_kind(std::string_view kind) const;
 };
 
 // The most values (voxels times channels) of a volume that a preview holds in memory: 1 GiB. The

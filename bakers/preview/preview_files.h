@@ -18,9 +18,15 @@ struct PreviewFile {
 // NAME.png of each picture, and the page last.
 std::vector<PreviewFile> preview_files(const PreviewPage& page);
 
-// E0303 for each of these files that is in the folder and that no earlier preview there has made:
-// a page that is not a preview's, pictures that the preview's page does not show.
+// Their names alone.
+std::vector<std::string> preview_file_names(const PreviewPage& page);
+
+// The files that earlier previews left in the folder, as its page says; none without such a page.
+std::vector<std::string> earlier_preview_files(const std::filesystem::path& folder);
+
+// E0303 for each of these files that is in the folder and not among `earlier`.
 std::vector<config::Diagnostic> foreign_preview_files(const std::filesystem::path& folder,
-                                                      const std::vector<PreviewFile>& files);
+                                                      const std::vector<std::string>& names,
+                                                      const std::vector<std::string>& earlier);
 
 }  // namespace skybake

@@ -161,15 +161,14 @@ HWY_INLINE MarchPath<Real> path_of(const SkyMarch& sky, Real mu) {
     const float gain = sky.thickness_km - sky.camera_altitude_km;
     const float drop = sky.camera_altitude_km * (sky.ground_radius_km + r);  // rho^2
     const Real s = Real(r) * mu;
-    const auto downwards = s < Real(0.0f);
     const auto hits_ground = s < Real(-square_root(drop));
-    // As in bakers/atmosphere/ray.h.
-    const Real root_to_top = square_root(s * s + Real(gain * (2 * r + gain)));
-    const Real to_top =
-        select(downwards, root_to_top - s, Real(gain * (2 * r + gain)) / (root_to_top + s));
+    // As in bakers/atmosphere/ray.h; at the top itself a horizontal ray has no length.
+    const float rise = gain * (2 * r + gain);
+    const Real root_to_top = square_root(s * s + Real(rise));
+    const Real to_top = select(Real(0.0f) < s, Real(rise) / (root_to_top + s), root_to_top - s);
     const Real to_ground = Real(drop) / (square_root(maximum(s * s - Real(drop), Real(0.0f))) - s);
     return {s, select(hits_ground, to_ground, to_top),
-            select(hits_ground, to_ground, select(downwards, -s, Real(0.0f))), hits_ground};
+            select(hits_ground, to_ground, maximum(-s, Real(0.0f))), hits_ground};
 }
 
 template <class Real>

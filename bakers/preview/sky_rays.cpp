@@ -9,6 +9,10 @@ namespace skybake {
 
 namespace {
 
+// Pixels beyond a dome's edge that still look along the horizontal: a bilinear lookup within the
+// circle reaches a diagonal further.
+constexpr double kRim = 1.5;
+
 // Of an elevation in [-90, 90] degrees.
 double sine_of(double degrees) { return cosine_of_pi(0.5 - degrees / 180); }
 double cosine_of(double degrees) { return cosine_of_pi(std::fabs(degrees) / 180); }
@@ -61,7 +65,7 @@ std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y) {
                              cosine_of_pi(2 * std::fabs(azimuth)));
     }
     const DomePoint point = dome_point(view, x, y);
-    if (point.radius > 1 + 1 / dome_radius_pixels(view)) return std::nullopt;
+    if (point.radius > 1 + kRim / dome_radius_pixels(view)) return std::nullopt;
     const double half_angle = 0.5 * std::min(point.radius, 1.0);  // of the zenith angle, in pi
     const double azimuth_cosine = point.radius > 0 ? point.up / point.radius : 1;
     return sky_direction(view, cosine_of_pi(half_angle), cosine_of_pi(0.5 - half_angle),

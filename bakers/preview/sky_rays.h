@@ -38,8 +38,8 @@ double sun_cosine(const SkyView& view);
 // From the cosine and sine of the zenith angle and the cosine of the azimuth from the sun.
 SkyDirection sky_direction(const SkyView& view, double mu, double sine, double azimuth_cosine);
 
-// Of the middle of pixel (x, y). None outside of a dome, but for a rim of one pixel that looks
-// along the horizontal, so that the circle's edge may be smoothed.
+// Of the middle of pixel (x, y). None outside of a dome, but for a rim of one and a half pixels
+// that looks along the horizontal, so that the picture may be enlarged and its edge smoothed.
 std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y);
 
 // How much of a pixel lies in the picture's circle: 1 inside, 0 outside, between on its edge.

@@ -25,7 +25,7 @@ constexpr double kLargestDepth = 1;  // of a piece, along the ray
 constexpr double kLastLight = 25;
 // Halvings of a piece: 2^-20 of a ray is metres.
 constexpr int kMostHalvings = 20;
-constexpr MultipleScatteringGrid::Size kGrid = {128, 64};
+constexpr MultipleScatteringGrid::Size kGrid = {64, 48};
 
 // The angle at the planet's centre between the camera and the farthest point of the shell that it
 // sees.
@@ -108,9 +108,9 @@ std::vector<double> SkyReference::cuts_km(const Ray& ray) const {
     const double b = r_km_ * (ray.direction.mu - sun_cos_zenith_ * nu);
     for (const double altitude : break_altitudes_km_) {
         const double gain = altitude_km_ - altitude;
+        // r^2 - (R + k)^2 - (r mu_s)^2.
         const double c =
             gain * (2 * shell_.ground_radius_km + altitude_km_ + altitude) - sun_s_km_ * sun_s_km_;
-        // r^2 - (r mu_s)^2 - (R + k)^2.
         const double discriminant = b * b - a * c;
         if (!(a > 0) || discriminant < 0) continue;
         const double q = -(b + std::copysign(std::sqrt(discriminant), b));

@@ -38,7 +38,8 @@ class SkyReference {
     // `medium` must outlive it. Of the view, altitude and sun.
     SkyReference(const SkyMedium& medium, const SkyView& view, int threads);
 
-    // Relative error below 1e-3 of the whole, at most a few 1e-5 of single scattering.
+    // Within 2e-4 of single scattering by adaptive quadrature; the whole within about 1e-3, which
+    // the grid of multiple scattering leaves.
     SkyRadiance radiance(const SkyDirection& direction) const;
 
     // Transmittance to the sun at a point where r mu_s = `s_km`; 0 in the planet's shadow.

@@ -107,8 +107,9 @@ Spectrum look_up_sunlight(const SkyTables& tables, const Shell& shell, double al
     const auto row = static_cast<int>(up);
     const double s = across - column;
     const double t = up - row;
-    const float* low = table.texels.data() + (row * table.texels_per_row + column) * table.channels;
-    const float* high = low + table.texels_per_row * table.channels;
+    const auto texels_per_row = static_cast<std::ptrdiff_t>(table.texels_per_row);
+    const float* low = table.texels.data() + (row * texels_per_row + column) * table.channels;
+    const float* high = low + texels_per_row * table.channels;
     for (int c = 0; c < table.channels; ++c) {
         const double texel = (low[c] * (1 - s) + low[c + table.channels] * s) * (1 - t) +
                              (high[c] * (1 - s) + high[c + table.channels] * s) * t;

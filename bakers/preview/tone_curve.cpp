@@ -16,7 +16,7 @@ double srgb_of_linear(double linear) {
 }
 
 // Bytes of linear values in [0, 1] by linear values, in steps so small that near black, where the
-// transfer function's slope of 12.92 is the greatest, a byte spans 6 of them.
+// transfer function's slope of 12.92 is the greatest, a byte spans 5 of them.
 class SrgbTable {
   public:
     SrgbTable() {

@@ -64,6 +64,13 @@ TEST(Explain, KnowsClouds) {
     EXPECT_TRUE(mentions(explain("voxel_size"), "not together with size"));
 }
 
+TEST(Explain, KnowsSweeps) {
+    EXPECT_TRUE(mentions(explain("sweep"), "paths that walk together"));
+    EXPECT_TRUE(mentions(explain("sweep"), "[sweep.*]"));
+    EXPECT_TRUE(mentions(explain("sweep.sobol"), "Joe and Kuo 2008"));
+    EXPECT_TRUE(mentions(explain("scale"), "equal ratios"));
+}
+
 TEST(Explain, EveryCodeAndEveryKeyIsExplained) {
     for (const DiagnosticCode& code : diagnostic_codes()) {
         EXPECT_TRUE(mentions(explain(code.code), code.title)) << code.code;

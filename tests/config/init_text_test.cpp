@@ -100,6 +100,21 @@ TEST(InitText, ACloudStartsFromItsPresetAndItsNoises) {
     EXPECT_EQ(thesis.parameters.noises.at(0).sampling, NoiseSampling::corners);
 }
 
+// Whoever takes the `#` off the sweep gets one of four or three variants.
+TEST(InitText, TheSweepInCommentsIsValid) {
+    const auto variants = [](std::string text) {
+        const std::size_t start = text.find("#   [sweep]");
+        EXPECT_NE(start, std::string::npos);
+        for (std::size_t at = start; at != std::string::npos; at = text.find("#   ", at)) {
+            text.erase(at, 4);
+        }
+        return variant_count(valid_with_warnings(text).sweep);
+    };
+    EXPECT_EQ(variants(init_text(*find_preset("earth"))), 4);
+    EXPECT_EQ(variants(noise_init_text(*find_noise_preset("nubis_shape"))), 3);
+    EXPECT_EQ(variants(cloud_init_text(*find_cloud_preset("cumulus_humilis"))), 4);
+}
+
 TEST(InitText, SaysUnitRangeAndMeaning) {
     const std::string text = init_text(*find_preset("earth"));
     EXPECT_NE(text.find("in (-1, 1); typical haze 0.76"), std::string::npos);

@@ -94,15 +94,15 @@ const std::vector<Fault> faults = {
      cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"v\"\nchannel = \"R\"\n"
              "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
      9, 11, 3, "channel is Y"},
-    {"E0135", perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 4, count = 3 }", 5, 18, 33,
+    {"E0135", perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 4, count = 3 }", 4, 18, 31,
      "choose a count that divides the way from 1 to 4, or list the values"},
     {"E0136",
-     perlin + "[sweep]\n\"noise.n.seed\" = [1, 2]\nzip = [\"noise.n.seed\", \"noise.n.pack\"]", 6,
+     perlin + "[sweep]\n\"noise.n.seed\" = [1, 2]\nzip = [\"noise.n.seed\", \"noise.n.pack\"]", 5,
      7, 32, "zip wants paths that vary, each once, with as many values as the others"},
     {"E0137",
      perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 99999, count = 99999 }\n"
               "\"noise.n.size\" = [[8, 8, 8], [4, 4, 4]]",
-     6, 1, 14, "at most 100000"},
+     5, 1, 14, "at most 100000"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 

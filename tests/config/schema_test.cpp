@@ -79,6 +79,15 @@ TEST(Schema, KnowsClouds) {
               (nlohmann::json{1, 2, 4, 8, 16}));
 }
 
+TEST(Schema, KnowsSweeps) {
+    nlohmann::json sweep = schema()["properties"]["sweep"];
+    const nlohmann::json values = sweep["additionalProperties"]["anyOf"];
+    EXPECT_EQ(values.at(0)["type"], "array");
+    expect_fields(values.at(1), *find_section("sweep.*"));
+    sweep["additionalProperties"] = false;
+    expect_fields(sweep, *find_section("sweep"));
+}
+
 TEST(Schema, SaysRangesAndChoices) {
     const nlohmann::json& layer = schema()["definitions"]["layer"]["properties"];
     EXPECT_EQ(layer["g"]["exclusiveMinimum"], -1);

@@ -18,8 +18,13 @@ TEST(Depfile, NamesInputsAndTheProgram) {
 }
 
 TEST(Depfile, EscapesWhatMakeWouldRead) {
-    const std::string text = depfile_text(Paths{"o ut/a#1.exr"}, Paths{"re$cipe.toml"});
-    EXPECT_EQ(text.rfind("o\\ ut/a\\#1.exr: \\\n  re$$cipe.toml", 0), 0U) << text;
+    const std::string text =
+        depfile_text(Paths{"o ut/a#1.exr"}, Paths{"re$cipe.toml", "12:30.toml", R"(a\b\ c.toml)"});
+    EXPECT_EQ(text.rfind("o\\ ut/a\\#1.exr: \\\n  re$$cipe.toml \\\n  12\\:30.toml \\\n  "
+                         R"(a\b\\\ c.toml)",
+                         0),
+              0U)
+        << text;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sched.h>
+#include <sys/file.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -14,6 +15,7 @@
 #include <functional>
 #include <thread>
 
+#include "bakers/io/file_descriptor.h"
 #include "tests/io/files.h"
 
 namespace skybake {
@@ -359,12 +361,15 @@ TEST(AtomicFile, KilledInTheMiddleLeavesTheOldOrTheNewFile) {
 
 TEST(AtomicFile, RemovesLeftOversOfTheDeadOnly) {
     const TemporaryFolder folder;
-    // A process number beyond what Linux gives, one that is alive, and names that only look alike.
-    const std::string dead = ".a.skybake-2147483646-0.tmp";
-    const Names kept = {".a.skybake-1-0.tmp", ".a.skybake-x-0.tmp", ".a.skybake-5.tmp",
-                        ".b.skybake-2147483646-0.tmp"};
+    // What nobody holds the lock of, though process 1 is alive; what somebody does, though there is
+    // no such process; and names that only look alike.
+    const std::string dead = ".a.skybake-1-0.tmp";
+    const std::string locked = ".a.skybake-2147483646-0.tmp";
+    const Names kept = {locked, ".a.skybake-x-0.tmp", ".a.skybake-5.tmp", ".b.skybake-1-0.tmp"};
     for (const std::string& name : kept) write_bytes(folder / name, "x");
     write_bytes(folder / dead, "x");
+    const FileDescriptor writer(::open((folder / locked).c_str(), O_WRONLY));
+    ASSERT_EQ(::flock(writer.get(), LOCK_EX), 0);
     EXPECT_EQ(write_file_atomically(folder / "a", "x").value, WriteResult::written);
     EXPECT_FALSE(fs::exists(folder / dead));
     for (const std::string& name : kept) EXPECT_TRUE(fs::exists(folder / name)) << name;

@@ -1,0 +1,41 @@
+// Pictures of cloud volumes and of occupancy grids.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bakers/preview/cloud_view.h"
+#include "bakers/preview/picture.h"
+#include "bakers/preview/preview_asset.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// Any pointer but `cloud` may be null.
+struct CloudPreviewInput {
+    const config::Cloud* cloud = nullptr;  // that the volume is of
+    const PreviewAsset* volume = nullptr;
+    const PreviewAsset* occupancy = nullptr;  // of that volume
+    const config::OccupancyBake* occupancy_bake = nullptr;
+    // The recipe's atmosphere with its two tables; without all three those of preset "earth".
+    const config::Atmosphere* atmosphere = nullptr;
+    const PreviewAsset* transmittance = nullptr;
+    const PreviewAsset* multiple_scattering = nullptr;
+    std::vector<SunDirection> suns = {{25, 130}};  // a lit picture for each
+    std::optional<double> exposure_stops;          // the exposure is 2 to this; none: chosen
+    int width = 960;                               // of lit pictures
+    int height = 540;
+    bool draft = false;  // half that size, steps twice as long, the most telling pictures alone
+};
+
+// Of a volume: the lit picture for each sun, the column's optical depth from above, and slices,
+// with the cells of the occupancy grid over them if there is one. Of a grid alone: its slices.
+// Slices go through where there is most to see. No lit pictures where make_sky_tables
+// (sky_tables.h) refuses the tables.
+//
+// The march leaps by the grid where that is sure to lose nothing: the exact rule for this volume's
+// first channel, at this size, and a filter as wide as the march's trilinear one. Else by cells
+// made from the volume.
+std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int threads);
+
+}  // namespace skybake

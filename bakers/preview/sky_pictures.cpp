@@ -1,0 +1,252 @@
+#include "bakers/preview/sky_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "bakers/core/bilinear.h"
+#include "bakers/preview/chart.h"
+#include "bakers/preview/sky_difference.h"
+#include "bakers/preview/sky_reference.h"
+#include "bakers/preview/sky_view.h"
+#include "bakers/preview/tone_curve.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr double kLowestDegrees = -20;
+constexpr double kHighestDegrees = 70;
+// What is around a dome: dark, so that the horizon's brightness shows.
+constexpr std::array<std::uint8_t, 3> kSurround = {22, 24, 28};
+
+// What all pictures of a preview share.
+struct SkyScene {
+    SkyMedium medium;
+    SkyTables tables;
+    double camera_altitude_km;
+    const SkyPreviewOptions& options;
+    int threads;
+};
+
+SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
+    SkyView view;
+    view.projection = SkyProjection::dome;
+    view.width = pixels;
+    view.height = pixels;
+    view.camera_altitude_km = scene.camera_altitude_km;
+    view.sun_elevation_degrees = sun_elevation_degrees;
+    return view;
+}
+
+SkyView panorama_view(const SkyScene& scene, double sun_elevation_degrees) {
+    SkyView view = dome_view(scene, sun_elevation_degrees, scene.options.panorama_pixels);
+    view.projection = SkyProjection::panorama;
+    view.lowest_degrees = kLowestDegrees;
+    view.highest_degrees = kHighestDegrees;
+    view.height =
+        static_cast<int>(std::lround(view.width * (kHighestDegrees - kLowestDegrees) / 360));
+    return view;
+}
+
+double exposure_of(const SkyPreviewOptions& options, const Image2<float>& radiance) {
+    return options.exposure_stops ? std::exp2(*options.exposure_stops) : exposure_for(radiance);
+}
+
+// Each pixel by bilinear lookup, for a picture that is larger.
+Image2<float> enlarged(const Image2<float>& image, int pixels) {
+    Image2<float> result(pixels, pixels, image.channels);
+    std::array<double, kMaxChannels> value{};
+    for (int y = 0; y < pixels; ++y) {
+        for (int x = 0; x < pixels; ++x) {
+            bilinear(image, (x + 0.5) / pixels, (y + 0.5) / pixels, value.data());
+            for (int c = 0; c < image.channels; ++c) {
+                result.texel(x, y)[c] = static_cast<float>(value[static_cast<std::size_t>(c)]);
+            }
+        }
+    }
+    return result;
+}
+
+// Tone-mapped, with the circle's edge smoothed against its surround.
+Picture dome_picture(const Image2<float>& radiance, const SkyView& view, double exposure) {
+    Picture picture = tone_mapped(radiance, exposure);
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            const double share = coverage_at(view, x, y);
+            if (share == 1) continue;
+            std::uint8_t* pixel =
+                picture.rgb.data() +
+                3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +
+                     static_cast<std::size_t>(x));
+            for (std::size_t c = 0; c < kSurround.size(); ++c) {
+                pixel[c] = static_cast<std::uint8_t>(
+                    std::lround(share * pixel[c] + (1 - share) * kSurround[c]));
+            }
+        }
+    }
+    return picture;
+}
+
+ChartAxis dome_axis(const char* title) {
+    return {title, [](double t) { return 180 * t - 90; }, AxisTicks::angles};
+}
+
+Picture framed_dome(const Picture& dome, const std::string& title) {
+    return framed(dome, title, dome_axis("across (deg from the zenith)"),
+                  dome_axis("towards the sun (deg from the zenith)"));
+}
+
+// The least of 1, 2, 5, 10 ... percent that 99 of 100 pixels lie within.
+double percent_shown(const Image2<float>& relative) {
+    std::vector<float> sizes;
+    for (const float value : relative.texels) sizes.push_back(std::fabs(value));
+    const auto rank =
+        sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), rank, sizes.end());
+    double limit = 0.1;
+    for (int i = 0; limit < 100 * double{*rank} && i < 30; ++i) limit *= i % 3 == 1 ? 2.5 : 2;
+    return limit;
+}
+
+Picture difference_chart(const SkyDifference& difference, int pixels) {
+    Image2<float> percent(difference.relative.width, difference.relative.height, 1);
+    for (int y = 0; y < percent.height; ++y) {
+        for (int x = 0; x < percent.width; ++x) {
+            *percent.texel(x, percent.height - 1 - y) = 100 * *difference.relative.texel(x, y);
+        }
+    }
+    const double limit = percent_shown(difference.relative);
+    return false_colour_chart(percent, {-limit, limit, false, true, "tables over direct (%)"},
+                              "difference", dome_axis("across (deg from the zenith)"),
+                              dome_axis("towards the sun (deg from the zenith)"), pixels);
+}
+
+// "-4 deg", and for file names "minus_4", "0_5".
+std::string degrees_text(double degrees) { return fmt::format("{:g} deg", degrees); }
+std::string degrees_name(double degrees) {
+    std::string name = fmt::format("{}{:g}", degrees < 0 ? "minus_" : "", std::fabs(degrees));
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+}
+
+// Three digits, never an exponent of ten.
+std::string number_text(double value) {
+    return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+std::string percent_text(double share) { return number_text(100 * share) + " %"; }
+
+// What every caption of a sky says of light and camera.
+std::string how_shown(const SkyScene& scene) {
+    return fmt::format(
+        "Camera at {:g} km; {} steps a ray. Radiance per solar irradiance of 1 in each channel, so "
+        "that sunlight outside of the air is white; channels shown as linear sRGB",
+        scene.camera_altitude_km, kSkySteps);
+}
+
+PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
+    const SkyView view = dome_view(scene, sun_elevation_degrees, scene.options.dome_pixels);
+    Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
+    const double exposure = exposure_of(scene.options, radiance);
+    add_sun_disc(scene.medium, scene.tables, view, radiance);
+
+    PreviewPicture result;
+    result.name = "sky_sun_" + degrees_name(sun_elevation_degrees);
+    result.title = fmt::format("Sky with the sun at {}", degrees_text(sun_elevation_degrees));
+    const std::string exposure_text =
+        fmt::format("exposure {}, tone curve {}", number_text(exposure), tone_curve_name());
+    const Picture dome = dome_picture(radiance, view, exposure);
+    result.caption = fmt::format("{}: fisheye of the upper hemisphere, the sun upwards. {}, {}.",
+                                 result.title, how_shown(scene), exposure_text);
+    if (scene.options.direct_pixels <= 0) {
+        result.picture = framed_dome(dome, "from the tables");
+        return result;
+    }
+    const SkyView small = dome_view(scene, sun_elevation_degrees, scene.options.direct_pixels);
+    const Image2<float> direct = render_sky_reference(scene.medium, small, scene.threads);
+    const SkyDifference difference =
+        sky_difference(render_sky(scene.medium, scene.tables, small, scene.threads), direct, small);
+    const std::string figures =
+        fmt::format("at most {}, RMS {}", percent_text(difference.error.max),
+                    percent_text(difference.error.rms));
+    result.picture = contact_sheet(
+        {framed_dome(dome, "from the tables"),
+         framed_dome(dome_picture(enlarged(direct, view.width), view, exposure),
+                     "direct integration"),
+         difference_chart(difference, view.width)},
+        {fmt::format("sun at {}, {} steps a ray, {}", degrees_text(sun_elevation_degrees),
+                     kSkySteps, exposure_text),
+         fmt::format("{0}x{0} pixels, enlarged, without the sun's disc", small.width), figures},
+        3);
+    result.caption += fmt::format(
+        " In the middle the same by direct integration with exact optical depths and multiple "
+        "scattering from the baker's own kernel; at the right what tables, lookups and marching "
+        "cost: {}, of each pixel the channel that is furthest off, relative to max(direct, 1e-3 of "
+        "the channel's largest).",
+        figures);
+    return result;
+}
+
+PreviewPicture panoramas(const SkyScene& scene) {
+    std::vector<Picture> pictures;
+    std::vector<std::string> captions;
+    for (const double elevation : scene.options.sun_elevations_degrees) {
+        const SkyView view = panorama_view(scene, elevation);
+        Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
+        const double exposure = exposure_of(scene.options, radiance);
+        add_sun_disc(scene.medium, scene.tables, view, radiance);
+        pictures.push_back(tone_mapped(radiance, exposure));
+        captions.push_back(
+            fmt::format("sun at {}, exposure {}", degrees_text(elevation), number_text(exposure)));
+    }
+    PreviewPicture result;
+    result.name = "sky_panoramas";
+    result.title = "Sky all around";
+    result.caption = fmt::format(
+        "From the tables: azimuth from -180 to 180 deg about the sun's, elevation from {:g} to "
+        "{:g} "
+        "deg. {}, tone curve {}. The ground is lit by the sun and, through the table of multiple "
+        "scattering, by a sky taken as equally bright all over.",
+        kLowestDegrees, kHighestDegrees, how_shown(scene), tone_curve_name());
+    result.picture = contact_sheet(pictures, captions, 1);
+    return result;
+}
+
+}  // namespace
+
+SkyPreviewOptions draft_sky_preview() {
+    SkyPreviewOptions options;
+    options.sun_elevations_degrees = {60, 10, 0};
+    options.dome_pixels = 192;
+    options.direct_pixels = 0;
+    options.panorama_pixels = 360;
+    return options;
+}
+
+std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
+                                         const PreviewAsset& transmittance,
+                                         const PreviewAsset& multiple_scattering,
+                                         const SkyPreviewOptions& options, int threads) {
+    config::Outcome<SkyTables> tables = make_sky_tables(transmittance, multiple_scattering);
+    std::vector<PreviewPicture> pictures;
+    if (!tables.value) return pictures;
+    SkyMedium medium = make_sky_medium(atmosphere);
+    if (medium.air.channels != tables.value->transmittance.channels) return pictures;
+    const double altitude_km = std::min(options.camera_altitude_km, medium.air.thickness_km);
+    const SkyScene scene = {std::move(medium), std::move(*tables.value), altitude_km, options,
+                            threads};
+    for (const double elevation : options.sun_elevations_degrees) {
+        pictures.push_back(dome_of(scene, elevation));
+    }
+    if (options.panorama_pixels > 0 && !options.sun_elevations_degrees.empty()) {
+        pictures.push_back(panoramas(scene));
+    }
+    return pictures;
+}
+
+}  // namespace skybake

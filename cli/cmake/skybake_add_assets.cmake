@@ -1,0 +1,106 @@
+# Bakes a recipe as a part of a build.
+#
+#   skybake_add_assets(<target>
+#       RECIPE <file>             # relative to the current source folder
+#       OUTPUTS <file>...         # which of the files that the recipe makes the build knows of
+#       [FOLDER <folder>]         # where to, relative to the current binary folder; default <target>
+#       [SET <key=value>...]      # as `skybake bake --set`
+#       [ONLY <name>...]          # as --only
+#       [CERTIFY quick|full|off]  # as --certify
+#       [CACHE_DIR <folder>])     # as --cache-dir
+#
+# Makes the custom target <target>, which is built by default, and sets the variable
+# <target>_FOLDER. A rule that reads a file depends on both, so that all generators keep the order:
+#
+#   add_custom_command(OUTPUT ... DEPENDS sky ${sky_FOLDER}/transmittance.exr ...)
+#
+# skybake runs again when the recipe, one of its includes or images, or the program has changed, or
+# when an output is missing. It bakes what then is stale, and leaves every other file and its time
+# stamp alone, so that what is made of those is not made again. A folder holds one recipe's files.
+
+cmake_policy(PUSH)
+# What follows is to mean the same whatever policies the caller has.
+cmake_policy(VERSION 3.21)
+
+set(_skybake_finish_bake ${CMAKE_CURRENT_LIST_DIR}/skybake_finish_bake.cmake)
+
+# Two recipes would take each other's files for foreign ones.
+function(_skybake_claim_folder folder target)
+    get_property(owner GLOBAL PROPERTY "skybake owner of ${folder}")
+    if(owner)
+        message(FATAL_ERROR "skybake_add_assets(${target}): the files of ${owner} go to ${folder}, "
+            "too; FOLDER chooses another")
+    endif()
+    set_property(GLOBAL PROPERTY "skybake owner of ${folder}" ${target})
+endfunction()
+
+function(skybake_add_assets target)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "RECIPE;FOLDER;CERTIFY;CACHE_DIR" "OUTPUTS;SET;ONLY")
+    if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
+        message(FATAL_ERROR "skybake_add_assets(${target}): not understood: "
+            "${arg_UNPARSED_ARGUMENTS} ${arg_KEYWORDS_MISSING_VALUES}")
+    endif()
+    if(NOT arg_RECIPE OR NOT arg_OUTPUTS)
+        message(FATAL_ERROR "skybake_add_assets(${target}): RECIPE and OUTPUTS are needed")
+    endif()
+    if(NOT arg_FOLDER)
+        set(arg_FOLDER ${target})
+    endif()
+    cmake_path(ABSOLUTE_PATH arg_RECIPE NORMALIZE BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    cmake_path(ABSOLUTE_PATH arg_FOLDER NORMALIZE BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+    string(REGEX REPLACE "/$" "" arg_FOLDER ${arg_FOLDER})
+    _skybake_claim_folder(${arg_FOLDER} ${target})
+    set(files ${arg_OUTPUTS})
+    list(TRANSFORM files PREPEND ${arg_FOLDER}/)
+
+    set(options --quiet)
+    foreach(value IN LISTS arg_SET)
+        list(APPEND options --set ${value})
+    endforeach()
+    foreach(name IN LISTS arg_ONLY)
+        list(APPEND options --only ${name})
+    endforeach()
+    if(arg_CERTIFY)
+        list(APPEND options --certify ${arg_CERTIFY})
+    endif()
+    if(arg_CACHE_DIR)
+        cmake_path(ABSOLUTE_PATH arg_CACHE_DIR NORMALIZE
+            BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+        list(APPEND options --cache-dir ${arg_CACHE_DIR})
+    endif()
+
+    if(CMAKE_GENERATOR MATCHES Ninja)
+        # Ninja runs a rule of which an output is missing, and looks at the time stamp of each
+        # ("restat") before it goes on to what depends on it.
+        set(byproducts BYPRODUCTS ${files} ${arg_FOLDER}/manifest.json)
+    else()
+        # Make knows nothing of by-products. A file that is missing makes the stamp stale by a rule
+        # of its own, which does nothing and has no prerequisites: Make takes what such a rule has
+        # not made for new.
+        foreach(file IN LISTS files)
+            add_custom_command(OUTPUT ${file} COMMAND ${CMAKE_COMMAND} -E true COMMENT "")
+        endforeach()
+        set(required_files ${files})
+    endif()
+
+    # The files' own time stamps do not tell when skybake ran last, so an empty one does.
+    set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/skybake/${target})
+    # Make does not see that a command has changed, only that a file has.
+    file(GENERATE OUTPUT ${state}.options CONTENT "${arg_FOLDER};${options}\n")
+    add_custom_command(
+        OUTPUT ${state}.stamp
+        ${byproducts}
+        COMMAND skybake::skybake bake ${arg_RECIPE} -o ${arg_FOLDER} ${options}
+                --depfile ${state}.rules > ${state}.files
+        COMMAND ${CMAKE_COMMAND} -D "WHO=skybake_add_assets(${target})" -D "OUTPUTS=${files}"
+                -D FILES=${state}.files -D RULES=${state}.rules -D STAMP=${state}.stamp
+                -D DEPFILE=${state}.d -P ${_skybake_finish_bake}
+        DEPENDS ${arg_RECIPE} ${state}.options $<TARGET_FILE:skybake::skybake> ${required_files}
+        DEPFILE ${state}.d
+        COMMENT "Baking ${target}"
+        VERBATIM)
+    add_custom_target(${target} ALL DEPENDS ${state}.stamp)
+    set(${target}_FOLDER ${arg_FOLDER} PARENT_SCOPE)
+endfunction()
+
+cmake_policy(POP)

@@ -1,0 +1,227 @@
+#include "cli/sweep_reporter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/table_printer.h"
+
+namespace skybake::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using std::chrono::duration;
+using std::chrono::steady_clock;
+
+std::string line(const Json& event) {
+    return event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string plural(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::size_t up_to_date_count(const std::vector<PlannedVariant>& plan) {
+    return static_cast<std::size_t>(
+        std::count_if(plan.begin(), plan.end(), [](const PlannedVariant& variant) {
+            return variant.result.status == VariantStatus::done;
+        }));
+}
+
+std::string folder_of(const SweepJob& job, const VariantResult& variant) {
+    return (job.folder / variant.name).string();
+}
+
+std::string first_error(const VariantResult& variant) {
+    for (const config::Diagnostic& diagnostic : variant.diagnostics) {
+        if (diagnostic.severity != config::Severity::error) continue;
+        return fmt::format("{}: {}", diagnostic.code, diagnostic.message);
+    }
+    return "";
+}
+
+// Why a variant is to be made, asset by asset.
+std::string reasons_text(const PlannedVariant& variant) {
+    if (variant.result.status == VariantStatus::done) return "up to date";
+    if (variant.result.status == VariantStatus::failed) {
+        return "cannot be made, " + first_error(variant.result);
+    }
+    std::string text;
+    for (const StaleAsset& asset : variant.stale) {
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", asset.name, asset.reason);
+    }
+    return text.empty() ? "manifest.json alone" : text;
+}
+
+std::string_view spell_planned(VariantStatus status) {
+    if (status == VariantStatus::done) return "up_to_date";
+    return status == VariantStatus::failed ? "failed" : "stale";
+}
+
+}  // namespace
+
+SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json)
+    : job_(job),
+      variants_(variants),
+      console_(console),
+      json_(json),
+      start_(steady_clock::now()),
+      shown_(steady_clock::now()) {}
+
+bool SweepReporter::cancelled() const { return interrupted(); }
+
+std::string SweepReporter::count_text() const {
+    const double elapsed = duration<double>(steady_clock::now() - start_).count();
+    std::string text = fmt::format("{}/{} variants", finished_, variants_);
+    if (failed_ > 0) text += fmt::format(", {} failed", failed_);
+    text += fmt::format(", {:.0f} s", elapsed);
+    if (made_ > 0) {
+        const auto left = static_cast<double>(variants_ - finished_);
+        const auto done = static_cast<double>(finished_);
+        text += fmt::format(", about {:.0f} s left", elapsed * left / done);
+    }
+    return text;
+}
+
+void SweepReporter::show(const std::string& text) {
+    const auto now = steady_clock::now();
+    const bool terminal = console_.error_is_terminal();
+    if (duration<double>(now - shown_).count() < (terminal ? 0.1 : 10.0)) return;
+    shown_ = now;
+    line_shown_ = terminal;
+    console_.note(terminal ? fmt::format("\r\033[K  {}", text) : text + "\n");
+}
+
+void SweepReporter::advance(const VariantResult& variant, std::string_view step, double fraction) {
+    show(fmt::format("{}; {}: {} {:.0f} %", count_text(), variant.name, step, 100 * fraction));
+}
+
+void SweepReporter::waits(const VariantResult& variant) {
+    finish();
+    console_.note(fmt::format("waiting for another skybake that bakes {}\n", variant.name));
+}
+
+void SweepReporter::finished(const VariantResult& variant, bool made, double seconds) {
+    ++finished_;
+    const bool failed = variant.status == VariantStatus::failed;
+    if (failed) ++failed_;
+    if (made && !failed) ++made_;
+    if (json_) {
+        const std::string_view state = failed ? "failed" : made ? "made" : "up_to_date";
+        console_.result(line({{"event", "variant"},
+                              {"index", variant.index},
+                              {"name", variant.name},
+                              {"path", folder_of(job_, variant)},
+                              {"state", state},
+                              {"seconds", seconds}}));
+    }
+    if (console_.error_is_terminal()) {
+        show(count_text());
+    } else if (made || failed) {
+        console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name,
+                                  failed ? "failed" : "made", seconds, finished_, variants_));
+        shown_ = steady_clock::now();
+    }
+}
+
+void SweepReporter::finish() {
+    if (line_shown_) console_.note("\r\033[K");
+    line_shown_ = false;
+}
+
+std::string plan_note(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
+    std::string text =
+        plural(static_cast<std::size_t>(config::variant_count(job.sweep)), "variant");
+    if (job.shards > 1) text += fmt::format(", {} in this shard", plan.size());
+    if (const std::size_t count = up_to_date_count(plan); count > 0) {
+        text += fmt::format(", {} up to date", count);
+    }
+    std::string_view separator = "; ";
+    for (const SharedAsset& shared : shared_assets(plan)) {
+        text += fmt::format("{}{} share {} (baked {})", separator, shared.variants, shared.name,
+                            shared.bakes == 1 ? "once" : plural(std::size_t(shared.bakes), "time"));
+        separator = ", ";
+    }
+    return text + "\n";
+}
+
+std::string plan_table(const std::vector<PlannedVariant>& plan) {
+    TextTable table;
+    for (const PlannedVariant& variant : plan) {
+        table.add_row({variant.result.name, reasons_text(variant)});
+    }
+    return table.text();
+}
+
+std::string sweep_event(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
+    Json shared = Json::array();
+    for (const SharedAsset& asset : shared_assets(plan)) {
+        shared.push_back(
+            {{"name", asset.name}, {"variants", asset.variants}, {"bakes", asset.bakes}});
+    }
+    return line({{"event", "sweep"},
+                 {"variants", config::variant_count(job.sweep)},
+                 {"in_shard", plan.size()},
+                 {"up_to_date", up_to_date_count(plan)},
+                 {"shared", std::move(shared)}});
+}
+
+std::string planned_variant_events(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
+    std::string text;
+    for (const PlannedVariant& variant : plan) {
+        text += line({{"event", "planned_variant"},
+                      {"index", variant.result.index},
+                      {"name", variant.result.name},
+                      {"path", folder_of(job, variant.result)},
+                      {"state", spell_planned(variant.result.status)},
+                      {"why", reasons_text(variant)},
+                      {"seconds", variant.seconds},
+                      {"memory_mib", variant.memory_mib}});
+    }
+    return text;
+}
+
+std::string swept_event(const std::vector<VariantResult>& results, int made, double seconds) {
+    const auto count = [&](VariantStatus status) {
+        return std::count_if(results.begin(), results.end(),
+                             [&](const VariantResult& one) { return one.status == status; });
+    };
+    return line({{"event", "swept"},
+                 {"done", count(VariantStatus::done)},
+                 {"failed", count(VariantStatus::failed)},
+                 {"missing", count(VariantStatus::missing)},
+                 {"made", made},
+                 {"seconds", seconds}});
+}
+
+std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results) {
+    constexpr std::size_t most_named = 5;
+    std::vector<config::Diagnostic> diagnostics;
+    for (const VariantStatus status : {VariantStatus::failed, VariantStatus::missing}) {
+        std::size_t count = 0;
+        std::string names;
+        for (const VariantResult& result : results) {
+            if (result.status != status) continue;
+            if (count++ < most_named) names += (names.empty() ? "" : ", ") + result.name;
+        }
+        if (count == 0) continue;
+        if (count > most_named) names += fmt::format(" and {} more", count - most_named);
+        config::Diagnostic diagnostic;
+        diagnostic.code = "E0406";
+        diagnostic.message =
+            fmt::format("{} of {} {} {}: {}", count, results.size(),
+                        results.size() == 1 ? "variant" : "variants",
+                        status == VariantStatus::failed ? "failed" : "not there yet", names);
+        if (status == VariantStatus::missing) {
+            diagnostic.message = fmt::format("{} of {} variants {} not there yet: {}", count,
+                                             results.size(), count == 1 ? "is" : "are", names);
+        }
+        diagnostics.push_back(std::move(diagnostic));
+    }
+    return diagnostics;
+}
+
+}  // namespace skybake::cli

@@ -1,0 +1,147 @@
+#include "cli/sweep_scripts.h"
+
+#include <fmt/format.h>
+
+#include "bakers/sweep/index_files.h"
+
+namespace skybake::cli {
+namespace {
+
+bool is_safe_in_shells(char c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool digit = c >= '0' && c <= '9';
+    return letter || digit || std::string_view("_-./=:,+%@").find(c) != std::string_view::npos;
+}
+
+std::string base_command(const SweepScript& script) {
+    std::string text;
+    for (const std::string& word : script.words) text += shell_word(word) + ' ';
+    return text;
+}
+
+// Within a variable's value, ninja reads `$` alone.
+std::string ninja_value(std::string_view text) {
+    std::string value;
+    for (const char c : text) value += c == '$' ? "$$" : std::string(1, c);
+    return value;
+}
+
+// Within a build line, also what ends a path.
+std::string ninja_path(std::string_view text) {
+    std::string path;
+    for (const char c : text) {
+        if (c == '$' || c == ' ' || c == ':') path += '$';
+        path += c;
+    }
+    return path;
+}
+
+// The `$` of `$task` is ninja's own.
+std::string ninja_task_command(const SweepScript& script) {
+    SweepScript escaped = script;
+    for (std::string& word : escaped.words) word = ninja_value(word);
+    return task_command(escaped, "$task");
+}
+
+std::string ninja_stamp(const SweepScript& script, int task) {
+    return (std::filesystem::path(script.folder) / "tasks" /
+            fmt::format("{}-of-{}.done", task, script.tasks))
+        .string();
+}
+
+}  // namespace
+
+std::string shell_word(std::string_view text) {
+    bool safe = !text.empty();
+    for (const char c : text) safe = safe && is_safe_in_shells(c);
+    if (safe) return std::string(text);
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? R"('\'')" : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string task_command(const SweepScript& script, std::string_view task) {
+    return fmt::format("{}-j {} --shard {}/{}", base_command(script), script.threads, task,
+                       script.tasks);
+}
+
+std::string merge_command(const SweepScript& script) { return base_command(script) + "--merge"; }
+
+std::string command_lines(const SweepScript& script) {
+    std::string text;
+    for (int task = 1; task <= script.tasks; ++task) {
+        text += task_command(script, std::to_string(task)) + '\n';
+    }
+    return text;
+}
+
+std::string slurm_script(const SweepScript& script) {
+    return fmt::format(
+        R"(#!/usr/bin/env bash
+# A sweep of {variants} variants in {tasks} tasks, and the merge that follows them. Run it, do not
+# submit it:
+#   bash THIS_FILE [options of sbatch, such as --partition=render]
+# Tasks may be requeued or run again: what is up to date is left alone. The merge runs whatever
+# becomes of them, and lists what is missing.
+set -euo pipefail
+
+tasks=$(sbatch "$@" --parsable <<'TASKS'
+#!/usr/bin/env bash
+#SBATCH --job-name=skybake-sweep
+#SBATCH --array=1-{tasks}
+#SBATCH --ntasks=1
+#SBATCH --cpus-per-task={threads}
+#SBATCH --requeue
+exec {task}
+TASKS
+)
+
+merge=$(sbatch "$@" --parsable --dependency="afterany:${{tasks%%;*}}" <<'MERGE'
+#!/usr/bin/env bash
+#SBATCH --job-name=skybake-merge
+#SBATCH --ntasks=1
+#SBATCH --requeue
+exec {merge}
+MERGE
+)
+
+echo "tasks ${{tasks%%;*}}"
+echo "merge ${{merge%%;*}}"
+)",
+        fmt::arg("variants", script.variants), fmt::arg("tasks", script.tasks),
+        fmt::arg("threads", script.threads),
+        fmt::arg("task", task_command(script, R"("$SLURM_ARRAY_TASK_ID")")),
+        fmt::arg("merge", merge_command(script)));
+}
+
+std::string ninja_file(const SweepScript& script) {
+    std::string inputs;
+    for (const std::filesystem::path& input : script.inputs) {
+        inputs += " " + ninja_path(input.string());
+    }
+    std::string text = fmt::format(
+        "# A sweep of {} variants in {} tasks: ninja -f THIS_FILE\n"
+        "ninja_required_version = 1.5\n\n"
+        "rule task\n"
+        "  command = {} && mkdir -p {} && touch $out\n"
+        "  description = sweep, task $task of {}\n\n"
+        "rule merge\n"
+        "  command = {}\n"
+        "  description = sweep, index\n\n",
+        script.variants, script.tasks, ninja_task_command(script),
+        ninja_value(shell_word((std::filesystem::path(script.folder) / "tasks").string())),
+        script.tasks, ninja_value(merge_command(script)));
+    std::string stamps;
+    for (int task = 1; task <= script.tasks; ++task) {
+        const std::string stamp = ninja_path(ninja_stamp(script, task));
+        stamps += " " + stamp;
+        text += fmt::format("build {}: task |{}\n  task = {}\n", stamp, inputs, task);
+    }
+    text += "build";
+    for (const std::string_view name : index_names) {
+        text += " " + ninja_path((std::filesystem::path(script.folder) / name).string());
+    }
+    return text + ": merge |" + stamps + "\n";
+}
+
+}  // namespace skybake::cli

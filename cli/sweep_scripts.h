@@ -1,0 +1,37 @@
+// Scripts that hand a sweep to an engine that a farm has already. Tasks are shards of the sweep:
+// idempotent, so that whoever runs one again, after a node has died, does no harm.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace skybake::cli {
+
+struct SweepScript {
+    std::vector<std::string> words;  // of the command without --shard and --merge
+    std::string folder;              // of the sweep
+    int variants = 0;
+    int tasks = 0;
+    int threads = 1;                            // of a task
+    std::vector<std::filesystem::path> inputs;  // what the variants are made from
+};
+
+// A word that a POSIX shell reads back as it is.
+std::string shell_word(std::string_view text);
+
+// The command of one task, or of the merge that ends the sweep, for a shell.
+std::string task_command(const SweepScript& script, std::string_view task);
+std::string merge_command(const SweepScript& script);
+
+// One task a line, without the merge.
+std::string command_lines(const SweepScript& script);
+
+// A shell script that submits an array job and, after it, the merge. Its arguments go to sbatch.
+std::string slurm_script(const SweepScript& script);
+
+// A build.ninja: a stamp for each task, and the index files.
+std::string ninja_file(const SweepScript& script);
+
+}  // namespace skybake::cli

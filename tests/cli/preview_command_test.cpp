@@ -1,0 +1,278 @@
+// preview: of recipes, folders, sweeps and files.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::contains;
+using testing::read_bytes;
+using testing::Result;
+using testing::run_words;
+using testing::TemporaryFolder;
+using testing::write_bytes;
+
+// A table, a noise and nothing that takes long.
+constexpr const char* recipe_text = R"(
+preset = "earth"
+[noise.n.channels.Y]
+type = "worley"
+frequency = 4
+[bake.transmittance]
+size = [32, 8]
+[bake.volume]
+asset = "noise_volume"
+noise = "n"
+size = [16, 16, 16]
+formats = ["exr", "bin", "vdb"]
+)";
+
+struct Scene {
+    TemporaryFolder folder;
+    std::string recipe = (folder / "recipe.toml").string();
+    std::string baked = (folder / "baked").string();
+    std::string out = (folder / "preview").string();
+
+    Scene() { write_bytes(recipe, recipe_text); }
+    void bake() const { EXPECT_EQ(run_words({"bake", recipe, "-o", baked}).code, 0); }
+    Result preview(std::vector<std::string> words) const {
+        words.insert(words.begin(), "preview");
+        words.insert(words.end(), {"-o", out});
+        return run_words(words);
+    }
+    std::string page() const { return read_bytes(out + "/index.html"); }
+};
+
+json data_of(const std::string& html) {
+    const std::string begin = "id=\"preview\">";
+    const std::size_t from = html.find(begin) + begin.size();
+    return json::parse(html.substr(from, html.find("</script>", from) - from), nullptr, false);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST(PreviewCommand, PrintsThePathsItWroteAndNothingElse) {
+    const Scene scene;
+    const Result result = scene.preview({scene.recipe});
+    ASSERT_EQ(result.code, 0) << result.error;
+    const std::vector<std::string> paths = lines_of(result.out);
+    ASSERT_GT(paths.size(), 5u);
+    EXPECT_EQ(paths.back(), scene.out + "/index.html");
+    for (const std::string& path : paths) EXPECT_TRUE(fs::is_regular_file(path)) << path;
+    EXPECT_TRUE(contains(result.error, "open " + paths.back()));
+    for (std::size_t i = 0; i + 1 < paths.size(); ++i) {
+        EXPECT_TRUE(read_bytes(paths[i]).starts_with("\x89PNG")) << paths[i];
+    }
+}
+
+TEST(PreviewCommand, ShowsTheSameOfRecipeFolderManifestAndFiles) {
+    const Scene scene;
+    scene.bake();
+    ASSERT_EQ(scene.preview({scene.recipe}).code, 0);
+    const json of_recipe = data_of(scene.page());
+    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    const json of_folder = data_of(scene.page());
+    ASSERT_EQ(scene.preview({scene.baked + "/manifest.json"}).code, 0);
+    EXPECT_EQ(data_of(scene.page()), of_folder);
+    const Result of_files =
+        scene.preview({scene.baked + "/transmittance.exr", scene.baked + "/volume.bin"});
+    ASSERT_EQ(of_files.code, 0) << of_files.error;
+    const json files = data_of(scene.page());
+    for (const int asset : {0, 1}) {
+        const json& pictures = of_recipe["assets"][asset]["pictures"];
+        EXPECT_GE(pictures.size(), 4u);
+        EXPECT_EQ(of_folder["assets"][asset]["pictures"], pictures);
+        EXPECT_EQ(files["assets"][asset]["pictures"], pictures);
+        EXPECT_EQ(of_folder["assets"][asset]["error"], of_recipe["assets"][asset]["error"]);
+    }
+    EXPECT_EQ(of_folder["assets"][1]["files"].size(), 3u);
+    EXPECT_EQ(files["assets"][1]["files"].size(), 1u);
+}
+
+TEST(PreviewCommand, AFileSpeaksForItself) {
+    const Scene scene;
+    scene.bake();
+    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    const json claimed = data_of(scene.page());
+    const fs::path alone = scene.folder / "alone";
+    fs::create_directory(alone);
+    const struct {
+        const char* name;
+        int asset;
+    } files[] = {{"transmittance.exr", 0}, {"volume.exr", 1}, {"volume.vdb", 1}};
+    for (const auto& file : files) {
+        SCOPED_TRACE(file.name);
+        fs::copy_file(fs::path(scene.baked) / file.name, alone / file.name);
+        const Result result = scene.preview({(alone / file.name).string()});
+        ASSERT_EQ(result.code, 0) << result.error;
+        const json asset = data_of(scene.page())["assets"][0];
+        const json& wanted = claimed["assets"][file.asset];
+        for (const char* key : {"kind", "content", "size", "channels", "mapping", "axes",
+                                "statistics", "content_hash", "parameters", "pictures"}) {
+            EXPECT_EQ(asset[key], wanted[key]) << key;
+        }
+    }
+    fs::copy_file(fs::path(scene.baked) / "volume.bin", alone / "volume.bin");
+    EXPECT_EQ(scene.preview({(alone / "volume.bin").string()}).code, 3);
+}
+
+TEST(PreviewCommand, SaysWhatItCannotRead) {
+    const Scene scene;
+    fs::create_directory(scene.baked);
+    EXPECT_EQ(scene.preview({scene.baked}).code, 3);  // no manifest
+    EXPECT_EQ(scene.preview({"/absent/a.toml"}).code, 3);
+    EXPECT_EQ(scene.preview({"/absent/a.exr"}).code, 3);
+    write_bytes(scene.baked + "/manifest.json", "{");
+    EXPECT_EQ(scene.preview({scene.baked}).code, 3);
+    write_bytes(scene.baked + "/a.exr", "not an image");
+    EXPECT_EQ(scene.preview({scene.baked + "/a.exr"}).code, 3);
+    write_bytes(scene.recipe, "preset = \"earht\"");
+    EXPECT_EQ(scene.preview({scene.recipe}).code, 2);
+    EXPECT_FALSE(fs::exists(scene.out));
+}
+
+TEST(PreviewCommand, SaysWhichFileIsDamaged) {
+    const Scene scene;
+    scene.bake();
+    const std::string volume = scene.baked + "/volume.exr";
+    write_bytes(volume, read_bytes(volume).substr(0, 2000));
+    const Result result = scene.preview({scene.baked});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "volume.exr")) << result.error;
+    fs::remove(scene.baked + "/transmittance.exr");
+    EXPECT_EQ(scene.preview({scene.baked}).code, 3);
+    EXPECT_FALSE(fs::exists(scene.out));
+}
+
+TEST(PreviewCommand, NoManifestWritesOutsideOfTheFolder) {
+    const Scene scene;
+    scene.bake();
+    const std::string path = scene.baked + "/manifest.json";
+    json manifest = json::parse(read_bytes(path));
+    manifest["assets"][0]["name"] = "../../escaped";
+    manifest["assets"][1]["name"] = "</script><b>";
+    write_bytes(path, manifest.dump());
+    const Result result = scene.preview({scene.baked});
+    ASSERT_EQ(result.code, 0) << result.error;
+    for (const std::string& line : lines_of(result.out)) {
+        EXPECT_EQ(fs::path(line).parent_path(), scene.out);
+        EXPECT_EQ(line.find_first_of("<>"), std::string::npos);
+    }
+    EXPECT_EQ(data_of(scene.page())["assets"][1]["name"], "</script><b>");
+}
+
+TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
+    const Scene scene;
+    scene.bake();
+    const std::vector<std::vector<std::string>> wrong = {
+        {},
+        {scene.recipe, scene.recipe},
+        {scene.recipe, scene.baked},
+        {scene.baked, "--watch"},
+        {scene.baked, "--only", "volume"},
+        {scene.baked, "--set", "a=1"},
+        {scene.recipe, "--watch", "--report"},
+        {scene.recipe, "--only", "absent"},
+        {scene.recipe, "--sun-elevation", "91"},
+        {scene.recipe, "--sun-elevation", "10,"},
+        {scene.recipe, "--sun-elevation", "1km"},
+        {scene.recipe, "--exposure", "bright"},
+        {scene.recipe, "--altitude", "200"},
+        {scene.recipe, "--altitude=-1m"},
+        {scene.recipe, "-j", "0"},
+    };
+    for (const auto& words : wrong) EXPECT_EQ(scene.preview(words).code, 2) << words.back();
+    EXPECT_FALSE(fs::exists(scene.out));
+}
+
+TEST(PreviewCommand, LeavesAlonePagesOfOthers) {
+    const Scene scene;
+    fs::create_directory(scene.out);
+    write_bytes(scene.out + "/index.html", "<h1>My holidays</h1>");
+    EXPECT_EQ(scene.preview({scene.recipe, "--only", "volume"}).code, 3);
+    EXPECT_EQ(scene.page(), "<h1>My holidays</h1>");
+    EXPECT_EQ(scene.preview({scene.recipe, "--only", "volume", "--force"}).code, 0);
+    EXPECT_EQ(scene.preview({scene.recipe, "--only", "volume"}).code, 0);
+    EXPECT_EQ(data_of(scene.page())["assets"].size(), 1u);
+    // A picture of a name that this page has not made.
+    write_bytes(scene.out + "/transmittance_red.png", "mine");
+    EXPECT_EQ(scene.preview({scene.recipe}).code, 3);
+    EXPECT_EQ(read_bytes(scene.out + "/transmittance_red.png"), "mine");
+}
+
+TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
+    const Scene scene;
+    write_bytes(scene.recipe,
+                "preset = \"earth\"\n[bake.transmittance]\nsize = [64, 16]\n"
+                "[bake.multiple_scattering]\nsize = [16, 16]\n");
+    scene.bake();
+    ASSERT_EQ(scene
+                  .preview({scene.baked, "--sun-elevation", "30 deg,5", "--altitude", "2km",
+                            "--exposure", "4"})
+                  .code,
+              0);
+    const json scenes = data_of(scene.page())["scenes"];
+    ASSERT_EQ(scenes.size(), 1u);
+    const std::string told = scenes.dump();
+    EXPECT_TRUE(contains(told, "30 deg"));
+    EXPECT_TRUE(contains(told, "exposure 16"));
+    EXPECT_FALSE(contains(told, "60 deg"));
+}
+
+TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {
+    const Scene scene;
+    const std::string sweep = (scene.folder / "sweep").string();
+    ASSERT_EQ(run_words({"sweep", scene.recipe, "--vary", "noise.n.seed=2,10", "--vary",
+                         "atmosphere.layers.mie.scale_height=1.2 km,800 m", "-o", sweep})
+                  .code,
+              0);
+    const Result result = scene.preview({sweep});
+    ASSERT_EQ(result.code, 0) << result.error;
+    EXPECT_TRUE(fs::exists(scene.out + "/contact_sheet.png"));
+    const json table = data_of(scene.page())["sweep"];
+    ASSERT_EQ(table["rows"].size(), 4u);
+    EXPECT_EQ(table["columns"][0]["title"], "seed");
+    EXPECT_EQ(table["rows"][2]["cells"][0]["value"], 10);
+    EXPECT_EQ(table["rows"][1]["cells"][1]["value"], 800);
+    EXPECT_EQ(table["rows"][1]["cells"][1]["text"], "800 m");
+    for (const json& row : table["rows"]) EXPECT_TRUE(row["picture"].is_object());
+
+    // A folder that is gone costs its picture, a damaged index everything.
+    fs::remove_all(sweep + "/" + "0003_seed=10_scale_height=800m");
+    const Result partial = scene.preview({sweep});
+    EXPECT_EQ(partial.code, 0) << partial.error;
+    EXPECT_EQ(data_of(scene.page())["notes"].size(), 1u);
+    json index = json::parse(read_bytes(sweep + "/sweep.json"));
+    index["variants"][0]["name"] = "../elsewhere";
+    write_bytes(sweep + "/sweep.json", index.dump());
+    EXPECT_EQ(scene.preview({sweep}).code, 3);
+}
+
+TEST(PreviewCommand, AReportThatLiesThereIsShown) {
+    const Scene scene;
+    scene.bake();
+    ASSERT_EQ(run_words({"report", scene.recipe, "--quick", "--only", "transmittance", "-q", "-o",
+                         scene.baked + "/report"})
+                  .code,
+              0);
+    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    const json pictures = data_of(scene.page())["assets"][0]["pictures"];
+    EXPECT_EQ(pictures.back()["file"], "transmittance_report.svg");
+    EXPECT_GT(pictures.back()["width"], 100);
+    write_bytes(scene.baked + "/report/transmittance.svg", "<svg onload='alert(1)'/>");
+    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    EXPECT_EQ(data_of(scene.page())["assets"][0]["pictures"].size() + 1, pictures.size());
+}
+
+}  // namespace
+}  // namespace skybake::cli

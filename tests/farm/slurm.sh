@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# A sweep on a farm of two Slurm nodes, one of which dies in the middle, is byte for byte the sweep
+# that this machine makes by itself, but for the wall times in manifests.
+#
+#   slurm.sh SKYBAKE     exit code 77, skipped, where Slurm or munge is not installed
+#
+# All daemons are private: they live in a temporary folder, speak on loopback alone and end with
+# the test. Debian: apt-get install slurm-wlm
+set -euo pipefail
+
+skybake=$(realpath "$1")
+for program in munged slurmctld slurmd sbatch squeue sinfo scontrol; do
+    if ! PATH=$PATH:/usr/sbin command -v "$program" >/dev/null; then
+        echo "skipped: $program is not installed (Debian: slurm-wlm, munge)"
+        exit 77
+    fi
+done
+export PATH=$PATH:/usr/sbin
+
+farm=$(mktemp -d "${TMPDIR:-/tmp}/skybake-farm-XXXXXX")
+export SKYBAKE_FARM=$farm SLURM_CONF=$farm/slurm.conf
+unset SKYBAKE_CACHE_DIR
+
+# The processes that this test has started, by what they inherit: daemons leave their parents.
+farm_processes() {
+    local environment process
+    for environment in /proc/[0-9]*/environ; do
+        process=${environment#/proc/}
+        process=${process%/environ}
+        [[ $process != "$$" && $process != "$BASHPID" ]] || continue
+        if grep -qz "^SKYBAKE_FARM=$farm\$" "$environment" 2>/dev/null; then echo "$process"; fi
+    done
+}
+
+clean_up() {
+    local code=$? process
+    trap - EXIT
+    if [[ $code -ne 0 ]]; then
+        tail -n 30 "$farm"/*.log "$farm"/work/*.out 2>/dev/null || true
+    fi
+    for _ in 1 2 3; do
+        for process in $(farm_processes); do kill -KILL "$process" 2>/dev/null || true; done
+        sleep 0.2
+    done
+    rm -rf "$farm"
+    exit "$code"
+}
+trap clean_up EXIT
+trap 'exit 130' INT TERM
+
+wait_for() {  # SECONDS WHAT COMMAND...
+    local end=$((SECONDS + $1)) what=$2
+    shift 2
+    until "$@" >/dev/null 2>&1; do
+        if ((SECONDS >= end)); then
+            echo "waited in vain: $what"
+            exit 1
+        fi
+        sleep 0.2
+    done
+}
+
+# --- The farm -------------------------------------------------------------------------------------
+
+read -r controller_port first_port second_port < <(python3 - <<'PORTS'
+import socket
+sockets = [socket.socket() for _ in range(3)]
+for one in sockets:
+    one.bind(("127.0.0.1", 0))
+print(*(one.getsockname()[1] for one in sockets))
+PORTS
+)
+user=$(id -un)
+host=$(hostname -s)
+chmod 755 "$farm"
+mkdir -p "$farm/state" "$farm/spool.n1" "$farm/spool.n2" "$farm/work"
+(umask 077 && head -c 1024 /dev/urandom >"$farm/munge.key")
+cat >"$SLURM_CONF" <<CONF
+ClusterName=skybake
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=$controller_port
+SlurmUser=$user
+SlurmdUser=$user
+AuthType=auth/munge
+# A requeued task starts once the credential of its first start has expired.
+AuthInfo=socket=$farm/munge.socket,cred_expire=5
+CommunicationParameters=NoInAddrAny,NoCtldInAddrAny
+StateSaveLocation=$farm/state
+SlurmdSpoolDir=$farm/spool.%n
+SlurmctldPidFile=$farm/slurmctld.pid
+SlurmdPidFile=$farm/slurmd.%n.pid
+SlurmctldLogFile=$farm/slurmctld.log
+SlurmdLogFile=$farm/slurmd.%n.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+MpiDefault=none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU
+SchedulerType=sched/builtin
+SlurmdTimeout=6
+MessageTimeout=5
+KillWait=2
+JobRequeue=1
+ReturnToService=2
+NodeName=n1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$first_port CPUs=1 State=UNKNOWN
+NodeName=n2 NodeHostname=$host NodeAddr=127.0.0.1 Port=$second_port CPUs=1 State=UNKNOWN
+PartitionName=all Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
+CONF
+
+munged --force --key-file="$farm/munge.key" --socket="$farm/munge.socket" \
+    --pid-file="$farm/munged.pid" --log-file="$farm/munged.log" --seed-file="$farm/munge.seed"
+slurmctld -c
+slurmd -N n1 -c
+slurmd -N n2 -c
+nodes_are_idle() { [[ $(sinfo --noheader --Node --states=idle | wc -l) == 2 ]]; }
+wait_for 60 "two idle nodes" nodes_are_idle
+
+# --- The sweep ------------------------------------------------------------------------------------
+
+cd "$farm/work"
+cat >sky.toml <<'RECIPE'
+preset = "earth"
+[bake.transmittance]
+[bake.multiple_scattering]
+size = [64, 64]
+max_texel_error = "0.02 %"
+[sweep]
+"atmosphere.ground_albedo" = [0.1, 0.3, 0.5]
+"atmosphere.layers.mie.scale_height" = { from = "1.2 km", to = "4.8 km", count = 4, scale = "log" }
+RECIPE
+"$skybake" sweep sky.toml -o farm --certify full --emit slurm >submit.sh
+bash submit.sh >jobs
+cat jobs
+tasks=$(sed -n 's/^tasks //p' jobs)
+
+some_are_done() { [[ $(find farm -name manifest.json 2>/dev/null | wc -l) -ge 2 ]]; }
+wait_for 240 "the first variants" some_are_done
+second_is_at_work() { [[ -n $(squeue --noheader --states=running --nodelist=n2) ]]; }
+wait_for 120 "a task on the second node" second_is_at_work
+
+# The node dies: its daemon, and what runs on it.
+dying=$(squeue --noheader --states=running --nodelist=n2 --format=%i | head -n 1)
+second=$(<"$farm/slurmd.n2.pid")
+for process in $(farm_processes); do
+    name=$(tr '\0' '\n' <"/proc/$process/environ" 2>/dev/null | sed -n 's/^SLURMD_NODENAME=//p' || true)
+    command=$(tr '\0' ' ' <"/proc/$process/cmdline" 2>/dev/null || true)
+    if [[ $process == "$second" || $name == n2 || $command == "slurmstepd: [$tasks"* && $name == n2 ]]; then
+        kill -KILL "$process" 2>/dev/null || true
+    fi
+done
+echo "the second node died while it made task $dying"
+
+queue_is_empty() { [[ -z $(squeue --noheader) ]]; }
+wait_for 400 "the end of all jobs" queue_is_empty
+requeues=$(scontrol show job "$tasks" | grep -c 'Restarts=[1-9]' || true)
+echo "$requeues task requeued"
+[[ $requeues -ge 1 ]] || { echo "no task was lost with the node"; exit 1; }
+
+# --- The same at home -----------------------------------------------------------------------------
+
+"$skybake" sweep sky.toml -o home --certify full -q >/dev/null
+without_times() { sed -z 's/"timing": {[^}]*}//g' "$1"; }
+compared=0
+while read -r file; do
+    if ! cmp <(without_times "home/$file") <(without_times "farm/$file"); then
+        echo "differs: $file"
+        exit 1
+    fi
+    compared=$((compared + 1))
+done < <(cd home && find . -type f | sort)
+diff <(cd home && find . -type f | sort) <(cd farm && find . -type f | sort)
+[[ $compared -eq $((12 * 3 + 3)) ]] || { echo "$compared files compared"; exit 1; }
+echo "$compared files of 12 variants are the same"

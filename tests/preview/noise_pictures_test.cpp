@@ -1,0 +1,186 @@
+#include "bakers/preview/noise_pictures.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
+
+#include "bakers/preview/fourier.h"
+#include "bakers/preview/noise_spectrum.h"
+#include "bakers/preview/volume_slices.h"
+
+namespace skybake {
+namespace {
+
+constexpr double tau = 2 * std::numbers::pi;
+
+// A volume whose voxels are a function of their indices.
+PreviewAsset volume_of(std::array<int, 3> size, std::vector<std::string> channels,
+                       const std::function<double(int x, int y, int z, int channel)>& value) {
+    PreviewAsset asset;
+    asset.entry.name = "noise";
+    asset.entry.kind = "noise_volume";
+    asset.entry.size = {size[0], size[1], size[2]};
+    asset.entry.channels = std::move(channels);
+    asset.entry.levels.resize(1);
+    asset.entry.levels[0].size = size;
+    asset.entry.levels[0].statistics.resize(asset.entry.channels.size(),
+                                            {0, 1, 0.5, {0, 1}, std::vector<std::int64_t>(8, 100)});
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x) {
+                for (int c = 0; c < static_cast<int>(asset.entry.channels.size()); ++c) {
+                    asset.voxels.push_back(static_cast<float>(value(x, y, z, c)));
+                }
+            }
+        }
+    }
+    return asset;
+}
+
+VoxelView view_of(const PreviewAsset& asset) {
+    return {asset.entry.levels[0].size, static_cast<int>(asset.entry.channels.size()),
+            &asset.voxels};
+}
+
+const PreviewPicture& named(const std::vector<PreviewPicture>& pictures, const std::string& name) {
+    const auto found = std::find_if(pictures.begin(), pictures.end(),
+                                    [&](const PreviewPicture& p) { return p.name == name; });
+    if (found == pictures.end()) throw std::runtime_error("no picture " + name);
+    return *found;
+}
+
+// --- Slices -------------------------------------------------------------------------------------
+
+TEST(Slice, TakesThePlaneAcrossItsAxis) {
+    const PreviewAsset asset = volume_of({3, 4, 5}, {"R", "G"}, [](int x, int y, int z, int c) {
+        return x + 10 * y + 100 * z + 1000 * c;
+    });
+    const Image2<float> across_x = slice(view_of(asset), 1, 0, 2);
+    EXPECT_EQ(across_x.width, 4);
+    EXPECT_EQ(across_x.height, 5);
+    EXPECT_EQ(*across_x.texel(1, 3), 1312);
+    EXPECT_EQ(*slice(view_of(asset), 0, 1, 3).texel(2, 4), 432);
+    EXPECT_EQ(*slice(view_of(asset), 0, 2, 1).texel(2, 3), 132);
+}
+
+// The largest change from one column to the next in the first tile of the sheet, and where it is.
+struct Jump {
+    int column = 0;
+    int change = 0;
+};
+Jump largest_jump(const Picture& sheet) {
+    constexpr int begin = 14, edge = 256;  // the sheet's gutter and a tile's width
+    Jump jump;
+    for (int x = begin; x + 1 < begin + edge; ++x) {
+        const auto at = 3 * static_cast<std::size_t>((begin + 100) * sheet.width + x);
+        const int change = std::abs(sheet.rgb[at] - sheet.rgb[at + 3]);
+        if (change > jump.change) jump = {x - begin, change};
+    }
+    return jump;
+}
+
+TEST(NoisePictures, ShowASeamInTheTiledView) {
+    const auto tiles = [](double planted) {
+        const PreviewAsset asset = volume_of({64, 64, 64}, {"R"}, [&](int x, int, int, int) {
+            return 0.4 + 0.2 * std::sin(tau * x / 64) + planted * x / 63;
+        });
+        return named(noise_pictures(asset), "noise_tiled").picture;
+    };
+    EXPECT_LT(largest_jump(tiles(0)).change, 8);
+    const Jump seam = largest_jump(tiles(0.4));
+    EXPECT_EQ(seam.column, 127) << "the last of the first copy's columns";
+    EXPECT_NEAR(seam.change, 0.4 * 255, 8);
+}
+
+TEST(NoisePictures, HaveEachViewOnce) {
+    const PreviewAsset asset = volume_of({8, 6, 4}, {"R", "G", "B", "A"},
+                                         [](int x, int y, int z, int c) { return x ^ y ^ z ^ c; });
+    const std::vector<PreviewPicture> pictures = noise_pictures(asset);
+    ASSERT_EQ(pictures.size(), 4U);
+    for (const char* name : {"slices", "tiled", "histogram", "spectrum"}) {
+        EXPECT_GT(named(pictures, std::string("noise_") + name).picture.width, 200);
+    }
+}
+
+TEST(NoisePictures, TakeSmallAndConstantVolumes) {
+    for (const std::array<int, 3>& size : {std::array{1, 1, 1}, {1, 5, 2}, {2, 2, 2}, {7, 1, 3}}) {
+        const PreviewAsset asset = volume_of(size, {"Y"}, [](int, int, int, int) { return -3.0; });
+        EXPECT_EQ(noise_pictures(asset).size(), 4U);
+    }
+}
+
+TEST(NoisePictures, OfDamagedAssetsAreNone) {
+    const auto constant = [](int, int, int, int) { return 0.5; };
+    PreviewAsset asset = volume_of({2, 2, 2}, {"Y"}, constant);
+    asset.voxels.pop_back();
+    EXPECT_TRUE(noise_pictures(asset).empty());
+    asset = volume_of({2, 2, 2}, {"Y"}, constant);
+    asset.entry.size = {2, 2};
+    EXPECT_TRUE(noise_pictures(asset).empty());
+    asset.entry.size = {2, -2, -2};
+    EXPECT_TRUE(noise_pictures(asset).empty());
+    EXPECT_TRUE(noise_pictures(PreviewAsset()).empty());
+}
+
+// --- Spectra ------------------------------------------------------------------------------------
+
+TEST(FourierTransform, IsItsDefinition) {
+    EXPECT_TRUE(rc::check([] {
+        const int size = *rc::gen::inRange(1, 60);
+        std::vector<std::complex<float>> line;
+        for (int i = 0; i < size; ++i) {
+            line.emplace_back(static_cast<float>(*rc::gen::inRange(-100, 100)),
+                              static_cast<float>(*rc::gen::inRange(-100, 100)));
+        }
+        const std::vector<std::complex<float>> original = line;
+        FourierTransform transform(size);
+        transform(line);
+        for (int k = 0; k < size; ++k) {
+            std::complex<double> sum;
+            for (int n = 0; n < size; ++n) {
+                sum += std::complex<double>(original[static_cast<std::size_t>(n)]) *
+                       std::polar(1.0, -tau * k * n / size);
+            }
+            RC_ASSERT(std::abs(sum - std::complex<double>(line[static_cast<std::size_t>(k)])) <
+                      1e-5 * 150 * size);
+        }
+    }));
+}
+
+TEST(SliceSpectrum, OfASineHasItsPowerAtItsFrequency) {
+    EXPECT_TRUE(rc::check([] {
+        const int size = *rc::gen::element(8, 12, 15, 16, 30);
+        const int frequency = *rc::gen::inRange(1, (size + 1) / 2);
+        const int axis = *rc::gen::inRange(0, 3);
+        const PreviewAsset asset =
+            volume_of({size, size, size}, {"R"}, [&](int x, int y, int z, int) {
+                return 0.5 +
+                       0.25 * std::sin(tau * frequency *
+                                       std::array{x, y, z}[static_cast<std::size_t>(axis)] / size);
+            });
+        const std::vector<double> spectrum = slice_spectrum(view_of(asset), 0);
+        RC_ASSERT(spectrum.size() == static_cast<std::size_t>(size / 2 + 1));
+        for (std::size_t k = 0; k < spectrum.size(); ++k) {
+            // Half the amplitude's square, in the two of three slices that the wave runs along.
+            const bool is_peak = k == static_cast<std::size_t>(frequency);
+            const double expected = is_peak ? 0.25 * 0.25 / 2 * 2 / 3 : 0;
+            RC_ASSERT(std::abs(spectrum[k] - expected) < 1e-6);
+        }
+    }));
+}
+
+TEST(SliceSpectrum, IsNothingForAConstantAndForALine) {
+    const auto constant = [](int, int, int, int) { return 0.5; };
+    for (const double power : slice_spectrum(view_of(volume_of({6, 6, 6}, {"R"}, constant)), 0)) {
+        EXPECT_NEAR(power, 0, 1e-12);
+    }
+    EXPECT_TRUE(slice_spectrum(view_of(volume_of({6, 6, 1}, {"R"}, constant)), 0).empty());
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,79 @@
+// Atmospheres with their tables, as tests of the sky share them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bakers/io/metadata.h"
+#include "bakers/preview/sky_view.h"
+#include "bakers/registry.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake::test {
+
+struct Sky {
+    config::Recipe recipe;
+    PreviewAsset transmittance;
+    PreviewAsset multiple_scattering;
+    SkyMedium medium;
+    SkyTables tables;
+};
+
+// A preset's sky from tables of the default sizes, but for `settings`.
+inline Sky sky_of(const std::string& preset, const std::vector<std::string>& settings = {}) {
+    Sky sky;
+    sky.recipe = recipe_of("preset = \"" + preset +
+                               "\"\n[bake.transmittance]\nsize = [256, 64]\n"
+                               "[bake.multiple_scattering]\nsize = [32, 32]\n",
+                           settings);
+    for (const config::Bake& bake : sky.recipe.parameters.bakes) {
+        const auto baked = bake_table(sky.recipe, bake, {1, Certification::off, nullptr});
+        if (!baked.value) {
+            for (const config::Diagnostic& diagnostic : baked.diagnostics) {
+                ADD_FAILURE() << preset << ": " << diagnostic.message;
+            }
+            return sky;
+        }
+        PreviewAsset& asset =
+            bake.name == "transmittance" ? sky.transmittance : sky.multiple_scattering;
+        asset.entry = describe(*baked.value);
+        asset.table = baked.value->image;
+    }
+    sky.medium = make_sky_medium(sky.recipe.parameters.atmosphere);
+    auto tables = make_sky_tables(sky.transmittance, sky.multiple_scattering);
+    EXPECT_TRUE(tables.value);
+    if (tables.value) sky.tables = std::move(*tables.value);
+    return sky;
+}
+
+// Tables so large that what they cost is far below a percent.
+inline const std::vector<std::string>& large_tables() {
+    static const std::vector<std::string> settings = {
+        "bake.transmittance.size=[512,128]", "bake.multiple_scattering.size=[128,64]",
+        "bake.multiple_scattering.mapping=\"twilight\"",
+        "bake.multiple_scattering.max_texel_error=0.01"};
+    return settings;
+}
+
+inline SkyView dome(int pixels, double altitude_km, double sun_elevation_degrees) {
+    SkyView view;
+    view.width = pixels;
+    view.height = pixels;
+    view.camera_altitude_km = altitude_km;
+    view.sun_elevation_degrees = sun_elevation_degrees;
+    return view;
+}
+
+// With the ground in its lower half.
+inline SkyView panorama(int width, double altitude_km, double sun_elevation_degrees) {
+    SkyView view = dome(width, altitude_km, sun_elevation_degrees);
+    view.projection = SkyProjection::panorama;
+    view.height = width / 2;
+    view.lowest_degrees = -90;
+    return view;
+}
+
+}  // namespace skybake::test

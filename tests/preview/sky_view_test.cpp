@@ -1,0 +1,273 @@
+#include "bakers/preview/sky_view.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "bakers/preview/sky_difference.h"
+#include "bakers/preview/sky_reference.h"
+#include "tests/preview/skies.h"
+
+namespace skybake {
+namespace {
+
+const test::Sky& earth() {
+    static const test::Sky sky = test::sky_of("earth");
+    return sky;
+}
+
+// Every path of the kernel: exponential and piecewise layers, forward and backward phases, both
+// mappings of both tables, both contents, one channel.
+test::Sky peculiar_sky() {
+    return test::sky_of(
+        "mars", {"wavelengths=[\"550 nm\"]", "atmosphere.ground_albedo=1",
+                 "atmosphere.layers.rayleigh.scattering=\"2.5e-7 /m\"",
+                 "atmosphere.layers.dust.scattering=\"4e-5 /m\"",
+                 "atmosphere.layers.dust.single_scattering_albedo=0.9",
+                 "atmosphere.layers.dust.phase=\"henyey_greenstein\"",
+                 "atmosphere.layers.dust.g=-0.7", "atmosphere.layers.cloud.profile=\"slab\"",
+                 "atmosphere.layers.cloud.bottom_altitude=\"20 km\"",
+                 "atmosphere.layers.cloud.top_altitude=\"21 km\"",
+                 "atmosphere.layers.cloud.scattering=\"1e-4 /m\"",
+                 "atmosphere.layers.cloud.phase=\"isotropic\"", "bake.transmittance.mapping=\"ue\"",
+                 "bake.transmittance.content=\"optical_depth\"",
+                 "bake.multiple_scattering.mapping=\"twilight\"",
+                 "bake.multiple_scattering.max_texel_error=0.02"});
+}
+
+// Views that reach the hard places: sun on the horizon, below it and in the zenith, camera on the
+// ground, above it and at the top, ground and sky.
+std::vector<SkyView> hard_views(double thickness_km) {
+    std::vector<SkyView> views;
+    for (const double sun : {90.0, 30.0, 0.0, -0.5, -4.0, -18.0, -90.0}) {
+        for (const double altitude : {0.0, 0.2, thickness_km}) {
+            views.push_back(test::dome(17, altitude, sun));
+            views.push_back(test::panorama(18, altitude, sun));
+        }
+    }
+    return views;
+}
+
+double largest(const Image2<float>& image) {
+    double value = 0;
+    for (const float texel : image.texels) value = std::max(value, double{texel});
+    return value;
+}
+
+TEST(SkyView, HasTheSameBitsOnEveryTargetAsItsSpecification) {
+    for (const test::Sky& sky : {test::sky_of("earth"), peculiar_sky()}) {
+        for (const SkyView& view : {test::dome(37, 0.2, 5), test::panorama(46, 3, -3)}) {
+            const Image2<float> wanted = render_sky_scalar(sky.medium, sky.tables, view, 1);
+            EXPECT_GT(largest(wanted), 0);
+            for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+                hwy::SetSupportedTargetsForTest(left & -left);
+                hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+                EXPECT_EQ(render_sky(sky.medium, sky.tables, view, 1).texels, wanted.texels)
+                    << hwy::TargetName(left & -left);
+                hwy::SetSupportedTargetsForTest(0);
+            }
+            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        }
+    }
+}
+
+TEST(SkyView, DoesNotDependOnThreads) {
+    const SkyView view = test::panorama(50, 0.2, 2);
+    const Image2<float> one = render_sky(earth().medium, earth().tables, view, 1);
+    for (const int threads : {2, 3, 7}) {
+        EXPECT_EQ(render_sky(earth().medium, earth().tables, view, threads).texels, one.texels);
+    }
+}
+
+RC_GTEST_PROP(SkyView, DirectionsAreMirrorImagesAndUnitVectors, ()) {
+    SkyView view = test::dome(*rc::gen::inRange(1, 60), 0, *rc::gen::inRange(-90, 91));
+    if (*rc::gen::arbitrary<bool>()) view.projection = SkyProjection::panorama;
+    view.height = *rc::gen::inRange(1, 60);
+    const int x = *rc::gen::inRange(0, view.width);
+    const int y = *rc::gen::inRange(0, view.height);
+    const auto left = direction_at(view, x, y);
+    const auto right = direction_at(view, view.width - 1 - x, y);
+    RC_ASSERT(left.has_value() == right.has_value());
+    if (!left) {
+        RC_ASSERT(coverage_at(view, x, y) == 0);
+        return;
+    }
+    RC_ASSERT(std::fabs(left->mu - right->mu) < 1e-15);
+    RC_ASSERT(std::fabs(left->one_minus_cosine - right->one_minus_cosine) < 1e-14);
+    RC_ASSERT(std::fabs(left->one_minus_cosine - (1 - left->cosine_to_sun)) < 1e-14);
+    RC_ASSERT(std::fabs(left->one_plus_cosine - (1 + left->cosine_to_sun)) < 1e-14);
+}
+
+// The zenith in the middle, the sun upwards; the sun's azimuth in a panorama's middle.
+TEST(SkyView, LooksWhereItSays) {
+    const SkyView view = test::dome(101, 0, 30);
+    EXPECT_EQ(direction_at(view, 50, 50)->mu, 1);
+    const auto up = direction_at(view, 50, 50 - 34);  // 34 of 50.5 pixels: 60.6 degrees
+    EXPECT_NEAR(std::acos(up->mu) * 180 / std::numbers::pi, 34 / 50.5 * 90, 1e-9);
+    EXPECT_GT(up->cosine_to_sun, std::cos(std::numbers::pi / 180));
+    EXPECT_FALSE(direction_at(view, 0, 0));
+    const SkyView around = test::panorama(101, 0, 30);  // 50 rows from 90 to -90 degrees
+    const auto ahead = direction_at(around, 50, 16);
+    EXPECT_NEAR(ahead->mu, std::sin((90 - 16.5 * 3.6) * std::numbers::pi / 180), 1e-12);
+    EXPECT_GT(ahead->cosine_to_sun, std::cos(1 * std::numbers::pi / 180));
+}
+
+TEST(SkyView, IsFiniteAndNotNegativeInHardPlaces) {
+    for (const std::string& preset : test::preset_list()) {
+        const test::Sky sky = test::sky_of(preset);
+        for (const SkyView& view : hard_views(sky.medium.air.thickness_km)) {
+            for (const float value : render_sky(sky.medium, sky.tables, view, 1).texels) {
+                ASSERT_TRUE(value >= 0 && value < 1e3)
+                    << preset << ' ' << view.sun_elevation_degrees << ' '
+                    << view.camera_altitude_km;
+            }
+        }
+    }
+    const test::Sky peculiar = peculiar_sky();
+    for (const SkyView& view : hard_views(peculiar.medium.air.thickness_km)) {
+        for (const float value : render_sky(peculiar.medium, peculiar.tables, view, 1).texels) {
+            ASSERT_TRUE(value >= 0 && value < 1e3) << view.sun_elevation_degrees;
+        }
+    }
+}
+
+// Larger tables leave less of the difference to direct integration, down to what marching costs.
+TEST(SkyView, ApproachesDirectIntegrationAsTablesGrow) {
+    const test::Sky small = test::sky_of(
+        "earth", {"bake.transmittance.size=[64,16]", "bake.multiple_scattering.size=[16,8]"});
+    const test::Sky large = test::sky_of("earth", test::large_tables());
+    for (const double sun : {10.0, -4.0}) {
+        const SkyView view = test::dome(24, 0.2, sun);
+        const Image2<float> direct = render_sky_reference(earth().medium, view, 1);
+        const auto rms = [&](const test::Sky& sky) {
+            const Image2<float> picture = render_sky(sky.medium, sky.tables, view, 1);
+            return sky_difference(picture, direct, view).error.rms;
+        };
+        // In twilight a texel of so small a table may happen to lie right.
+        if (sun > 0) {
+            EXPECT_LT(rms(earth()), 0.5 * rms(small));
+        }
+        EXPECT_LT(rms(large), 0.5 * rms(earth())) << sun;
+        EXPECT_LT(rms(large), 0.007) << sun;
+    }
+}
+
+// Ground and sky, other planets, other cameras: what large tables and 40 steps leave. Through 50
+// times Earth's air light falls by a factor of 10 within 1.6 km, so its table has rows enough to
+// see that, and blue light still suffers from steps of many optical depths.
+TEST(SkyView, IsNearDirectIntegrationOnOtherPlanets) {
+    struct Case {
+        const char* preset;
+        double altitude_km;
+        double sun;
+        double rms;
+    };
+    std::map<std::string, test::Sky> skies;
+    for (const Case& at :
+         {Case{"earth", 100, 20, 0.01}, Case{"earth", 0, 3, 0.01}, Case{"mars", 0.2, 15, 0.01},
+          Case{"mars", 0.2, -5, 0.03}, Case{"tiny_planet", 0.2, 10, 0.015},
+          Case{"dense_earth", 0.2, 40, 0.3}, Case{"vacuum", 0.2, 40, 1e-4}}) {
+        if (!skies.contains(at.preset)) {
+            std::vector<std::string> settings = test::large_tables();
+            if (std::string(at.preset) == "dense_earth") {
+                settings.push_back("bake.multiple_scattering.size=[32,256]");
+            }
+            skies[at.preset] = test::sky_of(at.preset, settings);
+        }
+        const test::Sky& sky = skies[at.preset];
+        const SkyView view = test::panorama(20, at.altitude_km, at.sun);
+        const Image2<float> direct = render_sky_reference(sky.medium, view, 1);
+        const Image2<float> picture = render_sky(sky.medium, sky.tables, view, 1);
+        EXPECT_LT(sky_difference(picture, direct, view).error.rms, at.rms)
+            << at.preset << ' ' << at.altitude_km << ' ' << at.sun;
+    }
+}
+
+// Without air: a black sky over ground that sends albedo / pi of what falls on it.
+TEST(SkyView, OfAVacuumIsBlackOverLambertsGround) {
+    const test::Sky sky = test::sky_of("vacuum");
+    const SkyView view = test::panorama(20, 0, 30);
+    const Image2<float> picture = render_sky(sky.medium, sky.tables, view, 1);
+    EXPECT_EQ(*picture.texel(10, 4), 0);
+    EXPECT_NEAR(*picture.texel(10, 9), 0.3 / std::numbers::pi * 0.5, 1e-4);
+}
+
+TEST(SkyView, DoesNotChangeWithTheContentOfTheTransmittanceTable) {
+    const test::Sky depths =
+        test::sky_of("earth", {"bake.transmittance.content=\"optical_depth\""});
+    const SkyView view = test::dome(24, 0.2, 10);
+    const Image2<float> wanted = render_sky(earth().medium, earth().tables, view, 1);
+    const Image2<float> picture = render_sky(depths.medium, depths.tables, view, 1);
+    EXPECT_LT(sky_difference(picture, wanted, view).error.max, 2e-3);
+}
+
+// The light of the whole disc is the sun's through the air.
+TEST(SkyView, SunDiscHoldsTheSunsLight) {
+    SkyView view = test::panorama(1, 0.2, 30);
+    view.width = 3600;
+    view.height = 40;
+    view.lowest_degrees = 28;
+    view.highest_degrees = 32;
+    Image2<float> picture(view.width, view.height, 3);
+    add_sun_disc(earth().medium, earth().tables, view, picture);
+    const double step = std::numbers::pi / 1800;
+    double light = 0;
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            const double mu = direction_at(view, x, y)->mu;
+            light += step * step * std::sqrt(1 - mu * mu) * double{*picture.texel(x, y)};
+        }
+    }
+    const double r = earth().medium.air.ground_radius_km + 0.2;
+    const Spectrum sun =
+        look_up_sunlight(earth().tables, shell_of(earth().medium.air), 0.2, 0.5 * r);
+    EXPECT_NEAR(light, sun[0], 0.03 * sun[0]);
+}
+
+// The manifest's own probes: a flip or half a texel would show.
+TEST(SkyTables, LookupsReturnTheProbes) {
+    for (const char* mapping : {"bruneton", "ue"}) {
+        for (const char* content : {"transmittance", "optical_depth"}) {
+            const test::Sky sky = test::sky_of(
+                "earth", {std::string("bake.transmittance.mapping=\"") + mapping + "\"",
+                          std::string("bake.transmittance.content=\"") + content + "\""});
+            const Shell shell = shell_of(sky.medium.air);
+            ASSERT_FALSE(sky.transmittance.entry.probes.empty());
+            for (const Probe& probe : sky.transmittance.entry.probes) {
+                ASSERT_EQ(probe.at[0].first, "altitude_km");
+                const double altitude = probe.at[0].second;
+                const double s = (shell.ground_radius_km + altitude) * probe.at[1].second;
+                // Probes at the horizon itself may be a rounding below it, where it is dark.
+                if (s < -horizon_distance_km(shell, altitude)) continue;
+                const Spectrum value = look_up_sunlight(sky.tables, shell, altitude, s);
+                for (std::size_t c = 0; c < probe.value.size(); ++c) {
+                    const double wanted =
+                        sky.tables.holds_optical_depth ? std::exp(-probe.value[c]) : probe.value[c];
+                    EXPECT_NEAR(value[c], wanted, 1e-6) << altitude;
+                }
+            }
+        }
+    }
+}
+
+TEST(SkyTables, RefusesWhatIsNoPair) {
+    const test::Sky& sky = earth();
+    EXPECT_FALSE(make_sky_tables(sky.multiple_scattering, sky.transmittance).value);
+    PreviewAsset strange = sky.transmittance;
+    strange.entry.mapping = "linear";
+    EXPECT_FALSE(make_sky_tables(strange, sky.multiple_scattering).value);
+    PreviewAsset grey = sky.multiple_scattering;
+    grey.table = Image2<float>(32, 32, 1);
+    const auto outcome = make_sky_tables(sky.transmittance, grey);
+    EXPECT_FALSE(outcome.value);
+    ASSERT_EQ(outcome.diagnostics.size(), 1U);
+    EXPECT_EQ(outcome.diagnostics[0].code, "E0304");
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,257 @@
+// `skybake sweep` from outside: exit codes, words, scripts, and a process that is killed.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cli/sweep_scripts.h"
+#include "tests/cli/program.h"
+#include "tests/sweep/sweeps.h"
+
+namespace skybake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using skybake::testing::files_below;
+using skybake::testing::small_recipe;
+using testing::contains;
+using testing::count_lines;
+using testing::Result;
+using testing::run_words;
+using testing::TemporaryFolder;
+using testing::write_bytes;
+using Strings = std::vector<std::string>;
+
+struct Folder {
+    TemporaryFolder folder;
+    std::string recipe = (folder / "r.toml").string();
+
+    explicit Folder(const std::string& text = small_recipe) { write_bytes(recipe, text); }
+    std::string out(const std::string& name = "out") const { return (folder / name).string(); }
+    Strings words(const Strings& more) const {
+        Strings words = {"sweep", recipe, "-o", out()};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    Result sweep(const Strings& more) const { return run_words(words(more)); }
+};
+
+TEST(SweepCommand, BakesAndWritesItsIndex) {
+    const Folder folder;
+    const Result result =
+        folder.sweep({"--vary", "clouds.c.coverage=0.5:0.9:3", "--vary", "noise.n.seed=1,2"});
+    EXPECT_EQ(result.code, 0) << result.error;
+    EXPECT_TRUE(contains(result.error, "6 variants; 6 share n (baked 2 times)\n")) << result.error;
+    EXPECT_EQ(count_lines(result.out), 9);
+    for (const char* name : {"index.csv", "index.jsonl", "sweep.json"}) {
+        EXPECT_TRUE(contains(result.out, name)) << result.out;
+        EXPECT_TRUE(fs::exists(fs::path(folder.out()) / name));
+    }
+    const Result again =
+        folder.sweep({"--vary", "clouds.c.coverage=0.5:0.9:3", "--vary", "noise.n.seed=1,2"});
+    EXPECT_TRUE(contains(again.error, "6 variants, 6 up to date\n")) << again.error;
+    EXPECT_EQ(run_words({"verify", folder.out() + "/0001_coverage=0.5_seed=2"}).code, 0);
+}
+
+TEST(SweepCommand, ListsWithoutMaking) {
+    const Folder folder;
+    const Result result = folder.sweep(
+        {"--vary", "clouds.c.coverage=0.5,1.5", "--dry-run", "--diagnostics", "short"});
+    EXPECT_EQ(result.code, 4);
+    EXPECT_TRUE(contains(result.out, "0000_coverage=0.5  n: not baked yet; c: not baked yet\n"));
+    EXPECT_TRUE(contains(result.out, "0001_coverage=1.5  cannot be made, E0110: ")) << result.out;
+    EXPECT_FALSE(fs::exists(folder.out()));
+}
+
+TEST(SweepCommand, AFailingVariantEndsInExitCode4) {
+    const Folder folder;
+    const Result result = folder.sweep({"--vary", "clouds.c.coverage=0.5,1.5"});
+    EXPECT_EQ(result.code, 4);
+    EXPECT_TRUE(contains(result.error, "1 of 2 variants failed: 0001_coverage=1.5"))
+        << result.error;
+    EXPECT_TRUE(fs::exists(folder.out() + "/0000_coverage=0.5/manifest.json"));
+    EXPECT_TRUE(fs::exists(folder.out() + "/0001_coverage=1.5/error.json"));
+}
+
+// What is wrong with all of them is wrong with the recipe, and said once.
+TEST(SweepCommand, AFaultOfTheRecipeIsNoFailureOfItsVariants) {
+    const Folder folder(small_recipe + "nonsense = 1\n");
+    const Result result = folder.sweep({"--vary", "clouds.c.coverage=0.5,0.6"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.error, "E0102"));
+    EXPECT_FALSE(fs::exists(folder.out()));
+}
+
+TEST(SweepCommand, RefusesWhatMakesNoSense) {
+    const Folder folder;
+    const auto code = [&](const Strings& more) { return folder.sweep(more).code; };
+    EXPECT_EQ(code({}), 2);
+    const Strings vary = {"--vary", "noise.n.seed=1,2"};
+    const auto with = [&](const Strings& more) {
+        Strings words = vary;
+        words.insert(words.end(), more.begin(), more.end());
+        return code(words);
+    };
+    for (const char* shard : {"0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2", ""}) {
+        EXPECT_EQ(with({"--shard", shard}), 2) << shard;
+    }
+    EXPECT_EQ(with({"--shard", "1/2", "--merge"}), 2);
+    EXPECT_EQ(with({"--emit", "slurm", "--merge"}), 2);
+    EXPECT_EQ(with({"--emit", "commands", "--tasks", "0"}), 2);
+    EXPECT_EQ(with({"--emit", "commands", "--set", "preset=a\nb"}), 2);
+    EXPECT_EQ(with({"-j", "0"}), 2);
+    EXPECT_EQ(with({"--max-memory", "much"}), 2);
+    EXPECT_FALSE(fs::exists(folder.out()));
+}
+
+TEST(SweepCommand, ShardsThenMerge) {
+    const Folder folder;
+    const Strings vary = {"--vary", "noise.n.seed=1,2,3"};
+    const auto with = [&](const Strings& more) {
+        Strings words = vary;
+        words.insert(words.end(), more.begin(), more.end());
+        return folder.sweep(words);
+    };
+    const Result first = with({"--shard", "1/2"});
+    EXPECT_EQ(first.code, 0);
+    EXPECT_TRUE(contains(first.error, "3 variants, 2 in this shard")) << first.error;
+    EXPECT_FALSE(fs::exists(folder.out() + "/index.csv"));
+    const Result early = with({"--merge"});
+    EXPECT_EQ(early.code, 4);
+    EXPECT_TRUE(contains(early.error, "1 of 3 variants is not there yet: 0001_seed=2"));
+    EXPECT_EQ(with({"--shard", "2/2"}).code, 0);
+    EXPECT_EQ(with({"--merge"}).code, 0);
+}
+
+TEST(SweepCommand, TellsMachines) {
+    const Folder folder;
+    const Result result = folder.sweep({"--vary", "noise.n.seed=1,2", "--json", "-q"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(result.error.empty()) << result.error;
+    Strings events;
+    std::istringstream lines(result.out);
+    for (std::string line; std::getline(lines, line);) {
+        events.push_back(nlohmann::json::parse(line)["event"]);
+    }
+    EXPECT_EQ(events, (Strings{"sweep", "variant", "variant", "swept"}));
+}
+
+TEST(SweepScripts, WordsSurviveTheShell) {
+    EXPECT_EQ(shell_word("clouds.c.coverage=0.2:0.8:4"), "clouds.c.coverage=0.2:0.8:4");
+    EXPECT_EQ(shell_word(""), "''");
+    EXPECT_EQ(shell_word("1 km"), "'1 km'");
+    EXPECT_EQ(shell_word("it's $HOME `x` \"y\" \\"), "'it'\\''s $HOME `x` \"y\" \\'");
+}
+
+// Every line is run by a shell as it stands; together they and the merge are the sweep.
+TEST(SweepScripts, CommandsAreTheSweep) {
+    const Folder folder;
+    const Strings vary = {"--vary", "clouds.c.base_altitude=1 km,'2 km',3 km"};
+    const auto with = [&](Strings words, const std::string& out) {
+        words.insert(words.begin(), {"sweep", folder.recipe, "-o", folder.out(out)});
+        words.insert(words.end(), vary.begin(), vary.end());
+        return words;
+    };
+    EXPECT_EQ(run_words(with({}, "whole")).code, 0);
+    const Result script =
+        testing::run_program(with({"--emit", "commands", "--tasks", "2"}, "it's parts"));
+    ASSERT_EQ(script.code, 0) << script.error;
+    EXPECT_EQ(count_lines(script.out), 2);
+    std::istringstream lines(script.out);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_EQ(std::system((line + " -q >/dev/null").c_str()), 0) << line;
+        EXPECT_EQ(std::system((line + " -q >/dev/null").c_str()), 0) << "again: " << line;
+    }
+    EXPECT_EQ(run_words(with({"--merge"}, "it's parts")).code, 0);
+    EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
+}
+
+TEST(SweepScripts, SlurmGetsAnArrayAndADependentMerge) {
+    const Folder folder;
+    const Result script =
+        folder.sweep({"--vary", "noise.n.seed=1:12:12", "--emit", "slurm", "-j", "3"});
+    ASSERT_EQ(script.code, 0) << script.error;
+    for (const char* line :
+         {"#!/usr/bin/env bash\n", "\n#SBATCH --array=1-12\n", "\n#SBATCH --cpus-per-task=3\n",
+          "\n#SBATCH --requeue\n", " -j 3 --shard \"$SLURM_ARRAY_TASK_ID\"/12\n",
+          "--dependency=\"afterany:${tasks%%;*}\"", " --merge\n"}) {
+        EXPECT_TRUE(contains(script.out, line)) << line << " in\n" << script.out;
+    }
+    write_bytes(folder.folder / "script.sh", script.out);
+    EXPECT_EQ(std::system(("bash -n " + (folder.folder / "script.sh").string()).c_str()), 0);
+}
+
+TEST(SweepScripts, NinjaEscapesPaths) {
+    SweepScript script;
+    script.words = {"skybake", "sweep", "a $b.toml"};
+    script.folder = "out $1";
+    script.variants = 4;
+    script.tasks = 2;
+    script.inputs = {"a $b.toml", "c:d.png"};
+    const std::string text = ninja_file(script);
+    EXPECT_TRUE(contains(text, "command = skybake sweep 'a $$b.toml' -j 1 --shard $task/2 && "));
+    EXPECT_TRUE(contains(text, "build out$ $$1/tasks/1-of-2.done: task | a$ $$b.toml c$:d.png\n"));
+    EXPECT_TRUE(
+        contains(text, ": merge | out$ $$1/tasks/1-of-2.done out$ $$1/tasks/2-of-2.done\n"));
+}
+
+pid_t start(const Strings& words) {
+    Strings all = words;
+    all.insert(all.begin(), SKYBAKE_PROGRAM);
+    std::vector<char*> arguments;
+    for (std::string& word : all) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    ::close(STDOUT_FILENO);
+    ::close(STDERR_FILENO);
+    ::execv(SKYBAKE_PROGRAM, arguments.data());
+    ::_exit(126);
+}
+
+int manifests_in(const fs::path& folder) {
+    int count = 0;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+        count += fs::exists(entry.path() / "manifest.json", error) ? 1 : 0;
+    }
+    return count;
+}
+
+// Nothing is lost and nothing done again, wherever the process was.
+TEST(SweepCommand, GoesOnAfterAKill) {
+    const Folder folder;
+    const Strings vary = {"--vary", "noise.n.seed=1:5:5", "--vary", "clouds.c.coverage=0.5:0.9:8"};
+    const Strings words = folder.words(vary);
+    for (const int enough : {1, 6, 15, 30}) {
+        const pid_t child = start(words);
+        int status = 0;
+        while (manifests_in(folder.out()) < enough && ::waitpid(child, &status, WNOHANG) == 0) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        ::kill(child, SIGKILL);
+        ::waitpid(child, &status, 0);
+    }
+    const int there = manifests_in(folder.out());
+    EXPECT_GE(there, 30);
+    Strings json = words;
+    json.insert(json.end(), {"--json", "-q"});
+    const Result rest = run_words(json);
+    EXPECT_EQ(rest.code, 0);
+    const auto last =
+        nlohmann::json::parse(rest.out.substr(rest.out.rfind("{\"event\":\"swept\"")));
+    EXPECT_EQ(last["done"], 40);
+    // What had its manifest was complete, but for those that were at work when it was killed.
+    EXPECT_LE(last["made"], 40 - there + 2 * static_cast<int>(std::thread::hardware_concurrency()));
+    Strings fresh = {"sweep", folder.recipe, "-o", folder.out("fresh"), "-q"};
+    fresh.insert(fresh.end(), vary.begin(), vary.end());
+    EXPECT_EQ(run_words(fresh).code, 0);
+    EXPECT_EQ(files_below(folder.out()), files_below(folder.out("fresh")));
+}
+
+}  // namespace
+}  // namespace skybake::cli
