@@ -1,11 +1,13 @@
 // skybake preview: pictures of recipes and of baked files, and one page of all of them.
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <string>
 #include <vector>
 
 #include "bakers/preview/bake_assets.h"
+#include "bakers/preview/label.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/report_plots.h"
@@ -87,6 +89,11 @@ ExitCode run(const Invocation& invocation, Console& console) {
     if (const ExitCode code = console.report(request.diagnostics); !request.value) return code;
     if (const ExitCode code = check_output(*request.value, console); code != ExitCode::done) {
         return code;
+    }
+    if (auto problem = text_problem()) {  // pictures are worth having without labels, too
+        problem->severity = config::Severity::warning;
+        problem->code = "W0302";
+        console.report(std::array{*problem});
     }
     if (request.value->watch) return watch_preview(invocation, *request.value, console);
     return show(invocation, *request.value, console);

@@ -387,6 +387,10 @@ constexpr std::array codes = {
                    "folder may not be written to, or the disk is full. The next bake elsewhere "
                    "will take as long.",
                    "", "", 0},
+    DiagnosticCode{"W0302", "pictures without labels",
+                   "The font DejaVu Sans was not found, so the axes of charts have no numbers. "
+                   "Debian's package fonts-dejavu-core has it.",
+                   "", "", 0},
 };
 
 }  // namespace

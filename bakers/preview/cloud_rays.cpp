@@ -205,7 +205,7 @@ HWY_INLINE RayMask leap_or_look(const Path& path, const Place& at, RayMask going
     const RayMask looking = going & (RayFloats(0.0F) < progress.was_empty);
     if (!any(looking)) return going;
     cells += count_of(looking);
-    RayFloats next = progress.k;
+    RayFloats next;
     const RayMask empty = leap(path, at, looking, progress.k, end, next);
     if (!any(empty)) return going;
     progress.k = select(empty, next, progress.k);
@@ -221,144 +221,126 @@ HWY_INLINE void step_on(RayMask sampled, RayFloats sigma, Progress& progress) {
     progress.k = select(sampled, progress.k + RayFloats(1.0F), progress.k);
 }
 
-// Where the light is looked up: after the march of a block's rays, all at once.
-struct LightPoint {
-    float x, y, z;  // voxels, within the tile
-    float jitter;   // of its samples towards the sun
-    float k;        // the next of them
-    float tau;      // of those before
-    float weight;   // the share of its light that reaches the eye
-    std::uint32_t ray;
-};
-using LightPoints = std::vector<LightPoint>;
+// Where the light is looked up: after the march of some rays, all at once.
+struct LightPoints {
+    std::vector<float> x, y, z;  // voxels, within the tile
+    std::vector<float> weight;   // the share of its light that reaches the eye
+    std::vector<float> tau;      // towards the sun
+    std::vector<std::uint32_t> ray;
 
-// Marches from all points towards the sun. Points that are to look into the volume next are kept
-// apart from those that are to look for empty cells, so that vectors are full of either.
+    std::size_t size() const { return x.size(); }
+    void clear() {
+        for (auto* values : {&x, &y, &z, &weight, &tau}) values->clear();
+        ray.clear();
+    }
+};
+
+// Marches towards the sun, one in each lane; a lane that has ended takes the next point.
 class SunMarches {
   public:
-    SunMarches(const CloudMarch& march, LightPoints& points, FetchCounts& counts)
-        : march_(march), points_(points), counts_(counts) {}
+    SunMarches(const CloudMarch& march, const RayBlock& rays, LightPoints& points,
+               FetchCounts& counts)
+        : march_(march), rays_(rays), points_(points), counts_(counts) {
+        for (std::size_t a = 0; a < 3; ++a) pace_[a] = pace_of(RayFloats(march.light_direction[a]));
+    }
 
     HWY_NOINLINE void run() {
-        for (;;) {
-            if (leaping_.size() >= kLanes) {
-                leap_some();
-                continue;
-            }
-            // In clouds at first.
-            while (sampling_.size() < kLanes && next_ < points_.size())
-                sampling_.push_back(next_++);
-            if (!sampling_.empty()) {
-                sample_some();
-            } else if (!leaping_.empty()) {
-                leap_some();
-            } else {
-                return;
+        points_.tau.resize(points_.size());
+        RayMask going = refill(RayFloats(0.0F) < RayFloats(0.0F));
+        while (any(going)) {
+            going = advance(going);
+            const auto busy = static_cast<std::size_t>(count_of(going));
+            // Refilling takes about as long as a step.
+            if (busy == 0 || (next_ < points_.size() && busy <= RayFloats::kCount - kRefill)) {
+                going = refill(going);
             }
         }
     }
 
   private:
-    static constexpr std::size_t kLanes = RayFloats::kCount;
-    using Waiting = std::vector<std::size_t>;
+    static constexpr std::size_t kRefill = RayFloats::kCount / 4 + 1;
 
-    // The last points of those that wait, in the lanes that are `going`.
-    struct Batch {
-        std::size_t points[kLanes];
-        std::size_t count;
-        alignas(64) float x[kLanes] = {};
-        alignas(64) float y[kLanes] = {};
-        alignas(64) float z[kLanes] = {};
-        alignas(64) float jitter[kLanes] = {};
-        alignas(64) float k[kLanes] = {};
-        alignas(64) float going[kLanes] = {};
+    RayMask refill(RayMask going) {
+        alignas(64) float busy[RayFloats::kCount];
+        select(going, RayFloats(1.0F), RayFloats(0.0F)).store(busy);
+        if (started_) tau_.store(lanes_.tau);
+        if (started_) progress_.k.store(lanes_.k);
+        if (started_) progress_.was_empty.store(lanes_.was_empty);
+        for (std::size_t lane = 0; lane < RayFloats::kCount; ++lane) {
+            if (busy[lane] != 0) continue;
+            if (lanes_.point[lane] != kNone) points_.tau[lanes_.point[lane]] = lanes_.tau[lane];
+            lanes_.point[lane] = next_ < points_.size() ? next_++ : kNone;
+            if (lanes_.point[lane] == kNone) continue;
+            const std::size_t point = lanes_.point[lane];
+            busy[lane] = 1;
+            lanes_.x[lane] = points_.x[point];
+            lanes_.y[lane] = points_.y[point];
+            lanes_.z[lane] = points_.z[point];
+            lanes_.jitter[lane] = rays_.light_jitter[points_.ray[point]];
+            lanes_.tau[lane] = 0;
+            lanes_.k[lane] = 0;
+            lanes_.was_empty[lane] = 0;
+        }
+        started_ = true;
+        tau_ = RayFloats::load(lanes_.tau);
+        progress_ = {RayFloats::load(lanes_.k), RayFloats::load(lanes_.was_empty)};
+        return RayFloats(0.0F) < RayFloats::load(busy);
+    }
+
+    // A sample or a leap of most lanes.
+    RayMask advance(RayMask going) {
+        const Path path{
+            *march_.medium,
+            RayFloats::load(lanes_.x),
+            RayFloats::load(lanes_.y),
+            RayFloats::load(lanes_.z),
+            RayFloats(march_.light_direction[0]),
+            RayFloats(march_.light_direction[1]),
+            RayFloats(march_.light_direction[2]),
+            pace_[0],
+            pace_[1],
+            pace_[2],
+            {RayFloats::load(lanes_.jitter), march_.light_step_m, 1 / march_.light_step_m}};
+        const RayFloats end(march_.light_samples);
+        progress_.k = zero_unless(going, progress_.k);
+        const Place at = path.place(path.samples.distance(progress_.k));
+        going = going & at.within_height;  // which it never enters again
+        RayMask sampling = going;
+        if (march_.leaping) sampling = leap_or_look(path, at, going, end, progress_, counts_.cells);
+        if (any(sampling)) {
+            counts_.light_samples += count_of(sampling);
+            const RayFloats sigma = extinction(*march_.medium, at, sampling);
+            tau_ = tau_ + sigma * RayFloats(march_.light_step_m);
+            step_on(sampling, sigma, progress_);
+        }
+        return going & (progress_.k < end);
+    }
+
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    struct State {
+        alignas(64) float x[RayFloats::kCount] = {};
+        alignas(64) float y[RayFloats::kCount] = {};
+        alignas(64) float z[RayFloats::kCount] = {};
+        alignas(64) float jitter[RayFloats::kCount] = {};
+        alignas(64) float tau[RayFloats::kCount] = {};
+        alignas(64) float k[RayFloats::kCount] = {};
+        alignas(64) float was_empty[RayFloats::kCount] = {};
+        std::size_t point[RayFloats::kCount];
+        State() {
+            for (std::size_t& value : point) value = kNone;
+        }
     };
 
-    void take(Waiting& waiting, Batch& batch) const {
-        batch.count = std::min(kLanes, waiting.size());
-        for (std::size_t lane = 0; lane < batch.count; ++lane) {
-            const std::size_t index = waiting[waiting.size() - batch.count + lane];
-            const LightPoint& point = points_[index];
-            batch.points[lane] = index;
-            batch.x[lane] = point.x;
-            batch.y[lane] = point.y;
-            batch.z[lane] = point.z;
-            batch.jitter[lane] = point.jitter;
-            batch.k[lane] = point.k;
-            batch.going[lane] = 1;
-        }
-        waiting.resize(waiting.size() - batch.count);
-    }
-
-    Path path_of(const Batch& batch) const {
-        return {*march_.medium,
-                RayFloats::load(batch.x),
-                RayFloats::load(batch.y),
-                RayFloats::load(batch.z),
-                RayFloats(march_.light_direction[0]),
-                RayFloats(march_.light_direction[1]),
-                RayFloats(march_.light_direction[2]),
-                pace_of(RayFloats(march_.light_direction[0])),
-                pace_of(RayFloats(march_.light_direction[1])),
-                pace_of(RayFloats(march_.light_direction[2])),
-                {RayFloats::load(batch.jitter), march_.light_step_m, 1 / march_.light_step_m}};
-    }
-
-    // A march ends with its last sample, or where it leaves the volume's height: it never comes
-    // back.
-    RayMask still_going(const Batch& batch, const Place& at) const {
-        return (RayFloats(0.0F) < RayFloats::load(batch.going)) & at.within_height &
-               (RayFloats::load(batch.k) < RayFloats(march_.light_samples));
-    }
-
-    void sample_some() {
-        Batch batch;
-        take(sampling_, batch);
-        const Path path = path_of(batch);
-        const Place at = path.place(path.samples.distance(RayFloats::load(batch.k)));
-        const RayMask going = still_going(batch, at);
-        counts_.light_samples += count_of(going);
-        alignas(64) float sigma[kLanes];
-        alignas(64) float goes_on[kLanes];
-        extinction(*march_.medium, at, going).store(sigma);
-        zero_unless(going, RayFloats(1.0F)).store(goes_on);
-        for (std::size_t lane = 0; lane < batch.count; ++lane) {
-            if (goes_on[lane] == 0) continue;
-            LightPoint& point = points_[batch.points[lane]];
-            point.tau += sigma[lane] * march_.light_step_m;
-            point.k += 1;
-            const bool leaps = march_.leaping && sigma[lane] == 0;
-            (leaps ? leaping_ : sampling_).push_back(batch.points[lane]);
-        }
-    }
-
-    void leap_some() {
-        Batch batch;
-        take(leaping_, batch);
-        const Path path = path_of(batch);
-        const RayFloats k = RayFloats::load(batch.k);
-        const Place at = path.place(path.samples.distance(k));
-        const RayMask going = still_going(batch, at);
-        counts_.cells += count_of(going);
-        RayFloats next = k;
-        const RayMask empty = leap(path, at, going, k, RayFloats(march_.light_samples), next);
-        alignas(64) float goes_on[kLanes];
-        alignas(64) float goes_to[kLanes];
-        zero_unless(going, RayFloats(1.0F)).store(goes_on);
-        select(empty, next, k).store(goes_to);
-        for (std::size_t lane = 0; lane < batch.count; ++lane) {
-            if (goes_on[lane] == 0) continue;
-            LightPoint& point = points_[batch.points[lane]];
-            (goes_to[lane] > point.k ? leaping_ : sampling_).push_back(batch.points[lane]);
-            point.k = goes_to[lane];
-        }
-    }
-
     const CloudMarch& march_;
+    const RayBlock& rays_;
     LightPoints& points_;
     FetchCounts& counts_;
-    Waiting sampling_;
-    Waiting leaping_;
+    RayFloats pace_[3];
+    State lanes_;
+    RayFloats tau_;
+    Progress progress_;
+    bool started_ = false;
     std::size_t next_ = 0;
 };
 
@@ -444,12 +426,13 @@ class Lighting {
         alignas(64) float octaves[kOctaves][RayFloats::kCount] = {};
         const std::size_t count = std::min(RayFloats::kCount, points.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
-            const LightPoint& point = points[first + i];
-            x[i] = point.x;
-            y[i] = point.y;
-            z[i] = point.z;
-            tau[i] = point.tau;
-            for (std::size_t n = 0; n < kOctaves; ++n) octaves[n][i] = octaves_[n][point.ray];
+            x[i] = points.x[first + i];
+            y[i] = points.y[first + i];
+            z[i] = points.z[first + i];
+            tau[i] = points.tau[first + i];
+            for (std::size_t n = 0; n < kOctaves; ++n) {
+                octaves[n][i] = octaves_[n][points.ray[first + i]];
+            }
         }
         OctaveLanes lanes;
         for (std::size_t n = 0; n < kOctaves; ++n) lanes.value[n] = RayFloats::load(octaves[n]);
@@ -465,8 +448,8 @@ class Lighting {
         share_at(voxels, march_.diffuse->from_sky, at_x, at_y, at_z).store(z);
         share_at(voxels, march_.diffuse->from_ground, at_x, at_y, at_z).store(tau);
         for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t ray = points[first + i].ray;
-            const float weight = points[first + i].weight;
+            const std::size_t ray = points.ray[first + i];
+            const float weight = points.weight[first + i];
             results.sun_at_base[ray] += weight * x[i];
             results.sun_at_top[ray] += weight * y[i];
             results.from_sky[ray] += 0.5F * weight * z[i];
@@ -482,8 +465,8 @@ class Lighting {
 // even, the latter has the light of the former.
 class PointCollector {
   public:
-    PointCollector(const RayBlock& rays, LightPoints& points, std::size_t first_ray)
-        : rays_(rays), points_(points), first_ray_(first_ray) {
+    PointCollector(LightPoints& points, std::size_t first_ray)
+        : points_(points), first_ray_(first_ray) {
         for (float& k : last_k_) k = -2;  // one after none
     }
 
@@ -498,20 +481,20 @@ class PointCollector {
             if (values[3][lane] == 0) continue;
             const bool odd = (static_cast<std::int32_t>(values[4][lane]) & 1) != 0;
             if (odd && last_k_[lane] + 1 == values[4][lane]) {
-                points_[last_point_[lane]].weight += values[3][lane];
+                points_.weight[last_point_[lane]] += values[3][lane];
                 continue;
             }
             last_k_[lane] = values[4][lane];
             last_point_[lane] = points_.size();
-            const std::size_t ray = first_ray_ + lane;
-            points_.push_back({values[0][lane], values[1][lane], values[2][lane],
-                               rays_.light_jitter[ray], 0, 0, values[3][lane],
-                               static_cast<std::uint32_t>(ray)});
+            points_.x.push_back(values[0][lane]);
+            points_.y.push_back(values[1][lane]);
+            points_.z.push_back(values[2][lane]);
+            points_.weight.push_back(values[3][lane]);
+            points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
         }
     }
 
   private:
-    const RayBlock& rays_;
     LightPoints& points_;
     std::size_t first_ray_;
     float last_k_[RayFloats::kCount];
@@ -534,7 +517,7 @@ HWY_NOINLINE void march_packet(const CloudMarch& march, const RayBlock& rays, st
                     pace_of(direction_y),
                     pace_of(direction_z),
                     {RayFloats::load(&rays.jitter[first]), march.step_m, 1 / march.step_m}};
-    PointCollector collector(rays, points, first);
+    PointCollector collector(points, first);
     const RayFloats zero(0.0F);
     const RayFloats one(1.0F);
     const RayFloats end = RayFloats::load(&rays.end[first]);
@@ -583,7 +566,7 @@ void march_all(const CloudMarch& march, const RayBlock& rays, RayResults& result
     for (std::size_t first = 0; first < RayBlock::kCount; first += RayFloats::kCount) {
         march_packet(march, rays, first, points, results, counts);
     }
-    SunMarches(march, points, counts).run();
+    SunMarches(march, rays, points, counts).run();
     lighting.add(points, results);
 }
 

@@ -141,7 +141,7 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
         exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
                               medium.meters_per_voxel(2)) /
                     3);
-    settings.light_step_m = 2 * settings.step_m;
+    settings.light_step_m = settings.step_m;
     settings.reach_m = 16 * tile;
     // From below where the layer is high enough that its nearest clouds are some voxels away, else
     // from above. The azimuth is no simple fraction of a turn: tiles do not line up.

@@ -30,7 +30,8 @@
     function diagnosticBlock(diagnostic) {
         const block = line('div', '', 'diagnostic');
         const head = line('div', '');
-        head.append(line('strong', `${diagnostic.severity} ${diagnostic.code}`), ` ${diagnostic.message}`);
+        head.append(line('strong', `${diagnostic.severity} ${diagnostic.code}`, diagnostic.severity),
+            ` ${diagnostic.message}`);
         const where = diagnostic.line > 0
             ? `${diagnostic.file}:${diagnostic.line}:${diagnostic.column}` : diagnostic.file;
         const excerpt = diagnostic.line > 0 && diagnostic.text
@@ -51,7 +52,14 @@
         if (told === JSON.stringify(state.diagnostics)) return;
         told = JSON.stringify(state.diagnostics);
         const box = line('div', '', wrong ? 'notice wrong' : 'notice');
-        box.append(...state.diagnostics.map(diagnosticBlock));
+        const blocks = (severity) => state.diagnostics.filter((one) => one.severity === severity).map(diagnosticBlock);
+        const warnings = blocks('warning');
+        box.append(...blocks('error'));
+        if (warnings.length > 0) {
+            const folded = document.createElement('details');
+            folded.append(line('summary', warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`), ...warnings);
+            box.append(folded);
+        }
         document.getElementById('diagnostics').replaceChildren(...(state.diagnostics.length > 0 ? [box] : []));
     }
 
@@ -61,7 +69,7 @@
             return;
         }
         tell(state);
-        if (!state.ended) setTimeout(look, 150);
+        if (!state.ended) setTimeout(look, 100);
     };
     function look() {
         const script = document.createElement('script');

@@ -14,6 +14,8 @@
 #include "bakers/core/parallel.h"
 #include "bakers/incremental/asset_cache.h"
 #include "bakers/incremental/bake_folder.h"
+#include "bakers/io/folder_lock.h"
+#include "bakers/io/temporary_file.h"
 #include "bakers/sweep/ready_assets.h"
 #include "bakers/sweep/variant_failure.h"
 #include "config/recipe.h"
@@ -28,6 +30,14 @@ Diagnostic internal_error(const std::exception& exception) {
     diagnostic.code = "E0500";
     diagnostic.message = std::string("internal error: ") + exception.what();
     return diagnostic;
+}
+
+// Temporaries that a killed process has left beside files that are up to date. Not while another
+// process has the folder: it removes them itself.
+void remove_left_overs(const std::filesystem::path& folder) {
+    const auto lock = FolderLock::acquire(
+        folder, [] {}, [] { return true; });
+    if (lock.value) remove_stale_temporaries_in(folder);
 }
 
 // Passes what one bake tells on to the sweep's observer, one call at a time.
@@ -117,6 +127,7 @@ class SweepRunner {
             append(write_failure(folder, variant.result.diagnostics), variant.result);
         } else {
             remove_failure(folder);
+            remove_left_overs(folder);
         }
         const std::lock_guard lock(observer_mutex_);
         observer_.finished(variant.result, false, 0);
@@ -286,6 +297,7 @@ std::vector<VariantResult> results_of(std::vector<PlannedVariant> plan) {
 std::vector<VariantResult> run_sweep(const SweepJob& job, std::vector<PlannedVariant> plan,
                                      SweepObserver& observer) {
     SweepRunner(job, plan, observer).run();
+    remove_stale_temporaries_in(job.folder);  // those of an index
     return results_of(std::move(plan));
 }
 

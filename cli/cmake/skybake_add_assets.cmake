@@ -22,8 +22,6 @@ cmake_policy(PUSH)
 # What follows is to mean the same whatever policies the caller has.
 cmake_policy(VERSION 3.21)
 
-set(_skybake_finish_bake ${CMAKE_CURRENT_LIST_DIR}/skybake_finish_bake.cmake)
-
 # Two recipes would take each other's files for foreign ones.
 function(_skybake_claim_folder folder target)
     get_property(owner GLOBAL PROPERTY "skybake owner of ${folder}")
@@ -32,6 +30,63 @@ function(_skybake_claim_folder folder target)
             "too; FOLDER chooses another")
     endif()
     set_property(GLOBAL PROPERTY "skybake owner of ${folder}" ${target})
+endfunction()
+
+# The words of `skybake bake` for the caller's arg_SET and so on.
+function(_skybake_options result)
+    set(options --quiet)
+    foreach(value IN LISTS arg_SET)
+        list(APPEND options --set ${value})
+    endforeach()
+    foreach(name IN LISTS arg_ONLY)
+        list(APPEND options --only ${name})
+    endforeach()
+    if(arg_CERTIFY)
+        list(APPEND options --certify ${arg_CERTIFY})
+    endif()
+    if(arg_CACHE_DIR)
+        cmake_path(ABSOLUTE_PATH arg_CACHE_DIR NORMALIZE
+            BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+        list(APPEND options --cache-dir ${arg_CACHE_DIR})
+    endif()
+    set(${result} ${options} PARENT_SCOPE)
+endfunction()
+
+# The rule that bakes. Its output is an empty file, since the assets' own time stamps do not tell
+# when skybake ran last.
+function(_skybake_add_rule target recipe folder outputs options)
+    set(files ${outputs})
+    list(TRANSFORM files PREPEND ${folder}/)
+    if(CMAKE_GENERATOR MATCHES Ninja)
+        # Ninja runs a rule of which an output is missing, and looks at the time stamp of each
+        # ("restat") before it goes on to what depends on it.
+        set(byproducts BYPRODUCTS ${files} ${folder}/manifest.json)
+    else()
+        # Make knows nothing of by-products. A file that is missing makes the stamp stale by a rule
+        # of its own, which does nothing and has no prerequisites: Make takes what such a rule has
+        # not made for new.
+        foreach(file IN LISTS files)
+            add_custom_command(OUTPUT ${file} COMMAND ${CMAKE_COMMAND} -E true COMMENT "")
+        endforeach()
+        set(required_files ${files})
+    endif()
+
+    set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/skybake/${target})
+    # Make does not see that a command has changed, only that a file has.
+    file(GENERATE OUTPUT ${state}.options CONTENT "${folder};${options}\n")
+    add_custom_command(
+        OUTPUT ${state}.stamp
+        ${byproducts}
+        COMMAND skybake::skybake bake ${recipe} -o ${folder} ${options}
+                --depfile ${state}.rules > ${state}.files
+        COMMAND ${CMAKE_COMMAND} -D "WHO=skybake_add_assets(${target})" -D "OUTPUTS=${files}"
+                -D FILES=${state}.files -D RULES=${state}.rules -D STAMP=${state}.stamp
+                -D DEPFILE=${state}.d -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/skybake_finish_bake.cmake
+        DEPENDS ${recipe} ${state}.options $<TARGET_FILE:skybake::skybake> ${required_files}
+        DEPFILE ${state}.d
+        COMMENT "Baking ${target}"
+        VERBATIM)
+    add_custom_target(${target} ALL DEPENDS ${state}.stamp)
 endfunction()
 
 function(skybake_add_assets target)
@@ -50,56 +105,8 @@ function(skybake_add_assets target)
     cmake_path(ABSOLUTE_PATH arg_FOLDER NORMALIZE BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
     string(REGEX REPLACE "/$" "" arg_FOLDER ${arg_FOLDER})
     _skybake_claim_folder(${arg_FOLDER} ${target})
-    set(files ${arg_OUTPUTS})
-    list(TRANSFORM files PREPEND ${arg_FOLDER}/)
-
-    set(options --quiet)
-    foreach(value IN LISTS arg_SET)
-        list(APPEND options --set ${value})
-    endforeach()
-    foreach(name IN LISTS arg_ONLY)
-        list(APPEND options --only ${name})
-    endforeach()
-    if(arg_CERTIFY)
-        list(APPEND options --certify ${arg_CERTIFY})
-    endif()
-    if(arg_CACHE_DIR)
-        cmake_path(ABSOLUTE_PATH arg_CACHE_DIR NORMALIZE
-            BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
-        list(APPEND options --cache-dir ${arg_CACHE_DIR})
-    endif()
-
-    if(CMAKE_GENERATOR MATCHES Ninja)
-        # Ninja runs a rule of which an output is missing, and looks at the time stamp of each
-        # ("restat") before it goes on to what depends on it.
-        set(byproducts BYPRODUCTS ${files} ${arg_FOLDER}/manifest.json)
-    else()
-        # Make knows nothing of by-products. A file that is missing makes the stamp stale by a rule
-        # of its own, which does nothing and has no prerequisites: Make takes what such a rule has
-        # not made for new.
-        foreach(file IN LISTS files)
-            add_custom_command(OUTPUT ${file} COMMAND ${CMAKE_COMMAND} -E true COMMENT "")
-        endforeach()
-        set(required_files ${files})
-    endif()
-
-    # The files' own time stamps do not tell when skybake ran last, so an empty one does.
-    set(state ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/skybake/${target})
-    # Make does not see that a command has changed, only that a file has.
-    file(GENERATE OUTPUT ${state}.options CONTENT "${arg_FOLDER};${options}\n")
-    add_custom_command(
-        OUTPUT ${state}.stamp
-        ${byproducts}
-        COMMAND skybake::skybake bake ${arg_RECIPE} -o ${arg_FOLDER} ${options}
-                --depfile ${state}.rules > ${state}.files
-        COMMAND ${CMAKE_COMMAND} -D "WHO=skybake_add_assets(${target})" -D "OUTPUTS=${files}"
-                -D FILES=${state}.files -D RULES=${state}.rules -D STAMP=${state}.stamp
-                -D DEPFILE=${state}.d -P ${_skybake_finish_bake}
-        DEPENDS ${arg_RECIPE} ${state}.options $<TARGET_FILE:skybake::skybake> ${required_files}
-        DEPFILE ${state}.d
-        COMMENT "Baking ${target}"
-        VERBATIM)
-    add_custom_target(${target} ALL DEPENDS ${state}.stamp)
+    _skybake_options(options)
+    _skybake_add_rule(${target} ${arg_RECIPE} ${arg_FOLDER} "${arg_OUTPUTS}" "${options}")
     set(${target}_FOLDER ${arg_FOLDER} PARENT_SCOPE)
 endfunction()
 

@@ -16,7 +16,7 @@ command -v npm >/dev/null || skip "there is no npm"
 # Once for each version that package-lock.json names.
 if ! cmp -s "$here/package-lock.json" "$folder/installed.json"; then
     cp "$here/package.json" "$here/package-lock.json" "$folder"
-    (cd "$folder" && npm ci --no-audit --no-fund --loglevel=error) || skip "npm cannot install playwright-core"
+    (cd "$folder" && npm ci --no-audit --no-fund --loglevel=error --fetch-retries=0 --fetch-timeout=30000) || skip "npm cannot install playwright-core"
     cp "$here/package-lock.json" "$folder/installed.json"
 fi
 NODE_PATH="$folder/node_modules" exec node "$here/preview_page.js" "$program" "$folder"

@@ -88,7 +88,7 @@ TEST(PreviewCommand, ShowsTheSameOfRecipeFolderManifestAndFiles) {
         scene.preview({scene.baked + "/transmittance.exr", scene.baked + "/volume.bin"});
     ASSERT_EQ(of_files.code, 0) << of_files.error;
     const json files = data_of(scene.page());
-    for (const int asset : {0, 1}) {
+    for (std::size_t asset = 0; asset < 2; ++asset) {
         const json& pictures = of_recipe["assets"][asset]["pictures"];
         EXPECT_GE(pictures.size(), 4u);
         EXPECT_EQ(of_folder["assets"][asset]["pictures"], pictures);
@@ -108,7 +108,7 @@ TEST(PreviewCommand, AFileSpeaksForItself) {
     fs::create_directory(alone);
     const struct {
         const char* name;
-        int asset;
+        std::size_t asset;
     } files[] = {{"transmittance.exr", 0}, {"volume.exr", 1}, {"volume.vdb", 1}};
     for (const auto& file : files) {
         SCOPED_TRACE(file.name);

@@ -67,11 +67,12 @@ sums() {
     (
         cd "$1"
         shopt -s dotglob nullglob
-        files=(*)
+        files=()
+        for file in *; do [[ -d $file ]] || files+=("$file"); done
         ((${#files[@]})) || exit 0
         md5sum -- "${files[@]}" | sed '/ manifest.json$/d'
         [[ ! -e manifest.json ]] ||
-            sed -E 's/"(bake_s|write_s)": [^,]*/"\1"/' manifest.json | md5sum | sed 's/-/manifest.json/'
+            sed -E 's/"(bake_s|write_s|threads)": [^,]*/"\1"/' manifest.json | md5sum | sed 's/-/manifest.json/'
     )
 }
 

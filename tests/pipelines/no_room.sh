@@ -52,6 +52,12 @@ if mount -t tmpfs -o size=512k skybake_test disk 2>/dev/null; then
     rm disk/filler
     bake b disk/out
     holds disk/out b || fail "not b once there is room"
+    head -c 1M /dev/zero >disk/filler 2>/dev/null || true
+    options a
+    log=$("$program" bake "${options[@]}" -o beside --cache-dir disk/cache 2>&1 >/dev/null) ||
+        fail "a cache without room fails a bake: $log"
+    [[ $log == *W0301* ]] || fail "no W0301: $log"
+    holds beside a || fail "beside a cache without room: $(sums beside)"
     echo "full disk: $failures of 12 bakes failed, none lost a file"
 else
     echo "full disk: not tested, mounting is not permitted"

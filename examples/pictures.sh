@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# Makes the pictures that the README shows, from the examples beside it.
+#   examples/pictures.sh [path of skybake]
+set -euo pipefail
+cd "$(dirname "$0")"
+skybake=${1:-skybake}
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"$skybake" preview earth.toml -o "$folder/sky" --sun-elevation 30,10,2,-4 -q >/dev/null
+"$skybake" preview clouds.toml -o "$folder/clouds" -q >/dev/null
+"$skybake" preview clouds_noise.toml -o "$folder/noise" -q >/dev/null
+
+mkdir -p pictures
+for picture in clouds/cumulus_lit_25 clouds/cumulus_occupancy_cells_z clouds/cumulus_slice_y \
+    noise/shape_slices sky/sky_panoramas sky/sky_sun_10 sky/transmittance_view; do
+    cp "$folder/$picture.png" pictures/
+done
