@@ -135,6 +135,21 @@ HWY_INLINE RayFloats exit_distance(RayFloats origin, RayFloats pace, const Inter
     return (face - origin) * pace;
 }
 
+// The cell of a place, as an index; of lanes in `wanted`.
+struct CellPlace {
+    RayInts x, y, z;
+};
+HWY_INLINE CellPlace cell_place(const LeapGrid& grid, const Place& at, RayMask wanted) {
+    const int shift = std::countr_zero(static_cast<unsigned>(grid.cell));
+    // The volume's top belongs to the highest cell.
+    return {shifted_right(to_int(at.x), shift), shifted_right(to_int(at.y), shift),
+            minimum(shifted_right(to_int(zero_unless(wanted, at.z)), shift),
+                    RayInts(grid.cells[2] - 1))};
+}
+HWY_INLINE RayInts index_of(const LeapGrid& grid, const CellPlace& cell) {
+    return (cell.z * RayInts(grid.cells[1]) + cell.y) * RayInts(grid.cells[0]) + cell.x;
+}
+
 // Of lanes that are `looking` at sample k, those whose cell is empty; these get `next`: the first
 // sample that is not known to be in empty cells, or `end`.
 HWY_INLINE RayMask leap(const Path& path, const Place& at, RayMask looking, RayFloats k,
@@ -142,20 +157,14 @@ HWY_INLINE RayMask leap(const Path& path, const Place& at, RayMask looking, RayF
     const LeapGrid& grid = path.medium.leaps;
     const std::array<int, 3>& size = path.medium.volume.size;
     const int shift = std::countr_zero(static_cast<unsigned>(grid.cell));
-    const RayInts cell_x = shifted_right(to_int(at.x), shift);
-    const RayInts cell_y = shifted_right(to_int(at.y), shift);
-    // The volume's top belongs to the highest cell.
-    const RayInts cell_z = minimum(shifted_right(to_int(zero_unless(looking, at.z)), shift),
-                                   RayInts(grid.cells[2] - 1));
-    const RayFloats reach =
-        gather(grid.reach.data(),
-               (cell_z * RayInts(grid.cells[1]) + cell_y) * RayInts(grid.cells[0]) + cell_x);
+    const CellPlace cell = cell_place(grid, at, looking);
+    const RayFloats reach = gather(grid.reach.data(), index_of(grid, cell));
     const RayMask empty = looking & (RayFloats(0.0F) <= reach);
     if (!any(empty)) return empty;
 
-    const Interval x = interval_about(cell_x, shift, size[0], at.tile_x, reach);
-    const Interval y = interval_about(cell_y, shift, size[1], at.tile_y, reach);
-    const Interval z = interval_about(cell_z, shift, size[2], RayFloats(0.0F), reach);
+    const Interval x = interval_about(cell.x, shift, size[0], at.tile_x, reach);
+    const Interval y = interval_about(cell.y, shift, size[1], at.tile_y, reach);
+    const Interval z = interval_about(cell.z, shift, size[2], RayFloats(0.0F), reach);
     const RayFloats exit = minimum(exit_distance(path.origin_x, path.pace_x, x),
                                    minimum(exit_distance(path.origin_y, path.pace_y, y),
                                            exit_distance(path.origin_z, path.pace_z, z)));
@@ -287,6 +296,21 @@ class SunMarches {
         return RayFloats(0.0F) < RayFloats::load(busy);
     }
 
+    // Those of the lanes after a sample that was nothing whose cell is empty go on to the first
+    // sample that may be something.
+    RayMask leap_on(const Place& at, RayMask going) {
+        const RayMask looking = going & (RayFloats(0.0F) < progress_.was_empty);
+        if (!any(looking)) return looking;
+        counts_.cells += count_of(looking);
+        const LeapGrid& grid = march_.medium->leaps;
+        const RayFloats leaps =
+            gather(march_.sun_leaps.data(), index_of(grid, cell_place(grid, at, looking)));
+        const RayMask empty = looking & (RayFloats(0.0F) <= leaps);
+        progress_.k = select(empty, progress_.k + RayFloats(1.0F) + leaps, progress_.k);
+        progress_.was_empty = select(empty, RayFloats(1.0F), RayFloats(0.0F));
+        return empty;
+    }
+
     // A sample or a leap of most lanes.
     RayMask advance(RayMask going) {
         const Path path{
@@ -306,7 +330,7 @@ class SunMarches {
         const Place at = path.place(path.samples.distance(progress_.k));
         going = going & at.within_height;  // which it never enters again
         RayMask sampling = going;
-        if (march_.leaping) sampling = leap_or_look(path, at, going, end, progress_, counts_.cells);
+        if (march_.leaping) sampling = and_not(going, leap_on(at, going));
         if (any(sampling)) {
             counts_.light_samples += count_of(sampling);
             const RayFloats sigma = extinction(*march_.medium, at, sampling);

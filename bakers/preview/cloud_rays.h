@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "bakers/preview/cloud_light.h"
 #include "bakers/preview/cloud_medium.h"
@@ -66,8 +67,9 @@ struct CloudMarch {
     std::array<float, 3> origin{};           // of all rays, in voxels
     std::array<float, 3> light_direction{};  // towards the sun, in voxels per metre
     float step_m = 1;
-    float light_step_m = 1;   // towards the sun
-    float light_samples = 0;  // at most, towards the sun; an integer
+    float light_step_m = 1;        // towards the sun
+    std::vector<float> sun_leaps;  // sun_leaps.h, of samples towards the sun; where leaping
+    float light_samples = 0;       // at most, towards the sun; an integer
     bool leaping = true;
 };
 

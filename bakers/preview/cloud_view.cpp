@@ -6,6 +6,7 @@
 
 #include "bakers/core/parallel.h"
 #include "bakers/preview/cloud_camera.h"
+#include "bakers/preview/sun_leaps.h"
 
 namespace skybake {
 
@@ -44,6 +45,7 @@ class ViewMarch {
         march_.light_samples =
             static_cast<float>(std::ceil(light_length() / settings.light_step_m));
         march_.leaping = settings.leaping;
+        if (settings.leaping) march_.sun_leaps = leaps_towards_sun(threads);
     }
 
     double through() const { return diffuse_.through; }
@@ -82,6 +84,15 @@ class ViewMarch {
         const double longest = std::max(medium_.extent_m[0], medium_.extent_m[1]);
         const double slope = std::fabs(sun_[2]);
         return slope * longest > medium_.extent_m[2] ? medium_.extent_m[2] / slope : longest;
+    }
+
+    std::vector<float> leaps_towards_sun(int threads) const {
+        std::array<double, 3> step{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            step[a] = double{march_.light_direction[a]} * double{march_.light_step_m};
+        }
+        return sun_leaps(medium_.leaps, medium_.volume.size, step,
+                         static_cast<int>(march_.light_samples), threads);
     }
 
     void set_ray(RayBlock& block, std::size_t i, int x, int y) const {

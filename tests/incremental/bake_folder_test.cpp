@@ -1,9 +1,12 @@
 #include "bakers/incremental/bake_folder.h"
 
+#include <chrono>
 #include <filesystem>
 #include <map>
+#include <thread>
 
 #include "bakers/incremental/asset_cache.h"
+#include "bakers/io/folder_lock.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {
@@ -193,6 +196,19 @@ TEST(BakeFolder, TakesWhatACacheHasAndBakesWhatIsDamagedThere) {
     third.bake.sources = {&other};
     EXPECT_EQ(third.states(), (States{up_to_date, up_to_date, up_to_date}));
     EXPECT_EQ(cache_entries(folder / "other").value->size(), 3U);
+}
+
+TEST(BakeFolder, WaitsForAnotherOneInTheFolder) {
+    const TemporaryFolder folder;
+    auto lock = FolderLock::acquire(
+        folder.path(), [] {}, [] { return false; });
+    TestBake bake(recipe_of(small_recipe), folder.path());
+    std::thread other([&] { EXPECT_TRUE(bake.run().value.has_value()); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+    lock.value.reset();
+    other.join();
+    EXPECT_EQ(folder.names().size(), 5U);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "tests/incremental/bakes.h"
+#include "tests/io/files.h"
 
 namespace skybake {
 namespace {
@@ -48,18 +48,6 @@ TEST(FolderLock, AFolderThatIsGoneIsAnError) {
     const auto lock = FolderLock::acquire(folder / "none", nothing, never);
     ASSERT_FALSE(lock.value.has_value());
     EXPECT_EQ(lock.diagnostics.at(0).code, "E0302");
-}
-
-TEST(FolderLock, ASecondBakeWaitsAndFindsTheWorkDone) {
-    const TemporaryFolder folder;
-    auto lock = FolderLock::acquire(folder.path(), nothing, never);
-    TestBake bake(recipe_of(small_recipe), folder.path());
-    std::thread other([&] { EXPECT_TRUE(bake.run().value.has_value()); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
-    EXPECT_EQ(folder.names(), std::vector<std::string>{});
-    lock.value.reset();
-    other.join();
-    EXPECT_EQ(folder.names().size(), 5U);
 }
 
 }  // namespace
