@@ -20,7 +20,12 @@ namespace {
 
 // What a cloud without an atmosphere of its own is lit by.
 constexpr const char* kEarth =
-    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\nsize = [64, 32]\n";
+    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
+    "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
+
+// Clouds are the brightest that there is to see, and their shades are to be seen: of the exposure
+// for pictures as a whole (tone_curve.h), so that the 99th percentile is at 0.71 of white.
+constexpr double kExposureShare = 0.65;
 
 struct Lighting {
     SkyMedium medium;
@@ -88,8 +93,8 @@ PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& me
     const CloudViewSettings settings = settings_of(input, medium, sun);
     const CloudView view =
         render_cloud(medium, {lighting.medium, lighting.tables}, settings, threads);
-    const double exposure =
-        input.exposure_stops ? std::exp2(*input.exposure_stops) : exposure_for(view.radiance);
+    const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
+                                                 : kExposureShare * exposure_for(view.radiance);
     const double pixels = static_cast<double>(settings.width) * settings.height;
     PreviewPicture picture;
     picture.name = fmt::format("{}_lit_{:.0f}", input.volume->entry.name, sun.elevation_degrees);

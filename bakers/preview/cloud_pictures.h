@@ -21,9 +21,10 @@ struct CloudPreviewInput {
     const config::Atmosphere* atmosphere = nullptr;
     const PreviewAsset* transmittance = nullptr;
     const PreviewAsset* multiple_scattering = nullptr;
-    std::vector<SunDirection> suns = {{25, 130}};  // a lit picture for each
-    std::optional<double> exposure_stops;          // the exposure is 2 to this; none: chosen
-    int width = 960;                               // of lit pictures
+    std::vector<SunDirection> suns = {
+        {15, 105}};                        // a lit picture for each; the view's azimuth is 63
+    std::optional<double> exposure_stops;  // the exposure is 2 to this; none: chosen
+    int width = 960;                       // of lit pictures
     int height = 540;
     bool draft = false;  // half that size, steps twice as long, the most telling pictures alone
 };

@@ -120,6 +120,20 @@ Rgb leap_colour(float leap, float greatest) {
     return colour;
 }
 
+// The plane with the greatest sum of the first channel.
+int plane_of_most(const VoxelView& view, int axis) {
+    int best = 0;
+    double most = 0;
+    for (int at = 0; at < view.size[static_cast<std::size_t>(axis)]; ++at) {
+        const Image2<float> plane = slice(view, 0, axis, at);
+        double sum = 0;
+        for (const float value : plane.texels) sum += double{value};
+        if (at == 0 || sum > most) best = at;
+        most = at == 0 ? sum : std::max(most, sum);
+    }
+    return best;
+}
+
 }  // namespace
 
 Image2<float> column_optical_depth(const CloudMedium& medium, int threads) {
@@ -253,7 +267,7 @@ std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid, const config
     const std::size_t shown = draft ? 1 : grid.entry.channels.size();
     for (std::size_t channel = 0; channel < shown; ++channel) {
         for (const int axis : {1, 2}) {
-            const int at = view.size[static_cast<std::size_t>(axis)] / (axis == 1 ? 2 : 4);
+            const int at = plane_of_most(view, axis);
             const Image2<float> field = slice(view, static_cast<int>(channel), axis, at);
             const auto axes = axes_of_slice(axis);
             const auto chart_axis = [&](std::size_t a) {

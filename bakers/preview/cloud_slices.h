@@ -32,8 +32,8 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
                              const std::string& grid_name, int cell,
                              const std::vector<float>& leaps, int axis, int at);
 
-// Each channel of a grid, in a plane from the side and one from above through where most cells are
-// occupied. Axes are in cells where the cloud is not known.
+// Each channel of a grid (of a draft the first), in a plane from the side and one from above, where
+// the sum of the first channel is greatest. Axes are in cells where the cloud is not known.
 std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid, const config::Cloud* cloud,
                                           bool draft);
 

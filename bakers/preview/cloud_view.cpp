@@ -42,8 +42,9 @@ class ViewMarch {
         }
         march_.step_m = static_cast<float>(settings.step_m);
         march_.light_step_m = static_cast<float>(settings.light_step_m);
-        march_.light_samples =
-            static_cast<float>(std::ceil(light_length() / settings.light_step_m));
+        if (settings.sunlit)
+            march_.light_samples = static_cast<float>(
+                std::ceil(sun_march_length_m(medium, settings.sun) / settings.light_step_m));
         march_.leaping = settings.leaping;
         if (settings.leaping) march_.sun_leaps = leaps_towards_sun(threads);
     }
@@ -78,14 +79,6 @@ class ViewMarch {
     }
 
   private:
-    // To where the sunlight enters the layer, but no farther than a tile is long: there the same
-    // clouds come again.
-    double light_length() const {
-        const double longest = std::max(medium_.extent_m[0], medium_.extent_m[1]);
-        const double slope = std::fabs(sun_[2]);
-        return slope * longest > medium_.extent_m[2] ? medium_.extent_m[2] / slope : longest;
-    }
-
     std::vector<float> leaps_towards_sun(int threads) const {
         std::array<double, 3> step{};
         for (std::size_t a = 0; a < 3; ++a) {
@@ -121,6 +114,12 @@ class ViewMarch {
 
 }  // namespace
 
+double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun) {
+    const double longest = std::max(medium.extent_m[0], medium.extent_m[1]);
+    const double slope = std::fabs(sine_of_degrees(sun.elevation_degrees));
+    return slope * longest > medium.extent_m[2] ? medium.extent_m[2] / slope : longest;
+}
+
 MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads) {
     const ViewMarch march(medium, settings, threads);
     MarchedView view;
@@ -152,8 +151,9 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
         exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
                               medium.meters_per_voxel(2)) /
                     3);
-    settings.light_step_m = settings.step_m;
-    settings.reach_m = 16 * tile;
+    settings.light_step_m =
+        std::max(settings.step_m, sun_march_length_m(medium, sun) / kSunSamples);
+    settings.reach_m = std::max(24 * tile, 40e3);
     // From below where the layer is high enough that its nearest clouds are some voxels away, else
     // from above. The azimuth is no simple fraction of a turn: tiles do not line up.
     const double below_m = std::max(medium.base_m - 0.15 * tile, 2.0);
@@ -162,7 +162,7 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
     settings.camera.position_m = {0.31 * medium.extent_m[0], 0.12 * medium.extent_m[1],
                                   from_below ? below_m : top_m + 0.15 * tile};
     settings.camera.azimuth_degrees = 63;
-    settings.camera.elevation_degrees = from_below ? 10 : -10;
+    settings.camera.elevation_degrees = from_below ? 12 : -9;
     settings.camera.horizontal_field_degrees = 50;
     return settings;
 }

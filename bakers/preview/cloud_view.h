@@ -23,6 +23,8 @@
 
 namespace skybake {
 
+inline constexpr double kSunSamples = 256;
+
 // Azimuths are from +x towards +y.
 struct CloudCamera {
     std::array<double, 3> position_m{};  // x, y from the tile's corner, altitude
@@ -36,6 +38,10 @@ struct SunDirection {
     double azimuth_degrees = 0;
 };
 
+// How far a march towards the sun goes: to where sunlight enters the layer, but no farther than a
+// tile is long: there the same clouds come again.
+double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun);
+
 struct CloudViewSettings {
     int width = 0;
     int height = 0;
@@ -44,11 +50,12 @@ struct CloudViewSettings {
     double step_m = 1;
     double light_step_m = 1;
     double reach_m = 1;
-    bool leaping = true;
+    bool leaping = true;  // by medium.leaps; changes no pixel
+    bool sunlit = true;   // else nothing is marched towards the sun
 };
 
-// A camera that sees much of the layer, with a step of one voxel (the cube root of its volume) and
-// a reach of some tiles.
+// A camera that sees much of the layer, with steps of one voxel (the cube root of its volume),
+// longer ones towards a low sun so that there are at most kSunSamples, and a reach of some tiles.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height);
 

@@ -1,7 +1,7 @@
 // A vector of floats with the operators of a float, for every instruction set that Highway
 // dispatches to, and the same operations on a plain float: a kernel written as a template over Real
-// is its own scalar specification. Each operation is one correctly rounded IEEE operation, or exact, and none crosses
-// lanes: a lane's result does not depend on how many there are.
+// is its own scalar specification. Each operation is one correctly rounded IEEE operation, or
+// exact, and none crosses lanes: a lane's result does not depend on how many there are.
 //
 // Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
 #if defined(SKYBAKE_BAKERS_PREVIEW_FLOAT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -50,10 +50,18 @@ struct IntLanes {
     HWY_INLINE explicit IntLanes(hn::Vec<Tag> x) : v(x) {}
 };
 
-HWY_INLINE FloatLanes operator+(FloatLanes a, FloatLanes b) { return FloatLanes(hn::Add(a.v, b.v)); }
-HWY_INLINE FloatLanes operator-(FloatLanes a, FloatLanes b) { return FloatLanes(hn::Sub(a.v, b.v)); }
-HWY_INLINE FloatLanes operator*(FloatLanes a, FloatLanes b) { return FloatLanes(hn::Mul(a.v, b.v)); }
-HWY_INLINE FloatLanes operator/(FloatLanes a, FloatLanes b) { return FloatLanes(hn::Div(a.v, b.v)); }
+HWY_INLINE FloatLanes operator+(FloatLanes a, FloatLanes b) {
+    return FloatLanes(hn::Add(a.v, b.v));
+}
+HWY_INLINE FloatLanes operator-(FloatLanes a, FloatLanes b) {
+    return FloatLanes(hn::Sub(a.v, b.v));
+}
+HWY_INLINE FloatLanes operator*(FloatLanes a, FloatLanes b) {
+    return FloatLanes(hn::Mul(a.v, b.v));
+}
+HWY_INLINE FloatLanes operator/(FloatLanes a, FloatLanes b) {
+    return FloatLanes(hn::Div(a.v, b.v));
+}
 HWY_INLINE FloatMask operator<(FloatLanes a, FloatLanes b) { return {hn::Lt(a.v, b.v)}; }
 HWY_INLINE FloatMask operator<=(FloatLanes a, FloatLanes b) { return {hn::Le(a.v, b.v)}; }
 HWY_INLINE FloatMask operator&(FloatMask a, FloatMask b) { return {hn::And(a.m, b.m)}; }
@@ -82,13 +90,19 @@ HWY_INLINE FloatLanes ceil_of(FloatLanes x) { return FloatLanes(hn::Ceil(x.v)); 
 
 // Rounded towards zero; of magnitudes below 2^31.
 HWY_INLINE IntLanes to_int(FloatLanes x) { return IntLanes(hn::ConvertTo(IntLanes::Tag(), x.v)); }
-HWY_INLINE FloatLanes to_float(IntLanes x) { return FloatLanes(hn::ConvertTo(FloatLanes::Tag(), x.v)); }
+HWY_INLINE FloatLanes to_float(IntLanes x) {
+    return FloatLanes(hn::ConvertTo(FloatLanes::Tag(), x.v));
+}
 HWY_INLINE IntLanes operator+(IntLanes a, IntLanes b) { return IntLanes(hn::Add(a.v, b.v)); }
 HWY_INLINE IntLanes operator*(IntLanes a, IntLanes b) { return IntLanes(hn::Mul(a.v, b.v)); }
 HWY_INLINE IntLanes minimum(IntLanes a, IntLanes b) { return IntLanes(hn::Min(a.v, b.v)); }
 HWY_INLINE IntLanes maximum(IntLanes a, IntLanes b) { return IntLanes(hn::Max(a.v, b.v)); }
-HWY_INLINE IntLanes shifted_right(IntLanes x, int by) { return IntLanes(hn::ShiftRightSame(x.v, by)); }
-HWY_INLINE IntLanes shifted_left(IntLanes x, int by) { return IntLanes(hn::ShiftLeftSame(x.v, by)); }
+HWY_INLINE IntLanes shifted_right(IntLanes x, int by) {
+    return IntLanes(hn::ShiftRightSame(x.v, by));
+}
+HWY_INLINE IntLanes shifted_left(IntLanes x, int by) {
+    return IntLanes(hn::ShiftLeftSame(x.v, by));
+}
 HWY_INLINE FloatLanes gather(const float* values, IntLanes index) {
     return FloatLanes(hn::GatherIndex(FloatLanes::Tag(), values, index.v));
 }

@@ -58,12 +58,10 @@ Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const Su
     return sum;
 }
 
-CloudAir::Range range_of(const CloudMedium& medium, const CloudViewSettings& settings,
-                         const CameraRays& rays) {
-    (void)medium;
+// The elevations that a picture shows.
+CloudAir::Range range_of(const CloudViewSettings& settings, const CameraRays& rays) {
     double lowest = 90;
     double highest = -90;
-    // Along the edges and the middle column the elevation is extreme; a pole in view is, too.
     for (int x = 0; x < settings.width; ++x) {
         for (int y = 0; y < settings.height; ++y) {
             if (x != 0 && x != settings.width / 2 && y != 0 && y != settings.height - 1) continue;
@@ -112,12 +110,15 @@ CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmo
 
 CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
                        const CloudViewSettings& settings, int threads) {
-    const MarchedView marched = march_view(medium, settings, threads);
     const int channels = atmosphere.medium.air.channels;
     Illuminated lit{illumination(medium, atmosphere, settings.sun, threads), channels};
+    CloudViewSettings lit_settings = settings;
+    const Spectrum dark{};
+    if (lit.light.sun_at_base == dark && lit.light.sun_at_top == dark) lit_settings.sunlit = false;
+    const MarchedView marched = march_view(medium, lit_settings, threads);
     for (double& value : lit.light.ground) value *= marched.through;
     const CameraRays rays(settings.camera, settings.width, settings.height);
-    const CloudAir air(atmosphere, settings.camera, settings.sun, range_of(medium, settings, rays),
+    const CloudAir air(atmosphere, settings.camera, settings.sun, range_of(settings, rays),
                        threads);
     CloudView view;
     view.fetches = marched.fetches;

@@ -1,0 +1,40 @@
+// Clouds in memory for tests of their pictures.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bakers/preview/cloud_view.h"
+#include "tests/occupancy/volumes_in_memory.h"
+
+namespace skybake::test {
+
+// A volume of an extinction of 10 per kilometre at density 1, on the ground or above it.
+inline config::Cloud cloud_of(const std::array<double, 3>& extent_m, double base_m = 0) {
+    config::Cloud cloud;
+    cloud.name = "c";
+    for (std::size_t a = 0; a < 3; ++a) cloud.extent[a].meters = extent_m[a];
+    cloud.base_altitude.meters = base_m;
+    cloud.extinction_scale.per_meter = 0.01;
+    return cloud;
+}
+
+// In [0, 1): `filled` of them, in clumps, are not 0.
+inline std::vector<float> clumped_voxels(const std::array<int, 3>& size, std::uint32_t seed,
+                                         double filled) {
+    std::vector<float> voxels;
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x) {
+                const auto clump =
+                    static_cast<std::uint32_t>(x / 3 + 64 * (y / 3) + 4096 * (z / 3));
+                const auto voxel = static_cast<std::uint32_t>(x + 1024 * y + 1048576 * z);
+                const bool is_filled = double{share_of(mixed(clump + seed))} < filled;
+                voxels.push_back(is_filled ? share_of(mixed(voxel ^ seed)) : 0.0F);
+            }
+        }
+    }
+    return voxels;
+}
+
+}  // namespace skybake::test
