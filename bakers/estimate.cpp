@@ -87,7 +87,9 @@ Estimate estimate_volume(const VolumeFiles& files, const Size& size, std::size_t
     const BoxSequence boxes(size, static_cast<int>(channels));
     const double values = static_cast<double>(boxes.largest_count()) *
                           static_cast<double>(channels) * std::min(box_slots(0), boxes.count());
-    result.memory_mib = 32 + values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
+    // The libraries of files take as much again to pack them (measured, rounded up), and the
+    // program with its modules 64 MiB.
+    result.memory_mib = 64 + 2 * values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
     result.disk_mib = bytes * formats / kMebibyte;
     return result;
 }

@@ -391,6 +391,16 @@ constexpr std::array codes = {
                    "The font DejaVu Sans was not found, so the axes of charts have no numbers. "
                    "Debian's package fonts-dejavu-core has it.",
                    "", "", 0},
+    DiagnosticCode{"W0303", "an asset of other values stays",
+                   "A bake of a part of a recipe (--only) leaves the other assets of the folder as "
+                   "they are. One of them was baked with other values than the recipe has now, so "
+                   "the folder's assets do not go together. Bake the whole recipe.",
+                   "", "", 0},
+    DiagnosticCode{"W0304", "file of other bytes than its manifest says",
+                   "A file that is previewed was changed or replaced after the bake: the errors, "
+                   "statistics and hashes that manifest.json has of it are those of another file. "
+                   "Bake again, or preview the file in a folder of its own.",
+                   "", "", 0},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
 
 #include "bakers/incremental/copy_asset.h"
@@ -55,10 +56,15 @@ class PendingFolder {
         static std::atomic<unsigned> counter{0};
         const fs::path parent = cache / "pending";
         fs::create_directories(parent, error);
-        if (error) return;
-        path_ = parent / fmt::format("{}-{}", ::getpid(), counter++);
-        fs::create_directory(path_, error);
-        if (error) return;
+        // Processes of other containers and machines may have this one's number.
+        for (bool is_new = false; !error && !is_new;) {
+            path_ = parent / fmt::format("{}-{}", ::getpid(), counter++);
+            is_new = fs::create_directory(path_, error);
+        }
+        if (error) {
+            path_.clear();
+            return;
+        }
         lock_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
         if (lock_.valid()) ::flock(lock_.get(), LOCK_EX | LOCK_NB);
     }
@@ -125,11 +131,17 @@ std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entr
     return {};
 }
 
+// Locks are not known to all file systems, and a folder is there before it is locked: only what is
+// old is taken for abandoned.
 void remove_abandoned(const fs::path& cache) {
+    constexpr auto old_enough = std::chrono::hours(1);
+    const auto now = fs::file_time_type::clock::now();
     std::error_code error;
     std::vector<fs::path> abandoned;
     for (fs::directory_iterator entry(cache / "pending", error), end; !error && entry != end;
          entry.increment(error)) {
+        std::error_code gone;
+        if (now - fs::last_write_time(entry->path(), gone) < old_enough || gone) continue;
         const FileDescriptor folder(
             ::open(entry->path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
         if (folder.valid() && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0) {
@@ -190,6 +202,8 @@ std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
     ::utimensat(AT_FDCWD, (folder / manifest_name).c_str(), nullptr, 0);
     return ReadyAsset{folder, manifest.value->assets[0]};
 }
+
+void AssetCache::reject(const ReadyAsset& asset) { remove_entry(folder_, asset.folder); }
 
 void AssetCache::offer(const ReadyAsset& asset) {
     std::error_code error;

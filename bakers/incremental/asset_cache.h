@@ -27,10 +27,12 @@ class AssetCache : public AssetSource {
     explicit AssetCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     std::optional<ReadyAsset> find(const std::string& key) override;
+    // Removes the entry, so that a whole one can take its place.
+    void reject(const ReadyAsset& asset) override;
     // A cache that cannot be written to, or is full, fails no bake: see problems().
     void offer(const ReadyAsset& asset) override;
 
-    // Why offers were not taken: warnings W0301, the first of each kind.
+    // Why the first offer that was not taken was not: a warning W0301.
     const std::vector<config::Diagnostic>& problems() const { return problems_; }
 
   private:

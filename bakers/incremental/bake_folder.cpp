@@ -1,7 +1,9 @@
 #include "bakers/incremental/bake_folder.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -9,6 +11,7 @@
 
 #include "bakers/incremental/copy_asset.h"
 #include "bakers/incremental/prepared_asset.h"
+#include "bakers/io/file_diagnostic.h"
 #include "bakers/io/file_names.h"
 #include "bakers/io/folder_lock.h"
 #include "bakers/io/temporary_file.h"
@@ -21,6 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 using config::Diagnostic;
 using config::Outcome;
+
+// Whether a copy failed for what was to be copied, not for where it was to go.
+bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+        return diagnostic.code == "E0300" || diagnostic.code == "E0304";
+    });
+}
 
 // One bake of one folder, locked. Each step says whether to go on; where not, diagnostics say why,
 // or there are none after an interruption.
@@ -80,7 +90,10 @@ class FolderMaker {
             const auto ready = source->find(plan_.assets[i].identity.key);
             if (!ready) continue;
             auto staged = stage_copies(*ready, bake_.folder, files_, progress);
-            if (!staged.value) continue;
+            if (!staged.value) {
+                if (is_unusable(staged.diagnostics)) source->reject(*ready);
+                continue;
+            }
             result_.assets[i] = {AssetState::copied, ready->entry, std::move(*staged.value)};
             return true;
         }
@@ -100,9 +113,22 @@ class FolderMaker {
         auto prepared = prepare(std::move(*baked.value), bake_.threads);
         stop(std::move(prepared.diagnostics));
         if (!prepared.value) return false;
+        if (auto changed = changed_input(planned)) return stop({std::move(*changed)});
         prepared_[i] = std::move(*prepared.value);
         sign(planned.identity, entry_of(*prepared_[i]));
         return true;
+    }
+
+    // A picture that is another one than when the asset's key was made: its bytes would stand under
+    // the key of others.
+    std::optional<Diagnostic> changed_input(const PlannedAsset& planned) const {
+        const auto now = asset_identity(*bake_.recipe, *planned.bake, bake_.certification);
+        if (!now.value) return now.diagnostics.front();
+        if (now.value->key == planned.identity.key) return std::nullopt;
+        return file_error("E0300", planned.bake->name,
+                          fmt::format("a map of `bake.{}` changed while it was being baked: bake "
+                                      "again",
+                                      planned.bake->name));
     }
 
     bool stage_all() {
@@ -127,6 +153,7 @@ class FolderMaker {
         const bool partial = bake_.bakes.size() < bake_.recipe->parameters.bakes.size();
         if (partial && plan_.folder.previous) {
             manifest = merge_manifests(*plan_.folder.previous, std::move(manifest));
+            warn_of_other_values();
         }
         if (plan_.folder.previous) manifest.retired = retired_files(manifest);
         result_.retired = manifest.retired;
@@ -137,6 +164,29 @@ class FolderMaker {
         if (!staged.value) return stop(staged.diagnostics);
         result_.manifest = *staged.value;
         return result_.manifest != WriteResult::interrupted || stop_for_interruption();
+    }
+
+    // The manifest states the recipe's values as they are now; what is not baked may be of others.
+    void warn_of_other_values() {
+        for (const config::Bake& section : bake_.recipe->parameters.bakes) {
+            const auto is_this = [&section](const auto& other) {
+                return other.name == section.name;
+            };
+            if (std::any_of(bake_.bakes.begin(), bake_.bakes.end(), is_this)) continue;
+            const auto& entries = plan_.folder.previous->assets;
+            const auto entry = std::find_if(entries.begin(), entries.end(), is_this);
+            if (entry == entries.end()) continue;
+            const auto identity = asset_identity(*bake_.recipe, section, bake_.certification);
+            if (!identity.value) continue;
+            const auto reasons = differences(*identity.value, *entry);
+            if (reasons.empty()) continue;
+            Diagnostic warning =
+                file_error("W0303", section.name,
+                           fmt::format("`bake.{}` stays as it was baked before: {}", section.name,
+                                       fmt::join(reasons, "; ")));
+            warning.severity = config::Severity::warning;
+            diagnostics_.push_back(std::move(warning));
+        }
     }
 
     // What is still there of earlier recipes.

@@ -49,8 +49,9 @@ struct BakedFolder {
 };
 
 // Diagnostics of plan_folder, of bakers (E0401 to E0405) and of writing (E0301), after which the
-// folder is as it was; warnings may accompany a value. No value and no errors after an
-// interruption.
+// folder is as it was, but where a rename failed: then files that have their names keep them.
+// W0303: an entry that a bake of a part leaves is of other values. Warnings may accompany a value.
+// No value and no errors after an interruption.
 config::Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
 
 }  // namespace skybake

@@ -107,7 +107,7 @@ double FolderPlan::memory_mib() const {
 }
 
 Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
-    auto folder = inspect_output_folder(bake.folder, output_files(bake), bake.force);
+    auto folder = inspect_output_folder(bake.folder, output_files(bake), bake.force, false);
     if (!folder.value) return {{}, std::move(folder.diagnostics)};
     FolderPlan plan;
     plan.folder = std::move(*folder.value);
@@ -120,6 +120,10 @@ Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
         planned.estimate = baker_of(section).estimate(bake.recipe->parameters, section);
         compare_with_folder(plan.folder, planned);
         plan.assets.push_back(std::move(planned));
+    }
+    if (plan.stale_count() > 0) {
+        auto writable = inspect_output_folder(bake.folder, {}, true);
+        if (!writable.value) return {{}, std::move(writable.diagnostics)};
     }
     auto excess = memory_excess(plan, bake.memory_limit_mib);
     if (!excess.empty()) return {{}, std::move(excess)};

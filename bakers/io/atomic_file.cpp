@@ -106,6 +106,14 @@ int flush(int descriptor) {
     return 0;
 }
 
+// Gives the temporary the permissions of the old file, once it has been written: they may forbid
+// that. Its owner may read it in any case, as the next bake has to. errno, or 0.
+int keep_mode(const TemporaryFile& temporary, const std::optional<struct stat>& old) {
+    if (!old) return 0;
+    const mode_t mode = (old->st_mode & 07777) | S_IRUSR;
+    return ::fchmod(temporary.descriptor(), mode) == 0 ? 0 : errno;
+}
+
 // Makes the temporary hold the bytes; errno, 0, or ECANCELED.
 int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress* progress) {
     const int error = write_all(temporary.descriptor(), bytes, progress);
@@ -187,11 +195,12 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::strin
     const auto& old = target.value->old;
     if (old && is_unchanged(target.value->path, *old, bytes)) return {WriteResult::unchanged, {}};
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path, target.value->path, old ? std::optional(old->st_mode) : std::nullopt);
+    auto staged = begin(path, target.value->path);
     if (!staged.value) return {{}, std::move(staged.diagnostics)};
     const int error = fill((*staged.value)->temporary, bytes, progress);
     if (error == ECANCELED) return {WriteResult::interrupted, {}};
     if (error != 0) return failure(path, error);
+    if (const int fault = keep_mode((*staged.value)->temporary, old)) return failure(path, fault);
     staged_.push_back(std::move(*staged.value));
     return {WriteResult::written, {}};
 }
@@ -202,7 +211,7 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
     if (!target.value) return {{}, std::move(target.diagnostics)};
     const auto& old = target.value->old;
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path, target.value->path, old ? std::optional(old->st_mode) : std::nullopt);
+    auto staged = begin(path, target.value->path);
     if (!staged.value) return {{}, std::move(staged.diagnostics)};
     const TemporaryFile& temporary = (*staged.value)->temporary;
     config::Outcome<bool> written = write(temporary.path());
@@ -217,20 +226,20 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
         return {WriteResult::unchanged, std::move(written.diagnostics)};
     }
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    if (const int error = keep_mode(temporary, old)) return failure(path, error);
     staged_.push_back(std::move(*staged.value));
     return {WriteResult::written, std::move(written.diagnostics)};
 }
 
-// An empty temporary beside the target, with the permissions of an old file.
-config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(
-    const fs::path& path, const fs::path& target, std::optional<unsigned> mode) {
+// An empty temporary beside the target.
+config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path,
+                                                                         const fs::path& target) {
     const auto refuse = [&path](int error) -> config::Outcome<std::unique_ptr<Staged>> {
         return {{}, failure(path, error).diagnostics};
     };
     remove_stale_temporaries(target);
     auto staged = std::make_unique<Staged>(path, target);
     if (!staged->temporary.valid()) return refuse(errno);
-    if (mode && ::fchmod(staged->temporary.descriptor(), *mode & 07777) != 0) return refuse(errno);
     return {std::move(staged), {}};
 }
 

@@ -60,8 +60,7 @@ class AtomicFiles {
   private:
     struct Staged;
     static config::Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path,
-                                                          const std::filesystem::path& target,
-                                                          std::optional<unsigned> mode);
+                                                          const std::filesystem::path& target);
 
     std::vector<std::unique_ptr<Staged>> staged_;
 };

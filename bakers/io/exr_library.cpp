@@ -111,6 +111,10 @@ std::optional<std::string> unknown_layout(const Imf::Header& header, int version
         return "its compression is not one of none, zip, zips, piz";
     if (auto reason = unknown_channels(header.channels())) return reason;
     const Imath::Box2i window = header.dataWindow();
+    // A part of an image, or one with a margin: its first texel is not where the axes begin.
+    if (window != header.displayWindow()) {
+        return "its data window is not its display window: cropped images are not read";
+    }
     const double width = static_cast<double>(window.max.x) - window.min.x + 1;
     const double height = static_cast<double>(window.max.y) - window.min.y + 1;
     double bytes_per_texel = 0;

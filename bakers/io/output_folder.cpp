@@ -30,7 +30,7 @@ fs::path existing_ancestor(const fs::path& folder) {
 }
 
 // What keeps files from being made in the folder, as far as one can see without trying.
-std::optional<config::Diagnostic> obstacle(const fs::path& folder) {
+std::optional<config::Diagnostic> obstacle(const fs::path& folder, bool to_be_written) {
     const fs::path ancestor = existing_ancestor(folder);
     std::error_code error;
     const fs::file_status status = fs::status(ancestor, error);
@@ -39,8 +39,8 @@ std::optional<config::Diagnostic> obstacle(const fs::path& folder) {
             fs::exists(status) || !error ? "is not a folder" : error.message();
         return unwritable(folder, fmt::format("`{}` {}", ancestor.string(), reason));
     }
-    if (::access(ancestor.c_str(), W_OK | X_OK) != 0)
-        return unwritable(folder, system_reason(errno));
+    const int wanted = to_be_written ? W_OK | X_OK : X_OK;
+    if (::access(ancestor.c_str(), wanted) != 0) return unwritable(folder, system_reason(errno));
     return std::nullopt;
 }
 
@@ -54,9 +54,9 @@ config::Diagnostic foreign(const fs::path& file, const std::string& why) {
 }  // namespace
 
 config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
-                                                    std::span<const std::string> files,
-                                                    bool force) {
-    if (auto diagnostic = obstacle(folder)) return {{}, {std::move(*diagnostic)}};
+                                                    std::span<const std::string> files, bool force,
+                                                    bool to_be_written) {
+    if (auto diagnostic = obstacle(folder, to_be_written)) return {{}, {std::move(*diagnostic)}};
 
     OutputFolder result{folder, std::nullopt};
     std::error_code error;

@@ -20,9 +20,11 @@ struct OutputFolder {
 // Looks, and changes nothing: call it before a long bake. `files` are the names that will be
 // written, relative to the folder, manifest.json among them. E0302: the folder cannot be written
 // to, or cannot be made. E0303: a file is there that no manifest of skybake's claims; one
-// diagnostic for each; `force` lets them pass.
+// diagnostic for each; `force` lets them pass. Where nothing is `to_be_written` after all, a
+// folder may be one for reading alone.
 config::Outcome<OutputFolder> inspect_output_folder(const std::filesystem::path& folder,
-                                                    std::span<const std::string> files, bool force);
+                                                    std::span<const std::string> files, bool force,
+                                                    bool to_be_written = true);
 
 // Makes the folder where it is missing, and those above it; the folders made, the deepest first.
 // E0302.

@@ -15,12 +15,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Keys that tell where others come from (`preset`, `frequency`): what they made is recorded beside
-// them, and would contradict them. `enabled` stays, since nothing else says it.
+// Keys that tell where others come from (`include`, `preset`, `frequency`): what they made is
+// recorded beside them, and would contradict them. `enabled` stays, since nothing else says it.
 bool only_tells_the_origin(const std::string& table, const std::string& key) {
     const auto sections = config::sections();
     return std::any_of(sections.begin(), sections.end(), [&](const config::Section& section) {
-        if (!config::path_matches(table, std::string(section.path))) return false;
+        const bool is_root = table.empty() && section.path.empty();  // "" is no path of keys
+        if (!is_root && !config::path_matches(table, std::string(section.path))) return false;
         const config::Field* field = config::find_field(section, key);
         return field != nullptr && field->only_shown && field->kind != config::Kind::flag;
     });

@@ -1,7 +1,9 @@
 #include "bakers/incremental/asset_cache.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <thread>
@@ -76,6 +78,22 @@ TEST_F(Cache, ManyAtOnceEndWithWholeEntries) {
     EXPECT_TRUE(fs::is_empty(folder_ / "cache/pending"));
 }
 
+TEST_F(Cache, AnotherProcessMayHaveThisOnesNumber) {
+    fs::create_directories(folder_ / "cache/pending");
+    for (int i = 0; i < 64; ++i) {
+        const auto taken = fmt::format("cache/pending/{}-{}", ::getpid(), i);
+        fs::create_directory(folder_ / taken);
+        write_bytes(folder_ / (taken + "/theirs"), "theirs");
+    }
+    cache_.offer(asset(0));
+    EXPECT_TRUE(cache_.problems().empty());
+    ASSERT_TRUE(cache_.find(asset(0).entry.key).has_value());
+    EXPECT_FALSE(fs::exists(cache_.find(asset(0).entry.key)->folder / "theirs"));
+    for (int i = 0; i < 64; ++i) {
+        EXPECT_TRUE(fs::exists(folder_ / fmt::format("cache/pending/{}-{}/theirs", ::getpid(), i)));
+    }
+}
+
 TEST_F(Cache, VerifyRemovesDamage) {
     for (std::size_t i = 0; i < 3; ++i) cache_.offer(asset(i));
     const auto damaged = cache_.find(asset(2).entry.key)->folder / "shape.bin";
@@ -115,6 +133,10 @@ TEST_F(Cache, GarbageIsWhatKilledProcessesLeft) {
     cache_.offer(asset(0));
     fs::create_directories(folder_ / "cache/pending/99999999-0");
     write_bytes(folder_ / "cache/pending/99999999-0/shape.bin", "half");
+    collect_garbage(folder_ / "cache", 1u << 30);
+    EXPECT_FALSE(fs::is_empty(folder_ / "cache/pending"));  // it may be somebody's yet
+    fs::last_write_time(folder_ / "cache/pending/99999999-0",
+                        fs::file_time_type::clock::now() - std::chrono::hours(2));
     collect_garbage(folder_ / "cache", 1u << 30);
     EXPECT_TRUE(fs::is_empty(folder_ / "cache/pending"));
     EXPECT_EQ(cache_entries(folder_ / "cache").value->size(), 1U);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <thread>
 
@@ -158,6 +159,46 @@ TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {
     bake.bake.bakes = {bake.recipe.parameters.bakes[1]};
     EXPECT_EQ(bake.states(), (States{up_to_date}));
     EXPECT_EQ(read_manifest(folder / "out").value->assets.size(), 3U);
+    TestBake other(recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.1"}), folder / "out");
+    other.bake.bakes = {other.recipe.parameters.bakes[0]};
+    const auto mixed = other.run();
+    ASSERT_TRUE(mixed.value.has_value());
+    ASSERT_EQ(mixed.diagnostics.size(), 1U);  // multiple scattering, not the noise
+    EXPECT_EQ(mixed.diagnostics[0].code, "W0303");
+    EXPECT_NE(mixed.diagnostics[0].message.find("ground_albedo"), std::string::npos);
+}
+
+TEST(BakeFolder, APictureThatChangesDuringTheBakeIsNoticed) {
+    const TemporaryFolder folder;
+    const auto picture = [](const char* name) {
+        return read_bytes(fs::path(SKYBAKE_TEST_DATA) / "maps" / name);
+    };
+    write_bytes(folder / "coverage.png", picture("grey16.png"));
+    const std::string text =
+        "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 4\n[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1 km\"]\ncoverage_map = { file = \"coverage.png\" }\n"
+        "[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"\nsize = [8, 8, 8]\n"
+        "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [8, 8, 4]\n"
+        "formats = \"bin\"\n";
+    TestBake bake(recipe_of(text, folder.path()), folder / "out");
+    // After the plan, before the cloud is baked.
+    class Changer : public RememberingObserver {
+      public:
+        explicit Changer(std::function<void()> change) : change_(std::move(change)) {}
+        std::unique_ptr<Progress> begin(std::string_view asset) override {
+            if (asset == "c") change_();
+            return RememberingObserver::begin(asset);
+        }
+
+      private:
+        std::function<void()> change_;
+    };
+    Changer changer([&] { write_bytes(folder / "coverage.png", picture("grey2.png")); });
+    const auto outcome = bake_folder(bake.bake, changer);
+    ASSERT_FALSE(outcome.value.has_value());
+    EXPECT_EQ(outcome.diagnostics.at(0).code, "E0300");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    EXPECT_EQ(bake.states(), (States{baked, baked}));
 }
 
 TEST(BakeFolder, RefusesWhatNeedsMoreMemoryThanAllowed) {
@@ -191,6 +232,10 @@ TEST(BakeFolder, TakesWhatACacheHasAndBakesWhatIsDamagedThere) {
     third.bake.sources = {&cache};
     EXPECT_EQ(third.states(), (States{copied, copied, baked}));
     EXPECT_EQ(read_bytes(folder / "third/shape.exr"), read_bytes(folder / "first/shape.exr"));
+    // The whole one has taken the place of the damaged one.
+    TestBake fourth(recipe_of(small_recipe), folder / "fourth");
+    fourth.bake.sources = {&cache};
+    EXPECT_EQ(fourth.states(), (States{copied, copied, copied}));
     // A folder that others have filled is offered to a cache as well.
     AssetCache other(folder / "other");
     third.bake.sources = {&other};
