@@ -12,9 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/io/file_diagnostic.h"
 #include "bakers/io/manifest.h"
 #include "bakers/sweep/index_files.h"
 #include "bakers/sweep/run_sweep.h"
+#include "bakers/sweep/variant_names.h"
 #include "cli/bake_selection.h"
 #include "cli/byte_size.h"
 #include "cli/cache_folder.h"
@@ -34,7 +36,20 @@ namespace fs = std::filesystem;
 using config::Diagnostic;
 using config::Outcome;
 
+// Every variant reads the recipe again, which a pipe cannot give twice: opening it would wait.
+std::vector<Diagnostic> check_rereadable(const fs::path& recipe) {
+    std::error_code error;
+    const fs::file_status status = fs::status(recipe, error);
+    if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return {};
+    return {file_error("E0300", recipe.string(),
+                       fmt::format("cannot read `{}`: it is not a regular file, and a sweep reads "
+                                   "its recipe more than once",
+                                   recipe.string()))};
+}
+
 Outcome<config::Sweep> sweep_of(const Invocation& invocation) {
+    auto obstacles = check_rereadable(invocation.arguments()[0]);
+    if (!obstacles.empty()) return {{}, std::move(obstacles)};
     config::SweepOptions options;
     options.vary = invocation.values("vary");
     options.zip = invocation.values("zip");
@@ -132,9 +147,10 @@ std::vector<std::string> script_words(const Invocation& invocation) {
     return words;
 }
 
-// All files that any variant is made from.
+// All files that any variant is made from, the program among them.
 std::vector<fs::path> sweep_inputs(const SweepJob& job) {
     std::vector<fs::path> inputs;
+    if (const fs::path program = program_path(); program.is_absolute()) inputs.push_back(program);
     std::set<fs::path> known;
     for (int i = 0; i < variant_count(job.sweep); ++i) {
         const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, i);
@@ -181,6 +197,10 @@ ExitCode emit(const Invocation& invocation, const SweepJob& job, Console& consol
         console.result(slurm_script(*script.value));
     } else if (engine == "ninja") {
         script.value->inputs = sweep_inputs(job);
+        const VariantNames names(job.sweep);
+        for (int i = 0; i < script.value->variants; ++i) {
+            script.value->names.push_back(names.name(i));
+        }
         console.result(ninja_file(*script.value));
     } else {
         console.result(command_lines(*script.value));
@@ -296,6 +316,7 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
     }
     report_warnings(results, console);
     console.note(fmt::format("{} made, {:.2g} s\n", reporter.made(), elapsed.count()));
+    if (writes_index) console.note(earlier_note(folders_of_earlier_sweeps(job)));
     return report_unfinished(results, console);
 }
 

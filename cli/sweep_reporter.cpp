@@ -1,6 +1,7 @@
 #include "cli/sweep_reporter.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -53,7 +54,9 @@ std::string reasons_text(const PlannedVariant& variant) {
     for (const StaleAsset& asset : variant.stale) {
         text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", asset.name, asset.reason);
     }
-    return text.empty() ? "manifest.json alone" : text;
+    if (text.empty()) text = "manifest.json alone";
+    if (!variant.last_failure.empty()) text += "; failed last time, " + variant.last_failure;
+    return text;
 }
 
 std::string_view spell_planned(VariantStatus status) {
@@ -144,6 +147,20 @@ std::string plan_note(const SweepJob& job, const std::vector<PlannedVariant>& pl
         text += fmt::format("{}{} share {} (baked {})", separator, shared.variants, shared.name,
                             shared.bakes == 1 ? "once" : plural(std::size_t(shared.bakes), "time"));
         separator = ", ";
+    }
+    return text + "\n";
+}
+
+std::string earlier_note(const std::vector<std::string>& folders) {
+    constexpr std::size_t most_named = 5;
+    if (folders.empty()) return "";
+    std::string text = fmt::format(
+        "{} of an earlier sweep, left as {}: {}", plural(folders.size(), "folder"),
+        folders.size() == 1 ? "it is" : "they are",
+        fmt::join(folders.begin(),
+                  folders.begin() + std::ptrdiff_t(std::min(folders.size(), most_named)), ", "));
+    if (folders.size() > most_named) {
+        text += fmt::format(" and {} more", folders.size() - most_named);
     }
     return text + "\n";
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bakers/sweep/index_files.h"
+#include "cli/exit_code.h"
 
 namespace skybake::cli {
 namespace {
@@ -43,10 +44,49 @@ std::string ninja_task_command(const SweepScript& script) {
     return task_command(escaped, "$task");
 }
 
-std::string ninja_stamp(const SweepScript& script, int task) {
-    return (std::filesystem::path(script.folder) / "tasks" /
-            fmt::format("{}-of-{}.done", task, script.tasks))
-        .string();
+// Not manifest.json itself: ninja deletes the outputs of what is interrupted, and without it no
+// file of the folder is known as skybake's.
+std::string ninja_stamp(const SweepScript& script, std::size_t variant) {
+    return ninja_path(
+        (std::filesystem::path(script.folder) / script.names[variant] / "ninja.stamp").string());
+}
+
+// The stamps of a task's variants; see SweepJob::shard.
+std::string ninja_stamps(const SweepScript& script, int task) {
+    std::string stamps;
+    for (auto i = static_cast<std::size_t>(task - 1); i < script.names.size();
+         i += static_cast<std::size_t>(script.tasks)) {
+        stamps += " " + ninja_stamp(script, i);
+    }
+    return stamps;
+}
+
+std::string ninja_inputs(const SweepScript& script) {
+    std::string inputs;
+    for (const std::filesystem::path& input : script.inputs) {
+        inputs += " " + ninja_path(input.string());
+    }
+    return inputs;
+}
+
+// Files that are up to date keep their time stamps, so the outputs are touched. A task's stamps may
+// be too many for a command line.
+std::string ninja_rules(const SweepScript& script) {
+    const auto list = std::filesystem::path(script.folder) / "ninja-task-";
+    return fmt::format(
+        "rule task\n"
+        "  command = {task} && xargs touch < {list}$task || [ $$? -eq {checks} ]\n"
+        "  rspfile = {list_path}$task\n"
+        "  rspfile_content = $out\n"
+        "  description = sweep, task $task of {tasks}\n\n"
+        "rule merge\n"
+        "  command = {merge} && touch $out\n"
+        "  description = sweep, index\n\n",
+        fmt::arg("task", ninja_task_command(script)),
+        fmt::arg("list", ninja_value(shell_word(list.string()))),
+        fmt::arg("checks", static_cast<int>(ExitCode::checks)),
+        fmt::arg("list_path", ninja_value(list.string())), fmt::arg("tasks", script.tasks),
+        fmt::arg("merge", ninja_value(merge_command(script))));
 }
 
 }  // namespace
@@ -115,33 +155,23 @@ echo "merge ${{merge%%;*}}"
 }
 
 std::string ninja_file(const SweepScript& script) {
-    std::string inputs;
-    for (const std::filesystem::path& input : script.inputs) {
-        inputs += " " + ninja_path(input.string());
-    }
     std::string text = fmt::format(
         "# A sweep of {} variants in {} tasks: ninja -f THIS_FILE\n"
-        "ninja_required_version = 1.5\n\n"
-        "rule task\n"
-        "  command = {} && mkdir -p {} && touch $out\n"
-        "  description = sweep, task $task of {}\n\n"
-        "rule merge\n"
-        "  command = {}\n"
-        "  description = sweep, index\n\n",
-        script.variants, script.tasks, ninja_task_command(script),
-        ninja_value(shell_word((std::filesystem::path(script.folder) / "tasks").string())),
-        script.tasks, ninja_value(merge_command(script)));
-    std::string stamps;
+        "ninja_required_version = 1.5\n\n",
+        script.variants, script.tasks);
+    text += ninja_rules(script);
+    const std::string inputs = ninja_inputs(script);
+    std::string all_stamps;
     for (int task = 1; task <= script.tasks; ++task) {
-        const std::string stamp = ninja_path(ninja_stamp(script, task));
-        stamps += " " + stamp;
-        text += fmt::format("build {}: task |{}\n  task = {}\n", stamp, inputs, task);
+        const std::string stamps = ninja_stamps(script, task);
+        all_stamps += stamps;
+        text += fmt::format("build{}: task |{}\n  task = {}\n", stamps, inputs, task);
     }
     text += "build";
     for (const std::string_view name : index_names) {
         text += " " + ninja_path((std::filesystem::path(script.folder) / name).string());
     }
-    return text + ": merge |" + stamps + "\n";
+    return text + ": merge |" + all_stamps + "\n";
 }
 
 }  // namespace skybake::cli

@@ -16,6 +16,8 @@ struct SweepScript {
     int tasks = 0;
     int threads = 1;                            // of a task
     std::vector<std::filesystem::path> inputs;  // what the variants are made from
+    std::vector<std::string> names;             // of all variants' folders; inputs and names are
+                                                // for ninja_file alone
 };
 
 // A word that a POSIX shell reads back as it is.
@@ -31,7 +33,9 @@ std::string command_lines(const SweepScript& script);
 // A shell script that submits an array job and, after it, the merge. Its arguments go to sbatch.
 std::string slurm_script(const SweepScript& script);
 
-// A build.ninja: a stamp for each task, and the index files.
+// A build.ninja: a stamp in each variant's folder, and the index files. A task with variants that
+// fail leaves their stamps as they are, so that it is run again, and lets the merge run, which
+// fails in its place.
 std::string ninja_file(const SweepScript& script);
 
 }  // namespace skybake::cli

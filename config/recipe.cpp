@@ -106,10 +106,9 @@ Outcome<Sweep> load_sweep(const std::filesystem::path& path, std::span<const std
 
 Outcome<Recipe> load_variant(const std::filesystem::path& path,
                              std::span<const std::string> settings, const Sweep& sweep, int index) {
-    std::vector<std::string> all(settings.begin(), settings.end());
-    for (std::string& setting : variant_settings(sweep, index)) all.push_back(std::move(setting));
+    const std::vector<std::string> varied = variant_settings(sweep, index);
     DiagnosticList diagnostics;
-    RecipeSources sources = read_sources(path, all, diagnostics);
+    RecipeSources sources = read_sources(path, settings, diagnostics, varied);
     return decode_sources(std::move(sources), SweepTable::left_out, std::move(diagnostics));
 }
 

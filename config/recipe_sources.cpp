@@ -65,8 +65,8 @@ class Loader {
         : result_(result), diagnostics_(diagnostics) {}
 
     // --set texts are read first, since they may name another preset or other includes.
-    void read_settings(std::span<const std::string> settings) {
-        for (const std::string& setting : settings) read_setting(setting);
+    void read_settings(std::span<const std::string> settings, std::string_view option) {
+        for (const std::string& setting : settings) read_setting(setting, option);
     }
 
     void load_file(const fs::path& path, const Place& asked_at) {
@@ -117,9 +117,9 @@ class Loader {
         return result_.sources.back();
     }
 
-    void read_setting(const std::string& setting) {
+    void read_setting(const std::string& setting, std::string_view option) {
         Source& source =
-            add_source(Source::Kind::setting, fmt::format("--set `{}`", shorten(setting)), "");
+            add_source(Source::Kind::setting, fmt::format("{} `{}`", option, shorten(setting)), "");
         const Place place{&source};
         const std::size_t equals = find_equals(setting);
         const std::string_view text = setting;
@@ -268,10 +268,11 @@ void add_setting_tree(RecipeSources& sources, const Source& source, Table root) 
 }
 
 RecipeSources read_sources(const fs::path& path, std::span<const std::string> settings,
-                           DiagnosticList& diagnostics) {
+                           DiagnosticList& diagnostics, std::span<const std::string> varied) {
     RecipeSources result;
     Loader loader(result, diagnostics);
-    loader.read_settings(settings);
+    loader.read_settings(settings, "--set");
+    loader.read_settings(varied, "--vary");
     loader.load_file(path, {});
     loader.add_settings();
     return result;
@@ -281,7 +282,7 @@ RecipeSources text_sources(std::string text, const std::string& name, const fs::
                            std::span<const std::string> settings, DiagnosticList& diagnostics) {
     RecipeSources result;
     Loader loader(result, diagnostics);
-    loader.read_settings(settings);
+    loader.read_settings(settings, "--set");
     loader.load_text(without_byte_order_mark(std::move(text)), name, folder);
     loader.add_settings();
     return result;

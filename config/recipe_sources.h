@@ -25,10 +25,11 @@ struct RecipeSources {
     bool complete = true;  // false: one could not be read, so keys may be missing for that reason
 };
 
-// A recipe file and the --set texts laid over it. What cannot be read is reported and left out. The
-// diagnostics point into the sources: take them while these are there.
+// A recipe file and the --set texts laid over it, and over these the values of a sweep's variant,
+// texts of the same form that diagnostics name --vary. What cannot be read is reported and left
+// out. The diagnostics point into the sources: take them while these are there.
 RecipeSources read_sources(const std::filesystem::path& path, std::span<const std::string> settings,
-                           DiagnosticList& diagnostics);
+                           DiagnosticList& diagnostics, std::span<const std::string> varied = {});
 
 // The same for a text in memory.
 RecipeSources text_sources(std::string text, const std::string& name,

@@ -46,6 +46,11 @@ Value value_of(std::string_view text) {
 
 Entry entry_of(std::string key, Value value) { return {std::move(key), {}, std::move(value)}; }
 
+// Whether a text is a number too large for TOML, or a misspelt one: no scale's name.
+bool begins_as_number(std::string_view text) {
+    return std::string_view("+-.0123456789").find(text.front()) != std::string_view::npos;
+}
+
 // FROM:TO, then a count or a scale or both; none if there are more pieces, or an empty one.
 std::optional<Value> range_of(const std::vector<std::string_view>& pieces) {
     constexpr std::size_t most_pieces = 4;
@@ -54,7 +59,8 @@ std::optional<Value> range_of(const std::vector<std::string_view>& pieces) {
     std::optional<Entry> scale;
     for (std::size_t i = 2; i < pieces.size(); ++i) {
         Value value = value_of(pieces[i]);
-        const bool is_text = std::holds_alternative<std::string>(value.data);
+        const bool is_text =
+            std::holds_alternative<std::string>(value.data) && !begins_as_number(pieces[i]);
         std::optional<Entry>& place = is_text ? scale : count;
         if (place) return std::nullopt;
         place = entry_of(is_text ? "scale" : "count", std::move(value));

@@ -24,8 +24,8 @@ constexpr const char* kEarth =
     "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
 
 // Clouds are the brightest that there is to see, and their shades are to be seen: of the exposure
-// for pictures as a whole (tone_curve.h), so that the 99th percentile is at 0.71 of white.
-constexpr double kExposureShare = 0.65;
+// for pictures as a whole (tone_curve.h), so that the 99th percentile is at 0.78 of white.
+constexpr double kExposureShare = 0.8;
 
 struct Lighting {
     SkyMedium medium;
@@ -97,7 +97,7 @@ PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& me
                                                  : kExposureShare * exposure_for(view.radiance);
     const double pixels = static_cast<double>(settings.width) * settings.height;
     PreviewPicture picture;
-    picture.name = fmt::format("{}_lit_{:.0f}", input.volume->entry.name, sun.elevation_degrees);
+    picture.name = fmt::format("{}_lit_{:g}", input.volume->entry.name, sun.elevation_degrees);
     picture.title = fmt::format("Lit, the sun {:g} degrees high", sun.elevation_degrees);
     picture.caption = fmt::format(
         "Sun {:g} degrees high, {:g} degrees from the view's azimuth, in the light of {}; exposure "
@@ -110,6 +110,7 @@ PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& me
         static_cast<double>(view.fetches.samples + view.fetches.light_samples) / pixels,
         static_cast<double>(view.fetches.cells) / pixels);
     picture.picture = tone_mapped(view.radiance, exposure);
+    picture.exposure = exposure;
     return picture;
 }
 
@@ -142,7 +143,7 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
     const bool has_grid = input.occupancy != nullptr && holds_voxels(*input.occupancy);
     if (input.volume == nullptr || input.cloud == nullptr || !holds_voxels(*input.volume)) {
         if (!has_grid) return {};
-        return grid_pictures(*input.occupancy, input.cloud, input.draft);
+        return grid_pictures(*input.occupancy, input.occupancy_bake, input.cloud, input.draft);
     }
     const ManifestAsset& entry = input.volume->entry;
     CloudMedium medium = cloud_medium(*input.cloud, input.volume->voxels.data(),

@@ -22,7 +22,7 @@ struct CloudPreviewInput {
     const PreviewAsset* transmittance = nullptr;
     const PreviewAsset* multiple_scattering = nullptr;
     std::vector<SunDirection> suns = {
-        {15, 105}};                        // a lit picture for each; the view's azimuth is 63
+        {20, 105}};                        // a lit picture for each; the view's azimuth is 63
     std::optional<double> exposure_stops;  // the exposure is 2 to this; none: chosen
     int width = 960;                       // of lit pictures
     int height = 540;

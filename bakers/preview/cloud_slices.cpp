@@ -8,8 +8,8 @@
 #include "bakers/core/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/preview/chart.h"
-#include "bakers/preview/cloud_light.h"
 #include "bakers/preview/volume_slices.h"
+#include "config/fields.h"
 
 namespace skybake {
 
@@ -120,18 +120,56 @@ Rgb leap_colour(float leap, float greatest) {
     return colour;
 }
 
-// The plane with the greatest sum of the first channel.
-int plane_of_most(const VoxelView& view, int axis) {
+// What a channel of a grid holds.
+struct GridChannel {
+    std::string name;
+    float scale = 1;  // from what is stored
+    bool is_leap = false;
+};
+
+GridChannel grid_channel(const PreviewAsset& grid, const config::OccupancyBake* bake,
+                         std::size_t channel) {
+    if (bake == nullptr || channel >= bake->contents.size()) {
+        return {grid.entry.channels[channel]};
+    }
+    const config::OccupancyContent content = bake->contents[channel];
+    const config::Section& section = *config::find_section("bake.*", "occupancy");
+    const auto words = config::choice_names(*config::find_field(section, "contents"));
+    const bool is_leap = content == config::OccupancyContent::leap;
+    const bool unorm = bake->pixel_type == config::PixelType::unorm8 ||
+                       bake->pixel_type == config::PixelType::unorm16;
+    return {std::string(words[static_cast<std::size_t>(content)]), is_leap && unorm ? 255.0F : 1.0F,
+            is_leap};
+}
+
+// The plane in which the first channel is greatest, as a sum; of leaps, least.
+int telling_plane(const VoxelView& view, bool is_leap, int axis) {
     int best = 0;
     double most = 0;
     for (int at = 0; at < view.size[static_cast<std::size_t>(axis)]; ++at) {
         const Image2<float> plane = slice(view, 0, axis, at);
         double sum = 0;
-        for (const float value : plane.texels) sum += double{value};
-        if (at == 0 || sum > most) best = at;
-        most = at == 0 ? sum : std::max(most, sum);
+        for (const float value : plane.texels) sum += double{is_leap ? -value : value};
+        if (at != 0 && sum <= most) continue;
+        best = at;
+        most = sum;
     }
     return best;
+}
+
+PreviewPicture grid_picture(const PreviewAsset& grid, const GridChannel& channel,
+                            Image2<float> field, const ChartAxis& across, const ChartAxis& up,
+                            int axis, int at) {
+    for (float& value : field.texels) value *= channel.scale;
+    const char* axis_name = kAxisNames[static_cast<std::size_t>(axis)];
+    PreviewPicture picture;
+    picture.name = fmt::format("{}_{}_{}", grid.entry.name, channel.name, axis_name);
+    picture.title = fmt::format("{}, cells {} = {}", channel.name, axis_name, at);
+    picture.caption = fmt::format("What the grid holds as {}{}, a cell a square.", channel.name,
+                                  channel.is_leap ? ", in cells" : "");
+    picture.picture =
+        false_colour_chart(field, scale_of(field, channel.name), picture.title, across, up);
+    return picture;
 }
 
 }  // namespace
@@ -249,42 +287,39 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
         fmt::format("{}_cells_{}", grid_name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Cells at {}", place_of(medium, axis, at));
     picture.caption = fmt::format(
-        "Cells of {} voxels an edge over the density (grey): occupied ones are framed, {:.1f} % of "
+        "Cells of {} voxels an edge over the {} (grey): occupied ones are framed, {:.1f} % of "
         "all; empty ones are the bluer the farther a ray may leap, up to {:.0f} cells.",
-        cell, 100.0 * static_cast<double>(occupied) / static_cast<double>(leaps.size()),
+        cell, value_title(medium),
+        100.0 * static_cast<double>(occupied) / static_cast<double>(leaps.size()),
         double{greatest});
     picture.picture = framed(drawn, picture.title, axis_km(medium.extent_m, medium.base_m, axes[0]),
                              axis_km(medium.extent_m, medium.base_m, axes[1]));
     return picture;
 }
 
-std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid, const config::Cloud* cloud,
-                                          bool draft) {
+std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid,
+                                          const config::OccupancyBake* bake,
+                                          const config::Cloud* cloud, bool draft) {
     std::vector<PreviewPicture> pictures;
     const VoxelView view = view_of(grid);
-    std::array<double, 3> extent_m{};
-    for (std::size_t a = 0; cloud != nullptr && a < 3; ++a) extent_m[a] = cloud->extent[a].meters;
+    const auto chart_axis = [&](std::size_t a) {
+        if (cloud == nullptr) {
+            return linear_axis(fmt::format("{} (cells)", kAxisNames[a]),
+                               {0, static_cast<double>(view.size[a])});
+        }
+        std::array<double, 3> extent_m{};
+        for (std::size_t i = 0; i < 3; ++i) extent_m[i] = cloud->extent[i].meters;
+        return axis_km(extent_m, cloud->base_altitude.meters, a);
+    };
+    const bool leaps_first = grid_channel(grid, bake, 0).is_leap;
     const std::size_t shown = draft ? 1 : grid.entry.channels.size();
-    for (std::size_t channel = 0; channel < shown; ++channel) {
-        for (const int axis : {1, 2}) {
-            const int at = plane_of_most(view, axis);
-            const Image2<float> field = slice(view, static_cast<int>(channel), axis, at);
-            const auto axes = axes_of_slice(axis);
-            const auto chart_axis = [&](std::size_t a) {
-                return cloud != nullptr ? axis_km(extent_m, cloud->base_altitude.meters, a)
-                                        : linear_axis(fmt::format("{} (cells)", kAxisNames[a]),
-                                                      {0, static_cast<double>(view.size[a])});
-            };
-            const std::string& name = grid.entry.channels[channel];
-            PreviewPicture picture;
-            picture.name = fmt::format("{}_{}_{}", grid.entry.name, name,
-                                       kAxisNames[static_cast<std::size_t>(axis)]);
-            picture.title = fmt::format("{}, cells {} = {}", name,
-                                        kAxisNames[static_cast<std::size_t>(axis)], at);
-            picture.caption = fmt::format("Channel {} of the grid, a cell a square.", name);
-            picture.picture = false_colour_chart(field, scale_of(field, name), picture.title,
-                                                 chart_axis(axes[0]), chart_axis(axes[1]));
-            pictures.push_back(std::move(picture));
+    for (const int axis : {1, 2}) {
+        const int at = telling_plane(view, leaps_first, axis);
+        const auto axes = axes_of_slice(axis);
+        for (std::size_t channel = 0; channel < shown; ++channel) {
+            pictures.push_back(grid_picture(grid, grid_channel(grid, bake, channel),
+                                            slice(view, static_cast<int>(channel), axis, at),
+                                            chart_axis(axes[0]), chart_axis(axes[1]), axis, at));
         }
     }
     return pictures;

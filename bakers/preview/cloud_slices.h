@@ -33,8 +33,10 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
                              const std::vector<float>& leaps, int axis, int at);
 
 // Each channel of a grid (of a draft the first), in a plane from the side and one from above, where
-// the sum of the first channel is greatest. Axes are in cells where the cloud is not known.
-std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid, const config::Cloud* cloud,
-                                          bool draft);
+// the sum of the first channel is greatest (of leaps, least). `bake`, which may be null, says what
+// channels hold; axes are in cells where the cloud is not known.
+std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid,
+                                          const config::OccupancyBake* bake,
+                                          const config::Cloud* cloud, bool draft);
 
 }  // namespace skybake

@@ -153,10 +153,10 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
                     3);
     settings.light_step_m =
         std::max(settings.step_m, sun_march_length_m(medium, sun) / kSunSamples);
-    settings.reach_m = std::max(24 * tile, 40e3);
+    settings.reach_m = std::min(std::max(24 * tile, 40e3), 256 * tile);
     // From below where the layer is high enough that its nearest clouds are some voxels away, else
     // from above. The azimuth is no simple fraction of a turn: tiles do not line up.
-    const double below_m = std::max(medium.base_m - 0.15 * tile, 2.0);
+    const double below_m = std::max(medium.base_m - 0.25 * tile, 2.0);
     const bool from_below = medium.base_m >= 0.1 * tile;
     const double top_m = medium.base_m + medium.extent_m[2];
     settings.camera.position_m = {0.31 * medium.extent_m[0], 0.12 * medium.extent_m[1],

@@ -6,11 +6,13 @@
 #include <charconv>
 #include <sstream>
 #include <utility>
+#include <variant>
 
 #include "bakers/io/exr_rows.h"
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/io/spelling.h"
 #include "bakers/io/vdb_volume.h"
+#include "config/recipe.h"
 
 namespace skybake {
 namespace {
@@ -112,6 +114,20 @@ std::optional<std::array<int, 3>> volume_size(const Attributes& attributes) {
     return size;
 }
 
+// A table of the size that its parameters ask for; any, where they ask for an error instead.
+bool fits_parameters(const ManifestAsset& table) {
+    const auto recipe = config::parse_recipe(table.parameters, "the file");
+    if (!recipe.value || recipe.value->parameters.bakes.size() != 1) return true;
+    const auto asked = [](const auto& bake) -> std::vector<int> {
+        return {bake.size.begin(), bake.size.end()};
+    };
+    const auto& asset = recipe.value->parameters.bakes.front().asset;
+    std::vector<int> size;
+    if (const auto* bake = std::get_if<config::TransmittanceBake>(&asset)) size = asked(*bake);
+    if (const auto* bake = std::get_if<config::MultipleScatteringBake>(&asset)) size = asked(*bake);
+    return size.empty() || size[0] <= 0 || size[1] <= 0 || size == table.size;
+}
+
 std::optional<ManifestAsset> entry_of(const ExrRows& image) {
     const Attributes& attributes = image.attributes();
     const auto size = volume_size(attributes);
@@ -130,6 +146,7 @@ std::optional<ManifestAsset> entry_of(const ExrRows& image) {
         add_level(attributes, *size, *asset);
     } else {
         asset->size = {image.width(), image.height()};
+        if (!fits_parameters(*asset)) return std::nullopt;
     }
     asset->files.push_back(std::move(file));
     return asset;
@@ -153,7 +170,8 @@ Outcome<ManifestAsset> named(std::optional<ManifestAsset> asset, const fs::path&
     if (!asset) {
         config::Diagnostic diagnostic = file_error(
             "E0304", path.string(),
-            fmt::format("`{}` does not say what it holds: it is no whole file of skybake's",
+            fmt::format("`{}` does not say what it holds, or holds something else: it is no "
+                        "whole file of skybake's",
                         path.string()));
         diagnostic.label = "a manifest.json in its folder may say it";
         return {{}, {std::move(diagnostic)}};

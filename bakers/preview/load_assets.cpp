@@ -7,11 +7,13 @@
 
 #include "bakers/io/exr.h"
 #include "bakers/io/file_diagnostic.h"
+#include "bakers/io/file_input.h"
 #include "bakers/io/manifest.h"
 #include "bakers/io/read_volume.h"
 #include "bakers/io/recorded_recipe.h"
 #include "bakers/preview/file_metadata.h"
 #include "bakers/preview/report_plots.h"
+#include "bakers/registry.h"
 
 namespace skybake {
 namespace {
@@ -68,7 +70,27 @@ Diagnostic no_file(const ManifestAsset& entry, const fs::path& folder) {
                       fmt::format("the manifest names no file of `{}`", entry.name));
 }
 
-// Adds one asset of a manifest to what is shown; what went wrong, if anything did.
+// W0304 where the file is not that of which the manifest speaks, or speaks for itself.
+std::optional<Diagnostic> other_bytes(const fs::path& path, const ManifestFile& file) {
+    const Outcome<FileFingerprint> found = fingerprint(path);
+    if (file.xxh3.empty() || !found.value || found.value->xxh3 == file.xxh3) return std::nullopt;
+    Diagnostic warning = file_error(
+        "W0304", path.string(),
+        fmt::format("`{}` has other bytes than {} says: its figures are not those of this file",
+                    path.string(), manifest_name));
+    warning.severity = config::Severity::warning;
+    return warning;
+}
+
+// What of diagnostics makes it impossible to go on.
+bool has_error(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& one) {
+        return one.severity == config::Severity::error;
+    });
+}
+
+// Adds one asset of a manifest to what is shown; what went wrong, if anything did. Warnings become
+// notes, too.
 std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& entry,
                                   PreviewAssets& shown) {
     std::size_t level = 0;
@@ -87,7 +109,10 @@ std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& e
                                    : load_table(folder / file->path, entry);
     if (!asset.value) return std::move(asset.diagnostics);
     shown.assets.push_back(std::move(*asset.value));
-    return {};
+    const std::optional<Diagnostic> warning = other_bytes(folder / file->path, *file);
+    if (!warning) return {};
+    shown.notes.push_back(warning->message);
+    return {*warning};
 }
 
 // Previews of a folder whose recipe this release cannot read still have pictures.
@@ -101,10 +126,15 @@ void add_recipe(const Manifest& manifest, const ManifestPlace& place, PreviewAss
 }
 
 // The parameters that a cloud's file carries are a recipe of it; those of a table lack what others
-// depend on, and may be none.
+// depend on, and may be none. A file may have another name than its section.
 void add_own_recipe(PreviewAssets& shown) {
-    auto recipe = config::parse_recipe(shown.assets.front().entry.parameters, "the file");
-    if (recipe.value) shown.recipe = std::move(*recipe.value);
+    const ManifestAsset& entry = shown.assets.front().entry;
+    auto recipe = config::parse_recipe(entry.parameters, "the file");
+    if (!recipe.value) return;
+    for (config::Bake& bake : recipe.value->parameters.bakes) {
+        if (baker_of(bake).asset == entry.kind) bake.name = entry.name;
+    }
+    shown.recipe = std::move(*recipe.value);
 }
 
 std::string folder_title(const fs::path& folder) {
@@ -148,16 +178,19 @@ Outcome<PreviewAssets> load_folder(const fs::path& path) {
     PreviewAssets shown;
     shown.title = folder_title(place.folder);
     add_recipe(*manifest.value, place, shown);
+    std::vector<Diagnostic> warnings;
     for (const ManifestAsset& entry : manifest.value->assets) {
         auto problems = add_asset(place.folder, entry, shown);
-        if (!problems.empty()) return {{}, std::move(problems)};
+        if (has_error(problems)) return {{}, std::move(problems)};
+        warnings.insert(warnings.end(), problems.begin(), problems.end());
     }
     find_plots(place.folder, shown);
-    return {std::move(shown), {}};
+    return {std::move(shown), std::move(warnings)};
 }
 
 Outcome<PreviewAssets> load_files(std::span<const fs::path> files) {
     PreviewAssets shown;
+    std::vector<Diagnostic> warnings;
     std::optional<Manifest> recorded;  // of the folder that all files are in
     for (const fs::path& path : files) {
         shown.title += (shown.title.empty() ? "" : ", ") + path.filename().string();
@@ -166,12 +199,13 @@ Outcome<PreviewAssets> load_files(std::span<const fs::path> files) {
         const std::optional<ManifestAsset> entry =
             manifest.value ? claimed_entry(*manifest.value, path.filename()) : std::nullopt;
         auto problems = entry ? add_asset(folder, *entry, shown) : add_unclaimed(path, shown);
-        if (!problems.empty()) return {{}, std::move(problems)};
+        if (has_error(problems)) return {{}, std::move(problems)};
+        warnings.insert(warnings.end(), problems.begin(), problems.end());
         if (entry && folder == files.front().parent_path()) recorded = std::move(manifest.value);
     }
     if (!recorded && files.size() == 1) add_own_recipe(shown);
     if (recorded) add_recipe(*recorded, manifest_place(files.front().parent_path()), shown);
-    return {std::move(shown), {}};
+    return {std::move(shown), std::move(warnings)};
 }
 
 }  // namespace skybake

@@ -11,13 +11,14 @@ namespace skybake {
 
 // All assets of a folder of a bake, the recipe that its manifest recorded and the plots of a report
 // that lies there; `path` is the folder or the manifest. E0300, E0304 as the readers of manifests
-// and files; E0304 where the manifest has no assets.
+// and files; E0304 where the manifest has no assets. Warnings W0304, which are notes, too: a shown
+// file is not that of which the manifest speaks.
 config::Outcome<PreviewAssets> load_folder(const std::filesystem::path& path);
 
 // Single EXR, VDB and bin files, each with what the manifest of its folder says of it; where none
 // claims it, with what it says of itself. The recipe is that of the first file's folder, or what
-// a single file says of it. E0300;
-// E0304, too, where a file says nothing of itself.
+// a single file says of it. E0300; E0304, too, where a file says nothing of itself, or other things
+// than it holds. Warnings as of load_folder.
 config::Outcome<PreviewAssets> load_files(std::span<const std::filesystem::path> files);
 
 }  // namespace skybake

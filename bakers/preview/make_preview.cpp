@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "bakers/preview/camera_altitude.h"
 #include "bakers/preview/cloud_input.h"
 #include "bakers/preview/cloud_pictures.h"
 #include "bakers/preview/noise_pictures.h"
@@ -120,6 +121,7 @@ class Preview {
 }  // namespace
 
 Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {
+    if (auto problem = camera_above_air(assets, options)) return {{}, {std::move(*problem)}};
     return Preview(assets, options).make();
 }
 

@@ -23,7 +23,8 @@ struct PreviewOptions {
 };
 
 // All pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
-// preset "earth". Diagnostics of png_bytes. No value and no diagnostics: the user has interrupted.
+// preset "earth". Diagnostics of camera_above_air (camera_altitude.h) and png_bytes. No value and
+// no diagnostics: the user has interrupted.
 config::Outcome<PreviewPage> make_preview(const PreviewAssets& assets,
                                           const PreviewOptions& options);
 

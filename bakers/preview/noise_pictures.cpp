@@ -136,8 +136,8 @@ class NoisePictures {
         }
         add("histogram", "histogram",
             "How often values are met: the density over each channel's value; its area is the "
-            "share "
-            "of voxels within the bins.",
+            "share of voxels within the bins." +
+                without_spectrum(),
             line_chart(lines, entry_.name + ": histogram", "value", "density", false, false));
     }
 
@@ -161,9 +161,46 @@ class NoisePictures {
         return line;
     }
 
-    void add_spectrum() {
-        std::vector<ChartLine> lines;
+    bool is_constant(int channel) const {
+        const std::vector<float>& voxels = *volume_.voxels;
+        const auto channels = static_cast<std::size_t>(volume_.channels);
+        const auto first = static_cast<std::size_t>(channel);
+        for (std::size_t i = first; i < voxels.size(); i += channels) {
+            if (voxels[i] != voxels[first]) return false;
+        }
+        return true;
+    }
+
+    std::vector<int> varying_channels() const {
+        std::vector<int> varying;
         for (int channel = 0; channel < volume_.channels; ++channel) {
+            if (!is_constant(channel)) varying.push_back(channel);
+        }
+        return varying;
+    }
+
+    // Why there is no spectrum; empty where there is one.
+    std::string without_spectrum() const {
+        if (*std::min_element(volume_.size.begin(), volume_.size.end()) < 2) {
+            return " No spectrum: it takes two voxels along each axis.";
+        }
+        return varying_channels().empty() ? " No spectrum: nothing varies." : "";
+    }
+
+    std::string constant_words() const {
+        std::string names;
+        for (int channel = 0; channel < volume_.channels; ++channel) {
+            if (!is_constant(channel)) continue;
+            names +=
+                (names.empty() ? "" : ", ") + entry_.channels[static_cast<std::size_t>(channel)];
+        }
+        return names.empty() ? "" : fmt::format(" Left out, being constant: {}.", names);
+    }
+
+    void add_spectrum() {
+        if (!without_spectrum().empty()) return;
+        std::vector<ChartLine> lines;
+        for (const int channel : varying_channels()) {
             const std::string& name = entry_.channels[static_cast<std::size_t>(channel)];
             ChartLine line{name, line_colour(name), {}, {}};
             const std::vector<double> spectrum = slice_spectrum(volume_, channel);
@@ -174,8 +211,10 @@ class NoisePictures {
             lines.push_back(std::move(line));
         }
         add("spectrum", "spectrum",
-            "Variance by frequency in slices, all directions together, up to half a cycle a voxel. "
-            "What rises towards the right end aliases.",
+            fmt::format("Variance by frequency, the mean of {} slices across x, y and z, all "
+                        "directions together, up to half a cycle a voxel. What rises towards the "
+                        "right end aliases.{}",
+                        spectrum_slices(volume_.size), constant_words()),
             line_chart(lines, entry_.name + ": spectrum", "frequency (cycles per tile)",
                        "variance per cycle", true, true));
     }

@@ -93,4 +93,6 @@ std::vector<double> slice_spectrum(const VoxelView& volume, int channel) {
     return mean;
 }
 
+std::size_t spectrum_slices(const std::array<int, 3>& size) { return planes_of(size).size(); }
+
 }  // namespace skybake

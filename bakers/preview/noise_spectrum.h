@@ -1,6 +1,8 @@
 // How a volume's variation is shared among frequencies.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "bakers/preview/volume_slices.h"
@@ -13,5 +15,8 @@ namespace skybake {
 // 0, the mean, is 0. The mean over some slices across each axis: slices of an isotropic noise show
 // its frequencies a little smeared to lower ones. Empty where an axis has fewer than 2 voxels.
 std::vector<double> slice_spectrum(const VoxelView& volume, int channel);
+
+// How many slices of a volume of this size that is the mean of.
+std::size_t spectrum_slices(const std::array<int, 3>& size);
 
 }  // namespace skybake

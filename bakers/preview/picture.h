@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct PreviewPicture {
     std::string
         caption;  // what one sees, with units, exposure and tone curve, in a sentence or two
     Picture picture;
+    std::optional<double> exposure = {};  // what radiance was multiplied by, in pictures of light
 };
 
 }  // namespace skybake

@@ -141,11 +141,11 @@ class OccupiedBoxes {
     std::array<Bits, 27> boxes_;
 };
 
-// By what is empty in every direction.
+// By what is empty in every direction, a voxel less for roundings.
 float samples_in_reach(float reach, double fastest) {
     if (fastest == 0) return 0;
     return static_cast<float>(
-        std::min(std::floor(std::max(double{reach} - kBeamMargin, 0.0) / fastest), 0x1p20));
+        std::min(std::floor(std::max(double{reach} - 1, 0.0) / fastest), 0x1p20));
 }
 
 }  // namespace
@@ -155,7 +155,8 @@ std::vector<float> sun_leaps(const LeapGrid& grid, const std::array<int, 3>& vox
     double fastest = 0;
     for (const double speed : direction) fastest = std::max(fastest, std::fabs(speed));
     const bool regular = voxels[0] % grid.cell == 0 && voxels[1] % grid.cell == 0 &&
-                         samples * fastest <= kLongestBeam;
+                         samples * fastest <= kLongestBeam &&
+                         *std::max_element(voxels.begin(), voxels.end()) <= kLongestBeam;
     std::array<BeamAxis, 3> axes;
     for (std::size_t a = 0; a < 3; ++a) {
         axes[a] = beam_axis(direction[a] / grid.cell, kBeamMargin / grid.cell);

@@ -26,8 +26,8 @@ inline constexpr double kBeamMargin = 0x1p-8;  // voxels
 // -1 where it is occupied. `direction` is in voxels per step between samples; at most `samples` of
 // them are made.
 //
-// Where cells do not divide a tile that repeats, or beams are longer than kLongestBeam, by the
-// reach of the grid alone.
+// Where cells do not divide a tile that repeats, or where beams or the volume are longer than
+// kLongestBeam, by the reach of the grid alone.
 std::vector<float> sun_leaps(const LeapGrid& grid, const std::array<int, 3>& voxels,
                              const std::array<double, 3>& direction, int samples, int threads);
 

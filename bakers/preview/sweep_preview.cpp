@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
+#include "bakers/preview/camera_altitude.h"
 #include "bakers/preview/chart.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"
@@ -43,13 +45,25 @@ class SweepPreview {
         add_sheet();
         auto problems = encoder_.finish();
         if (!problems.empty()) return {{}, std::move(problems)};
-        shown_.content = fmt::format("{} variants of one recipe.", sweep_.variants.size());
+        shown_.content =
+            fmt::format("{} variants of one recipe{}.", sweep_.variants.size(), without_assets());
         page_.title = fs::absolute(folder_).lexically_normal().filename().string();
         page_.sweep = std::move(shown_);
-        return {std::move(page_), {}};
+        return {std::move(page_), std::move(warnings_)};
     }
 
   private:
+    // ", 2 failed, 1 missing"; empty where all are done.
+    std::string without_assets() const {
+        std::map<std::string, int> counts;
+        for (const SweepVariant& variant : sweep_.variants) {
+            if (variant.status != "done") ++counts[variant.status];
+        }
+        std::string words;
+        for (const auto& [status, count] : counts) words += fmt::format(", {} {}", count, status);
+        return words;
+    }
+
     void add_columns() {
         for (const std::string& name : sweep_.names) {
             bool numbers = true;
@@ -90,11 +104,20 @@ class SweepPreview {
             page_.notes.push_back(assets.diagnostics.front().message);
             return std::nullopt;
         }
-        const std::optional<Picture> picture = telling_picture(*assets.value, options_);
+        for (const config::Diagnostic& warning : assets.diagnostics) {
+            page_.notes.push_back(warning.message);
+            warnings_.push_back(warning);
+        }
+        if (const auto problem = camera_above_air(*assets.value, options_)) {
+            page_.notes.push_back(fmt::format("{}: {}", variant.name, problem->message));
+            return std::nullopt;
+        }
+        auto picture = telling_picture(*assets.value, options_);
         if (!picture) return std::nullopt;
-        pictures_.push_back(*picture);
+        if (light_.empty()) light_ = picture->light;
+        pictures_.push_back(std::move(picture->picture));
         captions_.push_back(caption_of(sweep_, variant));
-        const PreviewPicture titled{variant.name, captions_.back(), "", *picture};
+        const PreviewPicture titled{variant.name, captions_.back(), "", pictures_.back()};
         auto encoded = encoder_.encode(variant.name, [&] { return std::vector{titled}; });
         if (encoded.empty()) return std::nullopt;
         return std::move(encoded.front());
@@ -111,6 +134,7 @@ class SweepPreview {
         sheet.name = "contact_sheet";
         sheet.title = "All variants";
         sheet.caption = "Each with the values that vary.";
+        if (!light_.empty()) sheet.caption += fmt::format(" All with {}.", light_);
         if (pictures_.size() < sweep_.variants.size()) {
             sheet.title =
                 fmt::format("{} of {} variants", pictures_.size(), sweep_.variants.size());
@@ -127,6 +151,8 @@ class SweepPreview {
     PageSweep shown_;
     std::vector<Picture> pictures_;
     std::vector<std::string> captions_;
+    std::string light_;  // of the first picture of light, and so of all
+    std::vector<config::Diagnostic> warnings_;
 };
 
 }  // namespace

@@ -14,7 +14,8 @@ inline constexpr std::size_t most_pictured_variants = 144;
 
 // A contact sheet with the varied values as captions, and the table of all variants. Diagnostics of
 // load_sweep and png_bytes; a variant whose folder cannot be read has no picture, and a note says
-// why. No value and no diagnostics: the user has interrupted.
+// why. Warnings of
+// load_folder. No value and no diagnostics: the user has interrupted.
 config::Outcome<PreviewPage> make_sweep_preview(const std::filesystem::path& folder,
                                                 const PreviewOptions& options);
 

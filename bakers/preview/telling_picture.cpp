@@ -1,5 +1,7 @@
 #include "bakers/preview/telling_picture.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,16 +21,22 @@ namespace {
 constexpr int picture_width = 384;
 constexpr int picture_height = 216;
 
-Picture exposed(const Image2<float>& radiance, PreviewOptions& options) {
+// The first picture's exposure becomes that of all.
+double exposure_of(const Image2<float>& radiance, PreviewOptions& options) {
     if (!options.exposure_stops) options.exposure_stops = std::log2(exposure_for(radiance));
-    return tone_mapped(radiance, std::exp2(*options.exposure_stops));
+    return std::exp2(*options.exposure_stops);
+}
+
+std::string light_words(double exposure, double sun_elevation_degrees) {
+    return fmt::format("exposure {:.3g}, tone curve {}, the sun {:g} degrees high", exposure,
+                       tone_curve_name(), sun_elevation_degrees);
 }
 
 double sun_elevation_deg(const PreviewOptions& options) {
     return options.sun_elevations_deg.empty() ? 10 : options.sun_elevations_deg.front();
 }
 
-std::optional<Picture> sky_picture(const PreviewAssets& assets, PreviewOptions& options) {
+std::optional<TellingPicture> sky_picture(const PreviewAssets& assets, PreviewOptions& options) {
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
     if (!transmittance || !scattering || !assets.recipe) return std::nullopt;
@@ -39,6 +47,7 @@ std::optional<Picture> sky_picture(const PreviewAssets& assets, PreviewOptions& 
     view.width = picture_width;
     view.height = picture_height;
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
+    // The altitude that is not asked for may be above a thin shell's top.
     const double thickness_km =
         (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000;
     view.camera_altitude_km = std::min(options.altitude_m.value_or(200) / 1000, thickness_km);
@@ -46,7 +55,9 @@ std::optional<Picture> sky_picture(const PreviewAssets& assets, PreviewOptions& 
     const SkyMedium medium = make_sky_medium(atmosphere);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
     add_sun_disc(medium, *tables.value, view, radiance);
-    return exposed(radiance, options);
+    const double exposure = exposure_of(radiance, options);
+    return TellingPicture{tone_mapped(radiance, exposure),
+                          light_words(exposure, view.sun_elevation_degrees)};
 }
 
 // The first channel of the middle plane, 0 black and 1 white.
@@ -69,7 +80,7 @@ Picture slice_picture(const PreviewAsset& asset) {
 }
 
 // Half of what is asked for, as a draft is.
-std::optional<Picture> cloud_picture(const PreviewAssets& assets, const PreviewOptions& options) {
+std::optional<TellingPicture> cloud_picture(const PreviewAssets& assets, PreviewOptions& options) {
     for (const PreviewAsset& asset : assets.assets) {
         CloudPreviewInput input = cloud_input(assets, asset, options);
         if (input.cloud == nullptr || input.volume == nullptr) continue;
@@ -77,22 +88,29 @@ std::optional<Picture> cloud_picture(const PreviewAssets& assets, const PreviewO
         input.height = 2 * picture_height;
         input.draft = true;
         auto pictures = cloud_pictures(input, options.threads);
-        if (!pictures.empty()) return std::move(pictures.front().picture);
+        if (pictures.empty()) continue;
+        TellingPicture telling{std::move(pictures.front().picture), ""};
+        if (const std::optional<double> exposure = pictures.front().exposure) {
+            if (!options.exposure_stops) options.exposure_stops = std::log2(*exposure);
+            telling.light = light_words(*exposure, input.suns.front().elevation_degrees);
+        }
+        return telling;
     }
     return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Picture> telling_picture(const PreviewAssets& assets, PreviewOptions& options) {
+std::optional<TellingPicture> telling_picture(const PreviewAssets& assets,
+                                              PreviewOptions& options) {
     if (auto cloud = cloud_picture(assets, options)) return cloud;
     if (auto sky = sky_picture(assets, options)) return sky;
     for (const PreviewAsset& asset : assets.assets) {
-        if (!asset.voxels.empty()) return slice_picture(asset);
+        if (!asset.voxels.empty()) return TellingPicture{slice_picture(asset), ""};
     }
     for (const PreviewAsset& asset : assets.assets) {
         auto pictures = table_pictures(asset);
-        if (!pictures.empty()) return std::move(pictures.front().picture);
+        if (!pictures.empty()) return TellingPicture{std::move(pictures.front().picture), ""};
     }
     return std::nullopt;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/picture.h"
@@ -9,9 +10,14 @@
 
 namespace skybake {
 
+struct TellingPicture {
+    Picture picture;
+    std::string light;  // exposure, tone curve and sun of a picture of light; else empty
+};
+
 // A lit cloud where there is one, else a panorama of the sky, else a slice, else a table. Without
 // exposure_stops the exposure is chosen for the picture and written there, so that the next ones
 // have the same. None where there is nothing to show.
-std::optional<Picture> telling_picture(const PreviewAssets& assets, PreviewOptions& options);
+std::optional<TellingPicture> telling_picture(const PreviewAssets& assets, PreviewOptions& options);
 
 }  // namespace skybake

@@ -13,6 +13,7 @@
 
 #include "bakers/core/parallel.h"
 #include "bakers/incremental/asset_cache.h"
+#include "bakers/incremental/asset_identity.h"
 #include "bakers/incremental/bake_folder.h"
 #include "bakers/io/folder_lock.h"
 #include "bakers/io/temporary_file.h"
@@ -30,6 +31,24 @@ Diagnostic internal_error(const std::exception& exception) {
     diagnostic.code = "E0500";
     diagnostic.message = std::string("internal error: ") + exception.what();
     return diagnostic;
+}
+
+// No error if the assets are those that were planned. Others would stand in one index with variants
+// of the recipe as it was.
+std::vector<Diagnostic> check_against_plan(const FolderBake& bake,
+                                           const std::vector<std::string>& planned_keys) {
+    std::vector<std::string> keys;
+    for (const config::Bake& section : bake.bakes) {
+        auto identity = asset_identity(*bake.recipe, section, bake.certification);
+        if (!identity.value) return std::move(identity.diagnostics);
+        keys.push_back(std::move(identity.value->key));
+    }
+    if (keys == planned_keys) return {};
+    return {{config::Severity::error,
+             "E0406",
+             "the recipe changed while the sweep was running",
+             {},
+             "run it again"}};
 }
 
 // Temporaries that a killed process has left beside files that are up to date. Not while another
@@ -123,12 +142,8 @@ class SweepRunner {
     void settle(PlannedVariant& variant) {
         if (observer_.cancelled()) return;
         const auto folder = job_.folder / variant.result.name;
-        if (variant.result.status == VariantStatus::failed) {
-            append(write_failure(folder, variant.result.diagnostics), variant.result);
-        } else {
-            remove_failure(folder);
-            remove_left_overs(folder);
-        }
+        keep_failure(folder, variant.result);
+        if (variant.result.status == VariantStatus::done) remove_left_overs(folder);
         const std::lock_guard lock(observer_mutex_);
         observer_.finished(variant.result, false, 0);
     }
@@ -194,20 +209,30 @@ class SweepRunner {
     void make(PlannedVariant& variant, const Task& task, int threads) {
         const auto start = std::chrono::steady_clock::now();
         const auto folder = job_.folder / variant.result.name;
-        try {
-            bake(variant, task, threads);
-        } catch (const std::exception& exception) {  // memory; a thread must not let it pass
-            fail({internal_error(exception)}, variant.result);
-        }
+        guard(variant.result, [&] { bake(variant, task, threads); });
         if (variant.result.status == VariantStatus::missing) return;  // interrupted
-        if (variant.result.status == VariantStatus::failed) {
-            append(write_failure(folder, variant.result.diagnostics), variant.result);
-        } else {
-            remove_failure(folder);
-        }
+        guard(variant.result, [&] { keep_failure(folder, variant.result); });
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         const std::lock_guard lock(observer_mutex_);
         observer_.finished(variant.result, true, elapsed.count());
+    }
+
+    // What is thrown, for lack of memory, fails the variant: a thread must not let it pass.
+    template <typename Step>
+    static void guard(VariantResult& result, const Step& step) {
+        try {
+            step();
+        } catch (const std::exception& exception) {
+            fail({internal_error(exception)}, result);
+        }
+    }
+
+    static void keep_failure(const std::filesystem::path& folder, VariantResult& result) {
+        if (result.status == VariantStatus::failed) {
+            append(write_failure(folder, result.diagnostics), result);
+        } else {
+            remove_failure(folder);
+        }
     }
 
     void bake(PlannedVariant& variant, const Task& task, int threads) {
@@ -219,6 +244,10 @@ class SweepRunner {
         }
         FolderBake bake = variant_bake(job_, *recipe.value, result.name);
         bake.threads = threads;
+        if (auto errors = check_against_plan(bake, variant.keys); !errors.empty()) {
+            fail(std::move(errors), result);
+            return;
+        }
         std::optional<AssetCache> cache;
         bake.sources.push_back(&ready_);
         if (!job_.cache.empty()) bake.sources.push_back(&cache.emplace(job_.cache));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
 #include <utility>
 
 #include "bakers/core/parallel.h"
@@ -37,6 +39,7 @@ bool is_settled(const FolderPlan& plan, const config::Recipe& recipe) {
 
 void take_plan(const FolderPlan& plan, const config::Recipe& recipe, PlannedVariant& variant) {
     for (const PlannedAsset& asset : plan.assets) {
+        variant.keys.push_back(asset.identity.key);
         if (asset.up_to_date) {
             variant.result.assets.push_back(variant_asset(*asset.up_to_date));
             continue;
@@ -57,6 +60,22 @@ config::Diagnostic nothing_to_bake() {
             "add [bake.transmittance]"};
 }
 
+std::string last_failure(const std::filesystem::path& folder) {
+    const std::vector<config::Diagnostic> errors = read_failure(folder);
+    return errors.empty() ? "" : errors[0].code + ": " + errors[0].message;
+}
+
+// "0007_seed=2", with the files that a variant leaves.
+bool is_variant_folder(const std::filesystem::path& folder) {
+    constexpr std::size_t fewest_digits = 4;
+    const std::string name = folder.filename().string();
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    if (digits < fewest_digits || digits == name.size() || name[digits] != '_') return false;
+    std::error_code error;
+    return std::filesystem::exists(folder / manifest_name, error) ||
+           std::filesystem::exists(folder / failure_name, error);
+}
+
 PlannedVariant plan_variant(const SweepJob& job, const VariantNames& names, int index) {
     PlannedVariant variant;
     variant.result.index = index;
@@ -74,6 +93,9 @@ PlannedVariant plan_variant(const SweepJob& job, const VariantNames& names, int 
     }
     if (config::exit_code(variant.result.diagnostics) != 0) {
         variant.result.status = VariantStatus::failed;
+    }
+    if (variant.to_be_made()) {
+        variant.last_failure = last_failure(job.folder / variant.result.name);
     }
     return variant;
 }
@@ -105,6 +127,22 @@ std::vector<PlannedVariant> plan_sweep(const SweepJob& job,
     });
     if (cancelled()) variants.clear();
     return variants;
+}
+
+std::vector<std::string> folders_of_earlier_sweeps(const SweepJob& job) {
+    const VariantNames names(job.sweep);
+    std::set<std::string> own;
+    for (int i = 0; i < variant_count(job.sweep); ++i) own.insert(names.name(i));
+    std::vector<std::string> earlier;
+    std::error_code error;
+    std::filesystem::directory_iterator at(job.folder, error);
+    for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+        std::string name = at->path().filename().string();
+        if (!own.contains(name) && is_variant_folder(at->path()))
+            earlier.push_back(std::move(name));
+    }
+    std::sort(earlier.begin(), earlier.end());
+    return earlier;
 }
 
 std::vector<SharedAsset> shared_assets(const std::vector<PlannedVariant>& variants) {

@@ -39,7 +39,9 @@ struct StaleAsset {
 struct PlannedVariant {
     VariantResult result;  // of one that is done, or cannot even be read
     std::vector<StaleAsset> stale;
-    double seconds = 0;  // estimates of what is stale
+    std::vector<std::string> keys;  // of all its assets, in the recipe's order
+    std::string last_failure;       // the first of its error.json, "E0402: ..."; empty: none
+    double seconds = 0;             // estimates of what is stale
     double memory_mib = 0;
 
     bool to_be_made() const { return result.status == VariantStatus::missing; }
@@ -49,6 +51,10 @@ struct PlannedVariant {
 // Variants stand in the order of their index. One that cannot be read, planned or made for lack of
 // memory has failed; see plan_folder. None at all once `cancelled` is true.
 std::vector<PlannedVariant> plan_sweep(const SweepJob& job, const std::function<bool()>& cancelled);
+
+// Names of the variants' folders beside those of the job's sweep, in order: the values have changed
+// since they were made.
+std::vector<std::string> folders_of_earlier_sweeps(const SweepJob& job);
 
 // The bake of one variant's folder; the recipe must outlive it.
 FolderBake variant_bake(const SweepJob& job, const config::Recipe& recipe, const std::string& name);

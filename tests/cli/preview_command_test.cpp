@@ -227,6 +227,60 @@ TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
     EXPECT_TRUE(contains(told, "30 deg"));
     EXPECT_TRUE(contains(told, "exposure 16"));
     EXPECT_FALSE(contains(told, "60 deg"));
+
+    const Result above = scene.preview({scene.baked, "--altitude", "170 km"});
+    EXPECT_EQ(above.code, 2);
+    EXPECT_TRUE(contains(above.error, "top of the air, 100 km")) << above.error;
+}
+
+TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
+    const Scene scene;
+    scene.bake();
+    EXPECT_FALSE(contains(scene.preview({scene.baked}).error, "other bytes"));
+    const std::string volume = scene.baked + "/volume.bin";
+    std::string bytes = read_bytes(volume);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+    write_bytes(volume, bytes);
+    const Result result = scene.preview({volume});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.error, "W0304")) << result.error;
+    EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "other bytes than manifest.json"));
+}
+
+// Shows the sky of the bake, whatever lies in its folder.
+TEST(PreviewCommand, NeedsNoIncludeOnceItIsBaked) {
+    const Scene scene;
+    write_bytes((scene.folder / "air.toml").string(), "preset = \"earth\"\n");
+    write_bytes(scene.recipe,
+                "include = [\"air.toml\"]\n[bake.transmittance]\nsize = [64, 16]\n"
+                "[bake.multiple_scattering]\nsize = [16, 16]\n");
+    scene.bake();
+    ASSERT_EQ(scene.preview({scene.baked, "--sun-elevation", "30"}).code, 0);
+    const json before = data_of(scene.page());
+    const std::string moved = (scene.folder / "moved").string();
+    fs::rename(scene.baked, moved);
+    write_bytes(moved + "/air.toml", "preset = \"mars\"\n");
+    ASSERT_EQ(scene.preview({moved, "--sun-elevation", "30"}).code, 0);
+    EXPECT_EQ(data_of(scene.page())["scenes"], before["scenes"]);
+    EXPECT_EQ(before["scenes"].size(), 1u);
+    EXPECT_TRUE(data_of(scene.page())["notes"].empty());
+}
+
+// The first variant's exposure is that of all.
+TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
+    const Scene scene;
+    const std::string sweep = (scene.folder / "sweep").string();
+    write_bytes(scene.recipe,
+                "preset = \"earth\"\n[bake.transmittance]\nsize = [64, 16]\n"
+                "[bake.multiple_scattering]\nsize = [16, 16]\n");
+    ASSERT_EQ(
+        run_words({"sweep", scene.recipe, "--vary", "atmosphere.ground_albedo=0,0.9", "-o", sweep})
+            .code,
+        0);
+    ASSERT_EQ(scene.preview({sweep, "--sun-elevation", "25"}).code, 0);
+    const std::string caption = data_of(scene.page())["sweep"]["pictures"][0]["caption"];
+    EXPECT_TRUE(contains(caption, "All with exposure ")) << caption;
+    EXPECT_TRUE(contains(caption, "the sun 25 degrees high")) << caption;
 }
 
 TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {

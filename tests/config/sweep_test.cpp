@@ -208,7 +208,7 @@ TEST(Sweep, ValuesOutOfRangeAreForTheVariants) {
     EXPECT_FALSE(second.value);
     ASSERT_EQ(second.diagnostics.size(), 1u);
     EXPECT_EQ(second.diagnostics[0].code, "E0110");
-    EXPECT_EQ(second.diagnostics[0].where.source, "--set `clouds.c.coverage=1.5`");
+    EXPECT_EQ(second.diagnostics[0].where.source, "--vary `clouds.c.coverage=1.5`");
 }
 
 TEST(Sweep, BadRangesAreErrorsOfTheWhole) {
@@ -279,6 +279,18 @@ TEST(Sweep, TheCommandLineVariesToo) {
     EXPECT_EQ(values_of(*sweep.value, 0), (Strings{"0.2", "0.4", "0.6", "0.8"}));
     EXPECT_EQ(values_of(*sweep.value, 2), (Strings{"1 km", "10 km", "100km"}));
     EXPECT_EQ(values_of(*sweep.value, 3), (Strings{"[8, 8, 4]", "[16, 16, 8]"}));
+}
+
+// A number that is too large is a count at fault, not the name of a scale.
+TEST(Sweep, ACountThatIsNoneIsNamedSo) {
+    for (const char* count : {"99999999999999999999", "-1", "2x"}) {
+        SweepOptions options;
+        options.vary = {std::string("clouds.c.coverage=0.1:0.3:") + count};
+        const auto sweep = varied(clouds, options);
+        ASSERT_EQ(sweep.diagnostics.size(), 1u) << count;
+        EXPECT_NE(sweep.diagnostics[0].message.find(".count`"), std::string::npos)
+            << sweep.diagnostics[0].message;
+    }
 }
 
 TEST(Sweep, AnOptionReplacesTheRecipesEntry) {

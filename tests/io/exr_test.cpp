@@ -1,5 +1,6 @@
 #include "bakers/io/exr.h"
 
+#include <array>
 #include <cstring>
 #include <limits>
 #include <tuple>
@@ -159,15 +160,31 @@ TEST(Exr, SurvivesRandomBytes) {
     }
 }
 
+// Gives the header's windows of these names another maximum.
+std::string with_window(std::string bytes, const std::vector<std::string>& names,
+                        const std::array<int, 2>& maximum) {
+    for (const std::string& name : names) {
+        const std::size_t window = bytes.find(name);
+        EXPECT_NE(window, std::string::npos);
+        // name, 0, "box2i", 0, size of 4 bytes, then min and max.
+        const std::size_t at = window + name.size() + 1 + sizeof("box2i") + 4 + 8;
+        std::memcpy(bytes.data() + at, maximum.data(), sizeof(maximum));
+    }
+    return bytes;
+}
+
 TEST(Exr, DoesNotAllocateWhatAHeaderLiesAbout) {
-    std::string bytes = *encode_exr(sample(PixelType::float32, Compression::zip)).value;
-    const std::size_t window = bytes.find("dataWindow");
-    ASSERT_NE(window, std::string::npos);
-    // name, 0, "box2i", 0, size of 4 bytes, then min and max.
-    const std::size_t maximum = window + sizeof("dataWindow") + sizeof("box2i") + 4 + 8;
-    const int huge[2] = {60000, 60000};
-    std::memcpy(bytes.data() + maximum, huge, sizeof(huge));
-    EXPECT_EQ(testing::first_code(decode_exr(bytes, "huge.exr").diagnostics), "E0304");
+    const std::string bytes = *encode_exr(sample(PixelType::float32, Compression::zip)).value;
+    const auto lie = with_window(bytes, {"dataWindow", "displayWindow"}, {60000, 60000});
+    const auto huge = decode_exr(lie, "huge.exr");
+    EXPECT_EQ(testing::first_code(huge.diagnostics), "E0304");
+}
+
+TEST(Exr, RefusesAPartOfAnImage) {
+    const std::string bytes = *encode_exr(sample(PixelType::float32, Compression::zip)).value;
+    const auto cropped = decode_exr(with_window(bytes, {"displayWindow"}, {99, 99}), "part.exr");
+    EXPECT_EQ(testing::first_code(cropped.diagnostics), "E0304");
+    EXPECT_NE(cropped.diagnostics[0].message.find("cropped"), std::string::npos);
 }
 
 TEST(Exr, StoredBytesAreLittleEndianRowByRow) {

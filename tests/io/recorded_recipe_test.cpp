@@ -123,6 +123,24 @@ RC_GTEST_PROP(RecordedRecipe, AnyNumberComesBack, ()) {
     RC_ASSERT(values_of(*again.value) == values_of(*recipe.value));
 }
 
+// Another file of an include's name may lie in the folder of the bake.
+TEST(RecordedRecipe, NeitherIncludesNorPresetsAreReadAgain) {
+    const testing::TemporaryFolder folder;
+    testing::write_bytes(folder / "air.toml", "[atmosphere]\nground_albedo = 0.125\n");
+    testing::write_bytes(folder / "recipe.toml",
+                         "preset = \"earth\"\ninclude = [\"air.toml\"]\n[bake.transmittance]\n");
+    const auto recipe = config::load_recipe(folder / "recipe.toml", {});
+    ASSERT_TRUE(recipe.value.has_value());
+    const auto manifest = parse_manifest(manifest_json(new_manifest(*recipe.value)), "m");
+    ASSERT_TRUE(manifest.value.has_value());
+    for (const char* found : {"[bake.intruder]\nasset = \"transmittance\"\n", "not a recipe"}) {
+        testing::write_bytes(folder / "air.toml", found);
+        const auto again = recorded_recipe(*manifest.value, "m", folder / "");
+        ASSERT_TRUE(again.value.has_value()) << again.diagnostics[0].message;
+        EXPECT_EQ(values_of(*again.value), values_of(*recipe.value));
+    }
+}
+
 TEST(RecordedRecipe, NonsenseIsDamage) {
     const auto code_of = [](const std::string& parameters) {
         Manifest manifest = new_manifest({});

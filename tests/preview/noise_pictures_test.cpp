@@ -110,8 +110,22 @@ TEST(NoisePictures, HaveEachViewOnce) {
 TEST(NoisePictures, TakeSmallAndConstantVolumes) {
     for (const std::array<int, 3>& size : {std::array{1, 1, 1}, {1, 5, 2}, {2, 2, 2}, {7, 1, 3}}) {
         const PreviewAsset asset = volume_of(size, {"Y"}, [](int, int, int, int) { return -3.0; });
-        EXPECT_EQ(noise_pictures(asset).size(), 4U);
+        const auto pictures = noise_pictures(asset);
+        EXPECT_EQ(pictures.size(), 3U);
+        EXPECT_NE(named(pictures, "noise_histogram").caption.find("No spectrum"),
+                  std::string::npos);
     }
+}
+
+// A constant among others would be a line at the floor that presses them together.
+TEST(NoisePictures, ASpectrumLeavesOutConstantChannels) {
+    const auto value = [](int x, int, int, int c) { return c == 1 ? 1.0 : (x + c) % 3 * 0.25; };
+    const auto pictures = noise_pictures(volume_of({8, 8, 8}, {"R", "G"}, value));
+    const PreviewPicture& spectrum = named(pictures, "noise_spectrum");
+    EXPECT_NE(spectrum.caption.find("constant: G."), std::string::npos) << spectrum.caption;
+    EXPECT_NE(spectrum.caption.find("12 slices"), std::string::npos) << spectrum.caption;
+    const auto alone = noise_pictures(volume_of({8, 8, 8}, {"R"}, value));
+    EXPECT_EQ(spectrum.picture.rgb, named(alone, "noise_spectrum").picture.rgb);
 }
 
 TEST(NoisePictures, OfDamagedAssetsAreNone) {

@@ -58,6 +58,18 @@ TEST(SkyPictures, WithoutDirectIntegrationShowTheDomeAlone) {
     EXPECT_EQ(pictures.front().caption.find("RMS"), std::string::npos);
 }
 
+// Tables that fail everywhere do not stretch the scale until nothing is seen.
+TEST(SkyPictures, EndTheDifferencesScaleAtAHundredPercent) {
+    SkyPreviewOptions options = small_options();
+    options.panorama_pixels = 0;
+    EXPECT_EQ(pictures_of(earth(), options).front().caption.find("end at +-100 %"),
+              std::string::npos);
+    test::Sky wrong = test::sky_of("earth");
+    for (float& value : wrong.multiple_scattering.table.texels) value *= 1000;
+    EXPECT_NE(pictures_of(wrong, options).front().caption.find("end at +-100 %"),
+              std::string::npos);
+}
+
 // An exposure that is asked for is the one that is used.
 TEST(SkyPictures, ObeyTheExposure) {
     SkyPreviewOptions options = small_options();

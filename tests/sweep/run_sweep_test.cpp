@@ -224,6 +224,21 @@ TEST(RunSweep, DamageAndChangesAreMadeGood) {
     EXPECT_EQ(files_below(job.folder), files_below(fresh.folder));
 }
 
+// An index lists variants of one recipe.
+TEST(RunSweep, ARecipeThatChangesMeanwhileFailsWhatIsNotMade) {
+    const Fixture fixture;
+    const SweepJob job = fixture.job(six);
+    auto plan = plan_sweep(job, [] { return false; });
+    write_bytes(fixture.recipe, small_recipe + "pixel_type = \"float\"\n");
+    CountingObserver observer;
+    const auto results = run_sweep(job, std::move(plan), observer);
+    ASSERT_EQ(count(results, VariantStatus::failed), 6);
+    EXPECT_EQ(results[0].diagnostics.back().message,
+              "the recipe changed while the sweep was running");
+    EXPECT_FALSE(fs::exists(job.folder / results[0].name / manifest_name));
+    EXPECT_EQ(count(run(job), VariantStatus::done), 6);
+}
+
 TEST(RunSweep, VariantsSideBySideKeepWithinTheMemory) {
     const Fixture fixture;
     SweepJob job = fixture.job(six);

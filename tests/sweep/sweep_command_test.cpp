@@ -1,6 +1,7 @@
 // `skybake sweep` from outside: exit codes, words, scripts, and a process that is killed.
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -65,6 +66,51 @@ TEST(SweepCommand, ListsWithoutMaking) {
     EXPECT_TRUE(contains(result.out, "0000_coverage=0.5  n: not baked yet; c: not baked yet\n"));
     EXPECT_TRUE(contains(result.out, "0001_coverage=1.5  cannot be made, E0110: ")) << result.out;
     EXPECT_FALSE(fs::exists(folder.out()));
+}
+
+TEST(SweepCommand, ListsWhatFailedLastTime) {
+    const Folder folder(small_recipe + "pixel_type = \"half\"\n");
+    const Strings vary = {"--vary", "noise.n.channels.Y.remap=[[0, 1, 0, 1], [0, 1, 0, 1e6]]"};
+    EXPECT_EQ(folder.sweep(vary).code, 4);
+    const Result list = folder.sweep({vary[0], vary[1], "--dry-run"});
+    EXPECT_EQ(list.code, 0);
+    EXPECT_TRUE(contains(list.out, "; failed last time, E0402: ")) << list.out;
+    EXPECT_EQ(count_lines(list.out), 2);
+}
+
+TEST(SweepCommand, MentionsFoldersOfEarlierValues) {
+    const Folder folder;
+    EXPECT_EQ(folder.sweep({"--vary", "noise.n.seed=1,2,3"}).code, 0);
+    fs::create_directories(folder.out("out/0009_mine"));
+    const Strings fewer = {"--vary", "noise.n.seed=1,5"};
+    const std::string note =
+        "2 folders of an earlier sweep, left as they are: 0001_seed=2, 0002_seed=3\n";
+    const Result swept = folder.sweep(fewer);
+    EXPECT_TRUE(contains(swept.error, note)) << swept.error;
+    const Result merged = folder.sweep({fewer[0], fewer[1], "--merge"});
+    EXPECT_TRUE(contains(merged.error, note)) << merged.error;
+    const Result all = folder.sweep({"--vary", "noise.n.seed=1,2,3"});
+    EXPECT_TRUE(contains(all.error, "1 folder of an earlier sweep, left as it is: 0001_seed=5\n"))
+        << all.error;
+}
+
+// A pipe would be empty for the second variant, or wait for ever.
+TEST(SweepCommand, RefusesAPipe) {
+    const Folder folder;
+    fs::remove(folder.recipe);
+    ASSERT_EQ(::mkfifo(folder.recipe.c_str(), 0600), 0);
+    const Result result = folder.sweep({"--vary", "noise.n.seed=1,2"});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "E0300")) << result.error;
+    EXPECT_TRUE(contains(result.error, "not a regular file")) << result.error;
+}
+
+TEST(SweepCommand, NamesTheOptionOfAValueAtFault) {
+    const Folder folder;
+    const Result result = folder.sweep({"--vary", "clouds.c.coverage=-1,0.5"});
+    EXPECT_EQ(result.code, 4);
+    EXPECT_TRUE(contains(result.error, "--vary `clouds.c.coverage=-1`")) << result.error;
+    EXPECT_FALSE(contains(result.error, "--set")) << result.error;
 }
 
 TEST(SweepCommand, AFailingVariantEndsInExitCode4) {
@@ -189,14 +235,96 @@ TEST(SweepScripts, NinjaEscapesPaths) {
     SweepScript script;
     script.words = {"skybake", "sweep", "a $b.toml"};
     script.folder = "out $1";
-    script.variants = 4;
+    script.variants = 3;
     script.tasks = 2;
     script.inputs = {"a $b.toml", "c:d.png"};
+    script.names = {"0_a", "1_b", "2_c"};
     const std::string text = ninja_file(script);
     EXPECT_TRUE(contains(text, "command = skybake sweep 'a $$b.toml' -j 1 --shard $task/2 && "));
-    EXPECT_TRUE(contains(text, "build out$ $$1/tasks/1-of-2.done: task | a$ $$b.toml c$:d.png\n"));
-    EXPECT_TRUE(
-        contains(text, ": merge | out$ $$1/tasks/1-of-2.done out$ $$1/tasks/2-of-2.done\n"));
+    EXPECT_TRUE(contains(text,
+                         "build out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp: task |"
+                         " a$ $$b.toml c$:d.png\n"))
+        << text;
+    EXPECT_TRUE(contains(text,
+                         ": merge | out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp"
+                         " out$ $$1/1_b/ninja.stamp\n"))
+        << text;
+}
+
+struct NinjaRun {
+    bool succeeded = false;
+    std::string out;
+};
+
+NinjaRun run_ninja(const Folder& folder, const std::string& script) {
+    const std::string log = (folder.folder / "log").string();
+    const std::string place = shell_word(folder.folder.path().string());
+    const std::string command =
+        "cd " + place + " && ninja -j2 -f " + shell_word(script) + " >" + shell_word(log) + " 2>&1";
+    const bool succeeded = std::system(command.c_str()) == 0;
+    return {succeeded, testing::read_bytes(log)};
+}
+
+std::string ninja_script(const Folder& folder, const std::string& values) {
+    const Result script =
+        testing::run_program({"sweep", folder.recipe, "-o", folder.out("it's $out"), "--vary",
+                              values, "--emit", "ninja", "--tasks", "2"});
+    EXPECT_EQ(script.code, 0) << script.error;
+    const fs::path file = folder.folder / "sweep.ninja";
+    write_bytes(file, script.out);
+    return file.string();
+}
+
+bool has_ninja() { return std::system("ninja --version >/dev/null 2>&1") == 0; }
+
+void touch(const fs::path& file) { fs::last_write_time(file, fs::file_time_type::clock::now()); }
+
+TEST(SweepScripts, NinjaConverges) {
+    if (!has_ninja()) GTEST_SKIP();
+    const Folder folder;
+    const std::string script = ninja_script(folder, "noise.n.seed=1,2,3");
+    const auto converges = [&] {
+        const NinjaRun first = run_ninja(folder, script);
+        EXPECT_TRUE(first.succeeded) << first.out;
+        EXPECT_FALSE(contains(first.out, "no work to do")) << first.out;
+        const NinjaRun second = run_ninja(folder, script);
+        EXPECT_TRUE(contains(second.out, "no work to do")) << second.out;
+    };
+    converges();
+    touch(folder.recipe);
+    converges();
+    const fs::path variant = fs::path(folder.out("it's $out")) / "0001_seed=2";
+    fs::remove_all(variant);
+    converges();
+    EXPECT_TRUE(fs::exists(variant / "manifest.json"));
+}
+
+// Whatever fails, the index is written, and no later run takes the failure for done.
+TEST(SweepScripts, NinjaFailsUntilEveryVariantIsMade) {
+    if (!has_ninja()) GTEST_SKIP();
+    const Folder folder;
+    const std::string script =
+        ninja_script(folder, "noise.n.channels.Y.remap=[[0, 1, 0, 1], [0, 1, 0, 1e6]]");
+    const auto fails = [&] {
+        const NinjaRun result = run_ninja(folder, script);
+        EXPECT_FALSE(result.succeeded) << result.out;
+        EXPECT_TRUE(contains(testing::read_bytes(folder.out("it's $out") + "/index.csv"),
+                             "failed,\"E0402"));
+    };
+    const std::string as_float = "pixel_type = \"float\"\n";
+    std::string fitting = small_recipe + as_float;
+    fitting.insert(fitting.find("[bake.c]"), as_float);
+    const std::string& too_small = small_recipe;  // bakes half
+    write_bytes(folder.recipe, too_small);
+    fails();
+    fails();
+    write_bytes(folder.recipe, fitting);
+    EXPECT_TRUE(run_ninja(folder, script).succeeded);
+    EXPECT_TRUE(contains(run_ninja(folder, script).out, "no work to do"));
+    // Now with the files of a variant that was there.
+    write_bytes(folder.recipe, too_small);
+    fails();
+    fails();
 }
 
 pid_t start(const Strings& words) {

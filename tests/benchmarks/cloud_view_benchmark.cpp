@@ -1,0 +1,110 @@
+// The lit picture of a cloud, 960x540 of 256x256x64 voxels, with and without leaping by its
+// occupancy: the march alone, which is what leaps change, and the whole picture. Counters are
+// fetches a pixel. tests/benchmarks/README.md keeps the figures reached.
+//
+// Run with --benchmark_repetitions=5 --benchmark_enable_random_interleaving=true
+// --benchmark_report_aggregates_only=true.
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+
+#include "bakers/core/keep_memory.h"
+#include "bakers/preview/bake_assets.h"
+#include "bakers/preview/cloud_view.h"
+#include "config/recipe.h"
+
+namespace skybake {
+namespace {
+
+struct Scene {
+    SkyMedium air;
+    SkyTables tables;
+    CloudMedium cloud;
+    CloudViewSettings settings;
+};
+
+Scene make_scene(const std::string& preset) {
+    const auto recipe = config::parse_recipe(
+        "preset = \"earth\"\n[noise.shape]\npreset = \"nubis_shape\"\npack = \"shape\"\nseed = 7\n"
+        "[noise.detail]\npreset = \"nubis_detail\"\npack = \"detail\"\nseed = 11\n"
+        "[clouds.c]\npreset = \"" +
+            preset +
+            "\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
+            "[bake.c]\nasset = \"cloud_volume\"\nsize = [256, 256, 64]\n",
+        "benchmark.toml");
+    const config::Parameters& parameters = recipe.value->parameters;
+    const auto baked =
+        bake_assets(*recipe.value, parameters.bakes, "benchmark", {0, Certification::off, nullptr});
+    const PreviewAssets& assets = *baked.value;
+    Scene scene;
+    scene.air = make_sky_medium(parameters.atmosphere);
+    scene.tables =
+        *make_sky_tables(*assets.of_kind("transmittance"), *assets.of_kind("multiple_scattering"))
+             .value;
+    scene.cloud = cloud_medium(parameters.clouds.front(),
+                               assets.of_kind("cloud_volume")->voxels.data(), {256, 256, 64}, 1, 0);
+    scene.cloud.leaps = leaps_of_voxels(scene.cloud, 4, 0);
+    scene.settings = framed_view(scene.cloud, {20, 105}, 960, 540);
+    return scene;
+}
+
+const Scene& scene_of(const std::string& preset) {
+    static std::map<std::string, Scene> scenes;
+    const auto found = scenes.find(preset);
+    return found != scenes.end() ? found->second
+                                 : scenes.emplace(preset, make_scene(preset)).first->second;
+}
+
+void march(benchmark::State& state, const std::string& preset, bool leaping, int threads) {
+    const Scene& scene = scene_of(preset);
+    CloudViewSettings settings = scene.settings;
+    settings.leaping = leaping;
+    FetchCounts fetches;
+    for (auto _ : state) {
+        const MarchedView view = march_view(scene.cloud, settings, threads);
+        benchmark::DoNotOptimize(view.results.texels.data());
+        fetches = view.fetches;
+    }
+    const double pixels = static_cast<double>(settings.width) * settings.height;
+    state.counters["volume"] =
+        static_cast<double>(fetches.samples + fetches.light_samples) / pixels;
+    state.counters["grid"] = static_cast<double>(fetches.cells) / pixels;
+}
+
+void picture(benchmark::State& state, const std::string& preset, int threads) {
+    const Scene& scene = scene_of(preset);
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(
+            render_cloud(scene.cloud, {scene.air, scene.tables}, scene.settings, threads));
+    }
+}
+
+void register_all() {
+    const auto add = [](const std::string& name, auto function, auto... arguments) {
+        benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
+            ->Unit(benchmark::kMillisecond)
+            ->MeasureProcessCPUTime()
+            ->UseRealTime();
+    };
+    for (const std::string preset :
+         {"cumulus_congestus", "cumulus_humilis", "stratocumulus", "stratus"}) {
+        for (const int threads : {1, 2}) {
+            const std::string suffix = "/threads:" + std::to_string(threads);
+            add("march/" + preset + "/leaping" + suffix, march, preset, true, threads);
+            add("march/" + preset + "/straight" + suffix, march, preset, false, threads);
+            add("picture/" + preset + suffix, picture, preset, threads);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skybake
+
+int main(int argc, char** argv) {
+    skybake::keep_freed_memory();  // as the program does
+    skybake::register_all();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+}
