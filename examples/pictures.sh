@@ -8,11 +8,9 @@ skybake=${1:-skybake}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$skybake" preview earth.toml -o "$folder/sky" --sun-elevation 30,10,2,-4 -q >/dev/null
-"$skybake" preview clouds.toml -o "$folder/clouds" -q >/dev/null
-"$skybake" preview clouds_noise.toml -o "$folder/noise" -q >/dev/null
+"$skybake" preview clouds.toml -o "$folder/clouds" --sun-elevation 20 -q >/dev/null
 
 mkdir -p pictures
-for picture in clouds/cumulus_lit_25 clouds/cumulus_occupancy_cells_z clouds/cumulus_slice_y \
-    noise/shape_slices sky/sky_panoramas sky/sky_sun_10 sky/transmittance_view; do
+for picture in clouds/cumulus_lit_20 clouds/cumulus_occupancy_cells_z sky/sky_panoramas sky/sky_sun_10; do
     cp "$folder/$picture.png" pictures/
 done
