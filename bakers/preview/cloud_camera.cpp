@@ -32,7 +32,7 @@ float gradient_noise(int x, int y, int layer) {
     const auto fraction = [](double v) { return v - std::floor(v); };
     const double moved = 5.588238 * layer;
     const double slope = 0.06711056 * (x + moved) + 0.00583715 * (y + moved);
-    return static_cast<float>(fraction(52.9829189 * fraction(slope)) * 0.99999);
+    return static_cast<float>(fraction(52.9829189 * fraction(slope)));
 }
 
 RaySpan span_in_layer(const CloudMedium& medium, const CloudCamera& camera,

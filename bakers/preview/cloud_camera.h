@@ -24,7 +24,7 @@ class CameraRays {
     int height_ = 0;
 };
 
-// In [0, 1), a function of the pixel alone; neighbours differ much. `layer` 0, 1 ... makes others.
+// In [0, 1], a function of the pixel alone; neighbours differ much. `layer` 0, 1 ... makes others.
 float gradient_noise(int x, int y, int layer);
 
 // Where a ray is within the layer, as distances; none where first > last.

@@ -86,18 +86,24 @@ HWY_INLINE FloatMask leap(const CloudPath& path, const Pace& pace, const Place& 
     }
 }
 
-// Lanes look for an empty cell only after a sample that was nothing: within clouds there is none.
-// True where some have leapt.
-HWY_INLINE bool leap_on(const CloudPath& path, const Pace& pace, const Place& at, FloatMask going,
-                        FloatLanes end, Progress& progress, std::int64_t& cells) {
+// Which lanes look into the volume at their sample; of the others that are going, those that stand
+// in empty cells have leapt on. A lane looks for an empty cell only after a sample that was
+// nothing: in clouds there is none. Where few lanes are left to look into the volume, they wait
+// for the others to leap.
+HWY_INLINE FloatMask leap_or_look(const CloudPath& path, const Pace& pace, const Place& at,
+                                  FloatMask going, FloatLanes end, Progress& progress,
+                                  std::int64_t& cells) {
+    constexpr std::int64_t kFew = static_cast<std::int64_t>(FloatLanes::kCount) / 4;
     const FloatMask looking = going & (FloatLanes(0.0F) < progress.was_empty);
-    if (!any(looking)) return false;
+    if (!any(looking)) return going;
     cells += count_of(looking);
     FloatLanes next;
     const FloatMask empty = leap(path, pace, at, looking, progress.k, end, next);
-    if (!any(empty)) return false;
+    if (!any(empty)) return going;
     progress.k = select(empty, next, progress.k);
-    return true;
+    const FloatMask rest = and_not(going, empty);
+    progress.was_empty = select(rest, FloatLanes(0.0F), progress.was_empty);
+    return count_of(rest) <= kFew && any(empty & (progress.k < end)) ? and_not(rest, rest) : rest;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -204,27 +204,29 @@ void march_packet(const CloudMarch& march, const RayBlock& rays, std::size_t fir
     FloatMask going = progress.k < end;
     while (any(going)) {
         progress.k = zero_unless(going, progress.k);
-        Place at = path.place(path.samples.distance(progress.k));
-        const FloatMask within = going & at.within_height;
-        if (march.leaping && leap_on(path, pace, at, within, end, progress, counts.cells)) {
-            going = going & (progress.k < end);
-            progress.k = zero_unless(going, progress.k);
-            at = path.place(path.samples.distance(progress.k));
+        const FloatLanes k = progress.k;
+        const FloatLanes t = path.samples.distance(k);
+        const Place at = path.place(t);
+        const FloatMask before = and_not(going, at.within_height);
+        progress.k = select(before, k + one, k);
+        FloatMask sampling = going & at.within_height;
+        if (march.leaping) {
+            sampling = leap_or_look(path, pace, at, sampling, end, progress, counts.cells);
         }
-        const FloatMask sampling = going & at.within_height;
-        counts.samples += count_of(sampling);
-        const FloatLanes sigma = extinction(*march.medium, at, sampling);
-        const FloatMask lit = zero < sigma;
-        if (any(lit)) {
-            const FloatLanes through =
-                exponential_of_negative(zero - sigma * FloatLanes(march.step_m));
-            const FloatLanes weight = transmittance * (one - through);
-            const FloatLanes t = path.samples.distance(progress.k);
-            collector.add(at, progress.k, weight, lit);
-            distance = distance + zero_unless(lit, weight * t);
-            transmittance = select(lit, transmittance * through, transmittance);
+        if (any(sampling)) {
+            counts.samples += count_of(sampling);
+            const FloatLanes sigma = extinction(*march.medium, at, sampling);
+            step_on(sampling, sigma, progress);
+            const FloatMask lit = zero < sigma;
+            if (any(lit)) {
+                const FloatLanes through =
+                    exponential_of_negative(zero - sigma * FloatLanes(march.step_m));
+                const FloatLanes weight = transmittance * (one - through);
+                collector.add(at, k, weight, lit);
+                distance = distance + zero_unless(lit, weight * t);
+                transmittance = select(lit, transmittance * through, transmittance);
+            }
         }
-        step_on(going, sigma, progress);
         going = going & (progress.k < end) & (FloatLanes(kOpaque) <= transmittance);
     }
     transmittance.store(&results.transmittance[first]);

@@ -34,8 +34,8 @@ struct RayBlock {
     // Per ray: voxels per metre along x, y, z.
     alignas(64) std::array<Floats, 3> direction{};
     alignas(64) Floats sun_offset{};    // 1 - cosine of the angle between ray and sun
-    alignas(64) Floats jitter{};        // of samples along the ray, in [0, 1)
-    alignas(64) Floats light_jitter{};  // of samples towards the sun, in [0, 1)
+    alignas(64) Floats jitter{};        // of samples along the ray, in [0, 1]
+    alignas(64) Floats light_jitter{};  // of samples towards the sun, in [0, 1]
     alignas(64) Floats first{};         // samples k = first ... end - 1, integers below 2^24
     alignas(64) Floats end{};
 };

@@ -42,9 +42,10 @@ class ViewMarch {
         }
         march_.step_m = static_cast<float>(settings.step_m);
         march_.light_step_m = static_cast<float>(settings.light_step_m);
-        if (settings.sunlit)
+        if (settings.sunlit) {
             march_.light_samples = static_cast<float>(
                 std::ceil(sun_march_length_m(medium, settings.sun) / settings.light_step_m));
+        }
         march_.leaping = settings.leaping;
         if (settings.leaping) march_.sun_leaps = leaps_towards_sun(threads);
     }

@@ -31,7 +31,7 @@ Scene make_scene(const std::string& preset) {
         "[clouds.c]\npreset = \"" +
             preset +
             "\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
-            "[bake.c]\nasset = \"cloud_volume\"\nsize = [256, 256, 64]\n",
+            "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [256, 256, 64]\n",
         "benchmark.toml");
     const config::Parameters& parameters = recipe.value->parameters;
     const auto baked =
