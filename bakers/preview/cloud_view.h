@@ -18,7 +18,7 @@
 #include "bakers/core/image.h"
 #include "bakers/preview/cloud_medium.h"
 #include "bakers/preview/cloud_rays.h"
-#include "bakers/preview/sky_medium.h"
+#include "bakers/atmosphere/sky_medium.h"
 #include "bakers/preview/sky_tables.h"
 
 namespace skybake {

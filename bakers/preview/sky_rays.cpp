@@ -39,20 +39,7 @@ double sun_sine(const SkyView& view) { return sine_of(view.sun_elevation_degrees
 double sun_cosine(const SkyView& view) { return cosine_of(view.sun_elevation_degrees); }
 
 SkyDirection sky_direction(const SkyView& view, double mu, double sine, double azimuth_cosine) {
-    // Both vectors in the plane of the sun, z up: 1 -+ cos = |a -+ b|^2 / 2.
-    const double sun_up = sun_sine(view);
-    const double sun_along = sun_cosine(view);
-    const double along = sine * azimuth_cosine;
-    const double across_squared = sine * sine * (1 - azimuth_cosine) * (1 + azimuth_cosine);
-    const auto half_square = [&](double up, double forward) {
-        return 0.5 * (up * up + forward * forward + across_squared);
-    };
-    SkyDirection direction;
-    direction.mu = mu;
-    direction.cosine_to_sun = mu * sun_up + along * sun_along;
-    direction.one_minus_cosine = half_square(mu - sun_up, along - sun_along);
-    direction.one_plus_cosine = half_square(mu + sun_up, along + sun_along);
-    return direction;
+    return sky_direction(SunZenith{sun_sine(view), sun_cosine(view)}, mu, sine, azimuth_cosine);
 }
 
 std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y) {

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "bakers/sky/sky_direction.h"
+
 namespace skybake {
 
 // dome      angular (equidistant) fisheye of the upper hemisphere: the zenith in the middle, the
@@ -21,14 +23,6 @@ struct SkyView {
     double sun_elevation_degrees = 0;  // above the camera's horizontal, in [-90, 90]
     double lowest_degrees = -10;       // elevations of a panorama
     double highest_degrees = 90;
-};
-
-// A direction at the camera, and the angle to the sun by two sums without cancellation.
-struct SkyDirection {
-    double mu = 0;  // cosine of the zenith angle
-    double cosine_to_sun = 0;
-    double one_minus_cosine = 0;
-    double one_plus_cosine = 0;
 };
 
 // Of the sun, both exact at the horizon and at the zenith.

@@ -21,7 +21,7 @@
 #pragma once
 
 #include "bakers/core/image.h"
-#include "bakers/preview/sky_medium.h"
+#include "bakers/atmosphere/sky_medium.h"
 #include "bakers/preview/sky_rays.h"
 #include "bakers/preview/sky_tables.h"
 

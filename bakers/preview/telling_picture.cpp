@@ -8,7 +8,7 @@
 
 #include "bakers/preview/cloud_input.h"
 #include "bakers/preview/cloud_pictures.h"
-#include "bakers/preview/sky_medium.h"
+#include "bakers/atmosphere/sky_medium.h"
 #include "bakers/preview/sky_tables.h"
 #include "bakers/preview/sky_view.h"
 #include "bakers/preview/table_pictures.h"

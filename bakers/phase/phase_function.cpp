@@ -1,4 +1,4 @@
-#include "bakers/preview/phase_function.h"
+#include "bakers/phase/phase_function.h"
 
 #include <cmath>
 #include <numbers>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bakers/atmosphere/medium.h"
-#include "bakers/preview/phase_function.h"
+#include "bakers/phase/phase_function.h"
 
 namespace skybake {
 

@@ -1,4 +1,4 @@
-#include "bakers/preview/sky_medium.h"
+#include "bakers/atmosphere/sky_medium.h"
 
 #include <algorithm>
 #include <utility>

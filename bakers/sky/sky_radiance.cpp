@@ -1,0 +1,215 @@
+#include "bakers/sky/sky_radiance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "bakers/atmosphere/multiple_scattering_quadrature.h"
+#include "bakers/atmosphere/optical_depth.h"
+#include "bakers/atmosphere/ray_breaks.h"
+#include "bakers/core/gauss_legendre.h"
+#include "bakers/core/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kGaussNodes = 5;
+constexpr double kLargestDepth = 1;  // of a piece, along the ray
+// Light that has passed this optical depth adds e^-25 = 1e-11 to a picture.
+constexpr double kLastLight = 25;
+// Halvings of a piece: 2^-20 of a ray is metres.
+constexpr int kMostHalvings = 20;
+
+const QuadratureRule& gauss_rule() {
+    static const QuadratureRule rule = gauss_legendre(kGaussNodes);
+    return rule;
+}
+
+}  // namespace
+
+Spectrum SkyRadiance::total() const {
+    Spectrum sum{};
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = single[c] + multiple[c] + ground[c];
+    return sum;
+}
+
+struct SkyIntegrator::Ray {
+    double altitude_km;
+    double r_km;
+    double sun_s_km;  // r mu_s at the camera
+    double sun_cos_zenith;
+    SkyDirection direction;
+    double s_km;
+    double length_km;
+    bool hits_ground;
+    std::vector<double> phases;  // of each layer
+};
+
+struct SkyIntegrator::Piece {
+    double from_km;
+    double to_km;
+    Spectrum depth_from;
+    Spectrum depth_to;
+};
+
+SkyIntegrator::SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders)
+    : medium_(medium),
+      higher_orders_(higher_orders),
+      shell_(shell_of(medium.air)),
+      break_altitudes_km_(quadrature_altitudes_km(medium.air)) {}
+
+Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
+    if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
+    Spectrum value = optical_depth_to_top(medium_.air, altitude_km, s_km);
+    for (int c = 0; c < medium_.air.channels; ++c) {
+        double& channel = value[static_cast<std::size_t>(c)];
+        channel = exponential(-channel);
+    }
+    return value;
+}
+
+Spectrum SkyIntegrator::depth_km(const Ray& ray, double distance_km) const {
+    return optical_depth_along(medium_.air, ray.altitude_km, ray.direction.mu, distance_km);
+}
+
+// After `distance_km` of a ray, at an altitude where r mu_s = `sun_s_km`.
+ScatteringPoint SkyIntegrator::scattering_point(const Ray& ray, double altitude_km, double sun_s_km,
+                                                double distance_km) const {
+    const double r = shell_.ground_radius_km + altitude_km;
+    ScatteringPoint point;
+    point.altitude_km = altitude_km;
+    point.sun_cos_zenith = std::clamp(sun_s_km / r, -1.0, 1.0);                   // rounding
+    point.view_cos_zenith = std::clamp((ray.s_km + distance_km) / r, -1.0, 1.0);  // rounding
+    const double sines = std::sqrt((1 - point.sun_cos_zenith) * (1 + point.sun_cos_zenith) *
+                                   (1 - point.view_cos_zenith) * (1 + point.view_cos_zenith));
+    const double along = ray.direction.cosine_to_sun - point.sun_cos_zenith * point.view_cos_zenith;
+    // A vertical view or sun has no azimuth, and what depends on it vanishes with the sines.
+    point.azimuth_cosine = std::fabs(along) < sines ? along / sines : std::copysign(1.0, along);
+    return point;
+}
+
+// Ascending, with both ends.
+std::vector<double> SkyIntegrator::cuts_km(const Ray& ray) const {
+    std::vector<double> cuts;
+    for (const RayBreak& at :
+         ray_breaks(shell_, ray.altitude_km, ray.s_km, ray.length_km, break_altitudes_km_)) {
+        cuts.push_back(at.distance_km);
+    }
+    // The sun's ray through P grazes altitude k where |P|^2 - (P . sun)^2 = (R + k)^2 and the sun
+    // is below the horizontal there; k = 0 is the edge of the shadow.
+    const double nu = ray.direction.cosine_to_sun;
+    const double a = ray.direction.one_minus_cosine * ray.direction.one_plus_cosine;
+    const double b = ray.r_km * (ray.direction.mu - ray.sun_cos_zenith * nu);
+    for (const double altitude : break_altitudes_km_) {
+        const double gain = ray.altitude_km - altitude;
+        // r^2 - (R + k)^2 - (r mu_s)^2.
+        const double c = gain * (2 * shell_.ground_radius_km + ray.altitude_km + altitude) -
+                         ray.sun_s_km * ray.sun_s_km;
+        const double discriminant = b * b - a * c;
+        if (!(a > 0) || discriminant < 0) continue;
+        const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+        for (const double x : {q / a, q != 0 ? c / q : 0.0}) {
+            if (x > 0 && x < ray.length_km && ray.sun_s_km + x * nu < 0) cuts.push_back(x);
+        }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    return cuts;
+}
+
+void SkyIntegrator::add_piece(const Ray& ray, const Piece& piece, int halvings,
+                              SkyRadiance& sum) const {
+    const auto channels = static_cast<std::size_t>(medium_.air.channels);
+    bool lit = false;
+    double depth = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        if (piece.depth_from[c] > kLastLight) continue;
+        lit = true;
+        depth = std::max(depth, piece.depth_to[c] - piece.depth_from[c]);
+    }
+    if (!lit) return;
+    if (depth > kLargestDepth && halvings < kMostHalvings) {
+        const double middle = 0.5 * (piece.from_km + piece.to_km);
+        const Spectrum depth_middle = depth_km(ray, middle);
+        add_piece(ray, {piece.from_km, middle, piece.depth_from, depth_middle}, halvings + 1, sum);
+        add_piece(ray, {middle, piece.to_km, depth_middle, piece.depth_to}, halvings + 1, sum);
+        return;
+    }
+    const double width = piece.to_km - piece.from_km;
+    for (std::size_t i = 0; i < gauss_rule().nodes.size(); ++i) {
+        const double x = piece.from_km + width * gauss_rule().nodes[i];
+        const double altitude = std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, x),
+                                           0.0, shell_.thickness_km);  // rounding
+        const double s = ray.sun_s_km + x * ray.direction.cosine_to_sun;
+        const Spectrum depth_here = depth_km(ray, x);
+        const Spectrum sun = sunlight(altitude, s);
+        Spectrum towards_eye{};
+        std::vector<Spectrum> scattering(medium_.layers.size());
+        for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+            if (!medium_.layers[k].scatters) continue;
+            scattering[k] = scattering_at(medium_.layers[k].alone, altitude);
+            for (std::size_t c = 0; c < channels; ++c) {
+                towards_eye[c] += scattering[k][c] * ray.phases[k];
+            }
+        }
+        Spectrum again{};
+        if (higher_orders_) {
+            again = higher_orders_->scattered(scattering_point(ray, altitude, s, x), scattering);
+        }
+        for (std::size_t c = 0; c < channels; ++c) {
+            const double weight = width * gauss_rule().weights[i] * exponential(-depth_here[c]);
+            sum.single[c] += weight * towards_eye[c] * sun[c];
+            sum.multiple[c] += weight * again[c];
+        }
+    }
+}
+
+Spectrum SkyIntegrator::ground_radiance(double sun_s_km) const {
+    const double mu = sun_s_km / shell_.ground_radius_km;
+    const Spectrum sun = sunlight(0, sun_s_km);
+    Spectrum value{};
+    if (higher_orders_) value = higher_orders_->sky_irradiance(mu);
+    for (std::size_t c = 0; c < value.size(); ++c) {
+        value[c] = medium_.air.ground_albedo[c] / kPi * (std::max(mu, 0.0) * sun[c] + value[c]);
+    }
+    return value;
+}
+
+SkyRadiance SkyIntegrator::radiance(double altitude_km, const SunZenith& sun,
+                                    const SkyDirection& direction) const {
+    Ray ray;
+    ray.altitude_km = altitude_km;
+    ray.r_km = shell_.ground_radius_km + altitude_km;
+    ray.sun_s_km = ray.r_km * sun.cosine;
+    ray.sun_cos_zenith = sun.cosine;
+    ray.direction = direction;
+    ray.s_km = ray.r_km * direction.mu;
+    ray.hits_ground = ray.s_km < -horizon_distance_km(shell_, altitude_km);
+    ray.length_km = ray.hits_ground ? distance_to_ground_km(shell_, altitude_km, ray.s_km)
+                                    : distance_to_top_km(shell_, altitude_km, ray.s_km);
+    for (const SkyLayer& layer : medium_.layers) {
+        ray.phases.push_back(
+            phase_value(layer.phase, direction.one_minus_cosine, direction.one_plus_cosine));
+    }
+    const auto channels = static_cast<std::size_t>(medium_.air.channels);
+    SkyRadiance sum;
+    Spectrum depth{};
+    const std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{};
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        if (!(cuts[i] < cuts[i + 1])) continue;
+        const Spectrum next = depth_km(ray, cuts[i + 1]);
+        add_piece(ray, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
+        depth = next;
+    }
+    for (std::size_t c = 0; c < channels; ++c) sum.transmittance[c] = exponential(-depth[c]);
+    if (ray.hits_ground) {
+        sum.ground = ground_radiance(ray.sun_s_km + ray.length_km * direction.cosine_to_sun);
+        for (std::size_t c = 0; c < channels; ++c) sum.ground[c] *= sum.transmittance[c];
+    }
+    return sum;
+}
+
+}  // namespace skybake
