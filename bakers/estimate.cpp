@@ -8,6 +8,7 @@
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/voxel_boxes.h"
 #include "bakers/named_parameters.h"
+#include "bakers/scattering/light_moments.h"
 #include "config/cloud_channels.h"
 
 namespace skybake {
@@ -22,17 +23,22 @@ using Size = std::array<int, 3>;
 
 constexpr double kMebibyte = 1024.0 * 1024.0;
 
-template <class Asset>
-Estimate estimate_table(const Asset& asset, double seconds_per_texel, double certification) {
-    const std::array<int, 2> size = asset.max_error ? std::array<int, 2>{} : asset.size;
+Estimate estimate_texels(const std::array<int, 2>& size, config::PixelType type,
+                         double seconds_per_texel, double certification) {
     Estimate result;
     result.size.assign(size.begin(), size.end());
     const double texels = static_cast<double>(size[0]) * size[1];
-    const double bytes_per_texel = asset.pixel_type == config::PixelType::half ? 6 : 12;
+    const double bytes_per_texel = type == config::PixelType::half ? 6 : 12;
     result.seconds = texels * seconds_per_texel + certification;
     result.memory_mib = (texels * (24 + 12 + bytes_per_texel) + 8e6) / kMebibyte;
     result.disk_mib = texels * bytes_per_texel / kMebibyte;
     return result;
+}
+
+template <class Asset>
+Estimate estimate_table(const Asset& asset, double seconds_per_texel, double certification) {
+    const std::array<int, 2> size = asset.max_error ? std::array<int, 2>{} : asset.size;
+    return estimate_texels(size, asset.pixel_type, seconds_per_texel, certification);
 }
 
 // Seconds to store a byte, measured with deflate and without.
@@ -103,8 +109,47 @@ Estimate estimate_transmittance(const Parameters&, const Bake& bake) {
     return estimate_table(std::get<config::TransmittanceBake>(bake.asset), 2e-7, 0.05);
 }
 
+// To solve for the light of all orders, where more than single scattering is asked for.
+constexpr double kSecondsToSolve = 2;
+
+double seconds_to_solve(config::SkyOrders orders) {
+    return orders == config::SkyOrders::single ? 0 : kSecondsToSolve;
+}
+
 Estimate estimate_multiple_scattering(const Parameters&, const Bake& bake) {
-    return estimate_table(std::get<config::MultipleScatteringBake>(bake.asset), 1e-4, 0.1);
+    const auto& asset = std::get<config::MultipleScatteringBake>(bake.asset);
+    if (asset.method != config::MultipleScatteringMethod::solved) {
+        return estimate_table(asset, 1e-4, 0.1);
+    }
+    const int tables = asset.content == config::MultipleScatteringContent::moments
+                           ? moment_count(asset.degree)
+                           : 1;
+    const std::array<int, 2> size = asset.max_error
+                                        ? std::array<int, 2>{}
+                                        : std::array<int, 2>{asset.size[0], asset.size[1] * tables};
+    return estimate_texels(size, asset.pixel_type, 1e-6, 2 * kSecondsToSolve);
+}
+
+Estimate estimate_sky_view(const Parameters&, const Bake& bake) {
+    const auto& asset = std::get<config::SkyViewBake>(bake.asset);
+    const std::array<int, 2> size = {asset.size[0],
+                                     asset.size[1] * static_cast<int>(asset.sun_elevations.size())};
+    return estimate_texels(size, asset.pixel_type, 3e-5, 0.3 + seconds_to_solve(asset.orders));
+}
+
+Estimate estimate_aerial_perspective(const Parameters&, const Bake& bake) {
+    const auto& asset = std::get<config::AerialPerspectiveBake>(bake.asset);
+    Estimate result = estimate_volume(asset, asset.size, 4, 1e-5);
+    result.seconds += seconds_to_solve(asset.orders);
+    constexpr double kBytesPerVoxel = 4 * sizeof(float);  // all are held
+    result.memory_mib += voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
+    return result;
+}
+
+Estimate estimate_irradiance(const Parameters&, const Bake& bake) {
+    const auto& asset = std::get<config::IrradianceBake>(bake.asset);
+    return estimate_texels(asset.size, asset.pixel_type, 4e-3,
+                           0.3 + seconds_to_solve(asset.orders));
 }
 
 Estimate estimate_noise_volume(const Parameters& parameters, const Bake& bake) {

@@ -18,6 +18,10 @@ struct Estimate {
 Estimate estimate_transmittance(const config::Parameters& parameters, const config::Bake& bake);
 Estimate estimate_multiple_scattering(const config::Parameters& parameters,
                                       const config::Bake& bake);
+Estimate estimate_sky_view(const config::Parameters& parameters, const config::Bake& bake);
+Estimate estimate_aerial_perspective(const config::Parameters& parameters,
+                                     const config::Bake& bake);
+Estimate estimate_irradiance(const config::Parameters& parameters, const config::Bake& bake);
 Estimate estimate_noise_volume(const config::Parameters& parameters, const config::Bake& bake);
 
 // As if the cloud filled its box: what of it is empty takes less.

@@ -5,12 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <optional>
 #include <variant>
 
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/atmosphere/transmittance_mapping.h"
 #include "bakers/core/texel_axis.h"
+#include "bakers/sky/irradiance_table.h"
+#include "bakers/sky/sky_view_mapping.h"
 #include "config/recipe.h"
 
 namespace skybake {
@@ -38,6 +41,36 @@ Coordinates texture_coordinates(const config::MultipleScatteringBake& bake, cons
         texture_coordinate(kConvention, probe.at[0].second / shell.thickness_km, size[1])};
 }
 
+// Of the table of the sun that the probe names: the nearest, since its angle went through degrees.
+Coordinates texture_coordinates(const config::SkyViewBake& bake, const Shell& shell,
+                                const std::vector<int>& size, const Probe& probe) {
+    const SkyViewCamera camera(shell, bake.altitude.kilometers());
+    const double radians = std::numbers::pi / 180;
+    const int rows = bake.size[1];
+    const auto suns = static_cast<int>(bake.sun_elevations.size());
+    Coordinates nearest{};
+    for (int k = 0; k < suns; ++k) {
+        const double elevation = bake.sun_elevations[static_cast<std::size_t>(k)].radians;
+        if (std::fabs(elevation - probe.at[2].second * radians) > 1e-9) continue;
+        const double y = camera.coordinate(probe.at[1].second * radians);
+        const double v = (k + sky_view_v(y, rows)) / suns;
+        // The same sun may stand in the list twice.
+        if (k > 0 && std::fabs(v - probe.uv[1]) > std::fabs(nearest[1] - probe.uv[1])) continue;
+        nearest = {texture_coordinate(TexelConvention::end_points_on_texel_centres,
+                                      probe.at[0].second / 180, size[0]),
+                   v};
+    }
+    return nearest;
+}
+
+Coordinates texture_coordinates(const config::IrradianceBake& bake, const Shell& shell,
+                                const std::vector<int>& size, const Probe& probe) {
+    constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+    return {
+        texture_coordinate(kConvention, sun_coordinate(bake.mapping, probe.at[1].second), size[0]),
+        texture_coordinate(kConvention, irradiance_coordinate(shell, probe.at[0].second), size[1])};
+}
+
 // Volumes have probes of another kind, which are texture coordinates themselves.
 Coordinates texture_coordinates(const config::VolumeFiles&, const Shell&, const std::vector<int>&,
                                 const Probe& probe) {
@@ -56,15 +89,17 @@ std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int&
     const config::Atmosphere& atmosphere = recipe.value->parameters.atmosphere;
     const Shell shell = {atmosphere.ground_radius.kilometers(),
                          (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000};
+    const config::Bake& bake = recipe.value->parameters.bakes.front();
+    const std::size_t coordinates = std::holds_alternative<config::SkyViewBake>(bake.asset) ? 3 : 2;
     for (const Probe& probe : asset.probes) {
         ++checks;
-        if (probe.at.size() != 2) {
-            failures.push_back("a probe has not two coordinates");
+        if (probe.at.size() != coordinates) {
+            failures.push_back(fmt::format("a probe has not {} coordinates", coordinates));
             continue;
         }
         const Coordinates uv = std::visit(
-            [&](const auto& bake) { return texture_coordinates(bake, shell, asset.size, probe); },
-            recipe.value->parameters.bakes.front().asset);
+            [&](const auto& of) { return texture_coordinates(of, shell, asset.size, probe); },
+            bake.asset);
         if (std::fabs(uv[0] - probe.uv[0]) > 1e-9 || std::fabs(uv[1] - probe.uv[1]) > 1e-9) {
             failures.push_back(
                 fmt::format("{} {:.6g}, {} {:.6g} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",

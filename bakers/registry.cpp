@@ -13,6 +13,11 @@
 #include "bakers/named_parameters.h"
 #include "bakers/noise/noise_volume.h"
 #include "bakers/occupancy/occupancy_grid.h"
+#include "bakers/sky/aerial_perspective_volume.h"
+#include "bakers/sky/irradiance_table.h"
+#include "bakers/sky/sky_light.h"
+#include "bakers/sky/sky_view_table.h"
+#include "bakers/sky/solved_scattering_table.h"
 #include "config/cloud_channels.h"
 #include "config/key_path.h"
 
@@ -31,15 +36,26 @@ using config::Outcome;
 using config::Parameters;
 using config::TransmittanceBake;
 
+std::vector<std::string> colour_names(const Parameters& parameters) {
+    if (parameters.wavelengths.size() == 1) return {"Y"};
+    return {"R", "G", "B"};
+}
+
 BakedTable labelled_table(const Parameters& parameters, AssetLabel label) {
     BakedTable table;
     table.name = std::move(label.name);
-    table.channel_names = parameters.wavelengths.size() == 1
-                              ? std::vector<std::string>{"Y"}
-                              : std::vector<std::string>{"R", "G", "B"};
+    table.channel_names = colour_names(parameters);
     table.parameters = std::move(label.parameters);
     table.details = std::move(label.details);
     return table;
+}
+
+BakedVolume labelled_volume(AssetLabel label) {
+    BakedVolume volume;
+    volume.name = std::move(label.name);
+    volume.parameters = std::move(label.parameters);
+    volume.details = std::move(label.details);
+    return volume;
 }
 
 template <class Baked>
@@ -59,17 +75,14 @@ Outcome<BakedAsset> transmittance(const Parameters& parameters, const Bake& bake
 
 Outcome<BakedAsset> multiple_scattering(const Parameters& parameters, const Bake& bake,
                                         const BakeOptions& options, AssetLabel label) {
-    return as_asset(bake_multiple_scattering(make_medium(parameters.atmosphere),
-                                             std::get<MultipleScatteringBake>(bake.asset), options,
-                                             labelled_table(parameters, std::move(label))));
-}
-
-BakedVolume labelled_volume(AssetLabel label) {
-    BakedVolume volume;
-    volume.name = std::move(label.name);
-    volume.parameters = std::move(label.parameters);
-    volume.details = std::move(label.details);
-    return volume;
+    const auto& asset = std::get<MultipleScatteringBake>(bake.asset);
+    BakedTable table = labelled_table(parameters, std::move(label));
+    if (asset.method == config::MultipleScatteringMethod::solved) {
+        return as_asset(bake_solved_scattering(parameters.atmosphere, parameters.scene, asset,
+                                               options, std::move(table)));
+    }
+    return as_asset(bake_multiple_scattering(make_medium(parameters.atmosphere), asset, options,
+                                             std::move(table)));
 }
 
 Outcome<BakedAsset> noise_volume(const Parameters& parameters, const Bake& bake,
@@ -120,10 +133,16 @@ std::vector<std::string> transmittance_parameters(const Parameters&, const Bake&
     return kShellAndProfiles;
 }
 
-std::vector<std::string> multiple_scattering_parameters(const Parameters&, const Bake&) {
+std::vector<std::string> multiple_scattering_parameters(const Parameters&, const Bake& bake) {
     std::vector<std::string> patterns = kShellAndProfiles;
     patterns.emplace_back("atmosphere.ground_albedo");
     patterns.emplace_back("atmosphere.layers.*.scattering");
+    if (std::get<MultipleScatteringBake>(bake.asset).method ==
+        config::MultipleScatteringMethod::solved) {
+        patterns.emplace_back("atmosphere.layers.*.phase");
+        patterns.emplace_back("atmosphere.layers.*.g");
+        patterns.emplace_back("scene.*");
+    }
     return patterns;
 }
 
@@ -171,6 +190,46 @@ std::vector<std::string> occupancy_parameters(const Parameters& parameters, cons
     return patterns;
 }
 
+// Asks for all of an atmosphere.
+std::vector<std::string> sky_parameters(const Parameters&, const Bake&) {
+    return {"wavelengths", "atmosphere.*", "atmosphere.layers.*.*"};
+}
+
+// Nothing where the light was not solved to its end.
+bool is_cancelled(const BakeOptions& options) {
+    return options.progress != nullptr && options.progress->cancelled();
+}
+
+Outcome<BakedAsset> sky_view(const Parameters& parameters, const Bake& bake,
+                             const BakeOptions& options, AssetLabel label) {
+    const auto& asset = std::get<config::SkyViewBake>(bake.asset);
+    const SkyLight light(parameters.atmosphere, asset.orders, asset.layers, options);
+    if (is_cancelled(options)) return {};
+    return as_asset(
+        bake_sky_view(light, asset, options, labelled_table(parameters, std::move(label))));
+}
+
+Outcome<BakedAsset> aerial_perspective(const Parameters& parameters, const Bake& bake,
+                                       const BakeOptions& options, AssetLabel label) {
+    const auto& asset = std::get<config::AerialPerspectiveBake>(bake.asset);
+    const bool has_light = asset.content != config::AerialContent::transmittance;
+    const SkyLight light(parameters.atmosphere,
+                         has_light ? asset.orders : config::SkyOrders::single, asset.layers,
+                         options);
+    if (is_cancelled(options)) return {};
+    return as_asset(bake_aerial_perspective(light, asset, options, colour_names(parameters),
+                                            labelled_volume(std::move(label))));
+}
+
+Outcome<BakedAsset> irradiance(const Parameters& parameters, const Bake& bake,
+                               const BakeOptions& options, AssetLabel label) {
+    const auto& asset = std::get<config::IrradianceBake>(bake.asset);
+    const SkyLight light(parameters.atmosphere, orders_of(asset), asset.layers, options);
+    if (is_cancelled(options)) return {};
+    return as_asset(
+        bake_irradiance(light, asset, options, labelled_table(parameters, std::move(label))));
+}
+
 std::vector<InputFile> no_inputs(const Parameters&, const Bake&) { return {}; }
 
 std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters, const Bake& bake) {
@@ -190,11 +249,15 @@ std::vector<InputFile> occupancy_inputs(const Parameters& parameters, const Bake
 }  // namespace
 
 std::span<const Baker> bakers() {
-    static const std::array<Baker, 5> table = {{
+    static const std::array<Baker, 8> table = {{
         {"transmittance", 1, transmittance_parameters, no_inputs, estimate_transmittance,
          transmittance},
         {"multiple_scattering", 1, multiple_scattering_parameters, no_inputs,
          estimate_multiple_scattering, multiple_scattering},
+        {"sky_view", 1, sky_parameters, no_inputs, estimate_sky_view, sky_view},
+        {"aerial_perspective", 1, sky_parameters, no_inputs, estimate_aerial_perspective,
+         aerial_perspective},
+        {"irradiance", 1, sky_parameters, no_inputs, estimate_irradiance, irradiance},
         {"noise_volume", 1, noise_volume_parameters, no_inputs, estimate_noise_volume,
          noise_volume},
         {"cloud_volume", 1, cloud_volume_parameters, cloud_volume_inputs, estimate_cloud_volume,

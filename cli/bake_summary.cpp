@@ -97,6 +97,13 @@ std::string summary_text(const BakedFolder& baked, double seconds) {
         for (const ManifestFile& file : asset.files) {
             if (&file != &asset.files.front()) table.add_row(further_row(asset, file));
         }
+        if (asset.error && asset.error->sky) {
+            const SkyError& sky = *asset.error->sky;
+            advice += fmt::format(
+                "  {}: sky made with it is off by {:.2g} % (median), {:.2g} % (nine in ten below), "
+                "against {}\n",
+                asset.name, 100 * sky.median, 100 * sky.ninth_decile, sky.reference);
+        }
         if (asset.error && !asset.error->advice.empty()) {
             advice += fmt::format("  {}: worst at {}; {}\n", asset.name, asset.error->worst,
                                   asset.error->advice);

@@ -130,7 +130,12 @@ std::string skipping_text(const AssetReport& asset) {
         table.text());
 }
 
+std::string title_of(const AssetReport& asset) {
+    return asset.kind == asset.name ? asset.name : fmt::format("{} ({})", asset.name, asset.kind);
+}
+
 std::string asset_text(const AssetReport& asset) {
+    if (asset.rows.empty()) return fmt::format("{}\n{}", title_of(asset), notes_text(asset));
     std::string text = fmt::format(
         "{}\n"
         "  error: {}, against {} ({} lookups, up to {} texels)\n"
@@ -138,8 +143,7 @@ std::string asset_text(const AssetReport& asset) {
         "{}"
         "  front: no variant is closer in as little time (within 5 %), in lookups or in texels at "
         "one size{}\n\n",
-        asset.kind == asset.name ? asset.name : fmt::format("{} ({})", asset.name, asset.kind),
-        asset.scale, asset.reference, asset.lookup_points, asset.texel_points, asset.timing,
+        title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points, asset.timing,
         asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
         asset.volume ? "; errors to two digits; bytes: none is closer in as few" : "");
     text += rows_text(asset);

@@ -13,6 +13,7 @@
 #include "config/key_path.h"
 #include "config/noise_volume_decoder.h"
 #include "config/occupancy_decoder.h"
+#include "config/sky_decoder.h"
 #include "config/suggest.h"
 
 namespace skybake::config {
@@ -25,6 +26,7 @@ Bake bind_as(const std::string& name, const DecodedSection& section) {
     return {name, asset};
 }
 
+constexpr std::string_view aerial_perspective = "aerial_perspective";
 constexpr std::string_view noise_volume = "noise_volume";
 constexpr std::string_view cloud_volume = "cloud_volume";
 constexpr std::string_view occupancy = "occupancy";
@@ -38,6 +40,9 @@ struct Binder {
 constexpr std::array binders = {
     Binder{"transmittance", bind_as<TransmittanceBake, transmittance_fields>},
     Binder{"multiple_scattering", bind_as<MultipleScatteringBake, multiple_scattering_fields>},
+    Binder{"sky_view", bind_as<SkyViewBake, sky_view_fields>},
+    Binder{aerial_perspective, bind_as<AerialPerspectiveBake, aerial_perspective_fields>},
+    Binder{"irradiance", bind_as<IrradianceBake, irradiance_fields>},
     Binder{noise_volume, bind_as<NoiseVolumeBake, noise_volume_fields>},
     Binder{cloud_volume, bind_as<CloudVolumeBake, cloud_volume_fields>},
     Binder{occupancy, bind_as<OccupancyBake, occupancy_fields>},
@@ -126,8 +131,9 @@ std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
 
 }  // namespace
 
-std::vector<Bake> decode_bakes(const Table& root, std::span<const Noise> noises,
-                               std::span<const Cloud> clouds, Decoder& decoder) {
+std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
+    const std::vector<Noise>& noises = recipe.noises;
+    const std::vector<Cloud>& clouds = recipe.clouds;
     std::vector<OpenBake> open;
     std::vector<std::string_view> unreadable;
     for (const Entry* entry : bakes_in_file_order(subtable(root, "bake", "", decoder))) {
@@ -142,6 +148,10 @@ std::vector<Bake> decode_bakes(const Table& root, std::span<const Noise> noises,
     }
     std::vector<Bake> bakes;
     for (OpenBake& bake : open) {
+        if (bake.asset == aerial_perspective) {
+            resolve_aerial_perspective(bake.section, recipe.scene, decoder);
+        }
+        check_sky_layers(bake.section, root, recipe.atmosphere, decoder);
         if (bake.asset == noise_volume) resolve_noise_volume(bake.section, noises, decoder);
         if (bake.asset == cloud_volume) resolve_cloud_volume(bake.section, clouds, noises, decoder);
         bakes.push_back(bind_bake(bake));

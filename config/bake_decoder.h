@@ -1,7 +1,6 @@
 // The [bake.NAME] sections: which asset each makes, and the asset's own fields.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "config/parameters.h"
@@ -9,9 +8,8 @@
 
 namespace skybake::config {
 
-// In the order of the file. Bakes of unknown assets are reported and left out. `noises` and
-// `clouds` are those of the recipe.
-std::vector<Bake> decode_bakes(const Table& root, std::span<const Noise> noises,
-                               std::span<const Cloud> clouds, Decoder& decoder);
+// In the order of the file. Bakes of unknown assets are reported and left out. `recipe` is all of
+// it but the bakes.
+std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder);
 
 }  // namespace skybake::config

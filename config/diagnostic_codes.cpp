@@ -188,7 +188,8 @@ constexpr std::array codes = {
         "A noise has one channel, Y or R; or R, G, B; or R, G, B, A. Where one is missing, "
         "a channel of type = \"constant\" makes it up. `pack` takes the channels that its "
         "formula names: shape R, G, B, A, and detail R, G, B. An occupancy has one content, "
-        "three or four.",
+        "three or four. An aerial perspective of one wavelength holds in_scatter or "
+        "transmittance, not both.",
         "[noise.n.channels.R]\ntype = \"perlin\"\n"
         "[noise.n.channels.G]\ntype = \"worley\"",
         "[noise.n.channels.R]\ntype = \"perlin\"\n"
@@ -284,6 +285,15 @@ constexpr std::array codes = {
                    "The cross product of everything that varies has more than 100000 variants. Let "
                    "paths walk together with `zip`, or cover their ranges with `sobol` points.",
                    "", "", usage},
+
+    DiagnosticCode{"E0138", "unknown layer",
+                   "`layers` names those of [atmosphere.layers.NAME] whose light is wanted. The "
+                   "atmosphere has none of that name, or it is switched off, or it is named twice.",
+                   "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
+                   "orders = \"single\"\nlayers = [\"haze\"]",
+                   "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
+                   "orders = \"single\"\nlayers = [\"mie\"]",
+                   usage},
 
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",

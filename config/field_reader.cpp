@@ -22,6 +22,17 @@ std::optional<FieldValue> read_wavelengths(const Reader& reader, const Value& va
     return std::move(*numbers);
 }
 
+std::optional<FieldValue> read_angles(const Reader& reader, const Value& value) {
+    std::optional<std::vector<double>> numbers = read_numbers(reader, value);
+    if (!numbers) return std::nullopt;
+    if (numbers->empty() || numbers->size() > std::size_t{most_angles}) {
+        report_count(reader, value, numbers->size(),
+                     fmt::format("wanted: one angle, or up to {}", most_angles));
+        return std::nullopt;
+    }
+    return std::move(*numbers);
+}
+
 std::optional<FieldValue> read_channels(const Reader& reader, const Value& value,
                                         std::optional<int> channels) {
     std::optional<std::vector<double>> numbers = read_numbers(reader, value);
@@ -215,7 +226,11 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
         case Kind::pair:
             return as_field_value(read_pair(reader, value));
         case Kind::bounds:
+        case Kind::length_bounds:
+        case Kind::angle_bounds:
             return as_field_value(read_bounds(reader, value));
+        case Kind::angles:
+            return read_angles(reader, value);
         case Kind::power_of_two:
             return as_field_value(read_power_of_two(reader, value));
         case Kind::path_groups:

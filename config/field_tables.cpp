@@ -1,8 +1,10 @@
-// The tables themselves, but for those of noises, clouds and volumes, which have files of their own
+// The tables themselves, but for those of the sky's views, noises, clouds and volumes, which have
+// files of their own
 // (noise_field_tables.cpp and so on). Whoever adds a key adds it here, and a member of the same
 // name in parameters.h; everything else follows.
 #include "config/fields.h"
 #include "config/shared_fields.h"
+#include "config/sky_fields.h"
 
 namespace skybake::config {
 namespace {
@@ -21,13 +23,12 @@ constexpr Range texel_range{1, 16384};
 constexpr Range density_range{0, 1e6};
 constexpr Range lookup_error_range{1e-7, 1};
 constexpr Range texel_error_range{1e-5, 1};
+constexpr Range degree_range{2, 8};
 
 constexpr std::string_view bruneton_2008 =
     "Bruneton and Neyret 2008, Precomputed Atmospheric Scattering";
 constexpr std::string_view bruneton_2017 =
     "Bruneton 2017, Precomputed Atmospheric Scattering: a New Implementation";
-constexpr std::string_view hillaire_2020 =
-    "Hillaire 2020, A Scalable and Production Ready Sky and Atmosphere Rendering Technique";
 constexpr std::string_view henyey_1941 = "Henyey and Greenstein 1941; Cornette and Shanks 1992";
 
 // Choices, each in the order of its enumeration in parameters.h.
@@ -42,10 +43,6 @@ constexpr std::array phase_choices = {
     Choice{"rayleigh", "molecules: 3/(16 pi) (1 + cos^2)"},
     Choice{"henyey_greenstein", "haze and dust, one parameter g"},
     Choice{"cornette_shanks", "Henyey-Greenstein with a Rayleigh-like back; Rayleigh at g = 0"},
-};
-constexpr std::array pixel_type_choices = {
-    Choice{"float", "32 bits a channel"},
-    Choice{"half", "16 bits a channel: 3 digits, 6e-8 to 65504"},
 };
 constexpr std::array content_choices = {
     Choice{"transmittance", "the share of light that passes, in [0, 1]"},
@@ -62,6 +59,12 @@ constexpr std::array multiple_scattering_mapping_choices = {
 constexpr std::array method_choices = {
     Choice{"converged", "horizon-split quadrature with as many nodes as the error asked needs"},
     Choice{"as_in_paper", "64 uniform directions of 20 steps each, for comparison"},
+    Choice{"solved", "all orders, each layer with its own phase function"},
+};
+constexpr std::array solved_content_choices = {
+    Choice{"hillaire", "the mean radiance: in place of Hillaire's texture"},
+    Choice{"fitted", "what looks most like the sky when scattered alike in all directions"},
+    Choice{"moments", "angular moments of the light, one table each"},
 };
 
 // For which profiles and phases a key has a meaning.
@@ -69,6 +72,8 @@ constexpr std::string_view exponential[] = {"exponential"};
 constexpr std::string_view tent[] = {"tent"};
 constexpr std::string_view slab[] = {"slab"};
 constexpr std::string_view tabulated[] = {"tabulated"};
+constexpr std::string_view solved[] = {"solved"};
+constexpr std::string_view moments[] = {"moments"};
 constexpr std::string_view with_asymmetry[] = {"henyey_greenstein", "cornette_shanks"};
 
 const std::array root_table = {
@@ -250,11 +255,6 @@ constexpr Field max_error_field{
     .documentation = "in place of size: the smallest table whose lookups keep within this error",
     .hint = "0.01 cannot be seen",
     .exclusive_group = "size"};
-constexpr Field pixel_type_field{.key = "pixel_type",
-                                 .kind = Kind::choice,
-                                 .choices = pixel_type_choices,
-                                 .fallback = R"("float")",
-                                 .documentation = "numbers in the file"};
 
 const std::array transmittance_table = {
     TransmittanceField{asset_field, {}},
@@ -280,7 +280,7 @@ const std::array transmittance_table = {
                         .documentation = "which angle and altitude a texel stands for",
                         .citation = bruneton_2008},
                        &TransmittanceBake::mapping},
-    TransmittanceField{pixel_type_field, &TransmittanceBake::pixel_type},
+    TransmittanceField{table_pixel_type_field, &TransmittanceBake::pixel_type},
     TransmittanceField{compression_field, &TransmittanceBake::compression},
 };
 
@@ -316,7 +316,23 @@ const std::array multiple_scattering_table = {
                              .documentation = "quadrature over directions and along rays",
                              .citation = hillaire_2020},
                             &MultipleScatteringBake::method},
-    MultipleScatteringField{pixel_type_field, &MultipleScatteringBake::pixel_type},
+    MultipleScatteringField{{.key = "content",
+                             .kind = Kind::choice,
+                             .choices = solved_content_choices,
+                             .fallback = R"("hillaire")",
+                             .documentation = "what the texels hold of the solution",
+                             .selector = "method",
+                             .selected_by = solved},
+                            &MultipleScatteringBake::content},
+    MultipleScatteringField{{.key = "degree",
+                             .kind = Kind::integer,
+                             .range = degree_range,
+                             .fallback = "2",
+                             .documentation = "of the moments; 2 holds Rayleigh scattering exactly",
+                             .selector = "content",
+                             .selected_by = moments},
+                            &MultipleScatteringBake::degree},
+    MultipleScatteringField{table_pixel_type_field, &MultipleScatteringBake::pixel_type},
     MultipleScatteringField{compression_field, &MultipleScatteringBake::compression},
 };
 

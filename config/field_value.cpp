@@ -39,6 +39,7 @@ std::string spell_one(Kind kind, double value) {
     switch (kind) {
         case Kind::length:
         case Kind::lengths:
+        case Kind::length_bounds:
             return quoted_length(value);
         case Kind::wavelengths:
             return toml_string(spell_wavelength(value));
@@ -46,6 +47,8 @@ std::string spell_one(Kind kind, double value) {
         case Kind::coefficients:
             return toml_string(spell_inverse_length(value));
         case Kind::angle:
+        case Kind::angles:
+        case Kind::angle_bounds:
             return toml_string(spell_angle(value));
         default:
             return spell_number(value);

@@ -27,6 +27,8 @@ std::vector<Section> make_sections() {
         make_section("atmosphere", "", "the planet and its air", atmosphere_fields()),
         make_section("atmosphere.layers.*", "", "one kind of gas or particle, under any name",
                      layer_fields()),
+        make_section("scene", "", "the cameras and suns that the sky's tables are for",
+                     scene_fields()),
         make_section("noise.*", "", "a tileable noise, under any name", noise_fields()),
         make_section("noise.*.channels.*", "", "one channel of a noise: R, G, B, A, or Y alone",
                      noise_channel_fields()),
@@ -47,6 +49,12 @@ std::vector<Section> make_sections() {
         make_section("bake.*", "multiple_scattering",
                      "the light scattered twice and more, per unit of scattering",
                      multiple_scattering_fields()),
+        make_section("bake.*", "sky_view", "the sky as a camera sees it, under given suns",
+                     sky_view_fields()),
+        make_section("bake.*", "aerial_perspective",
+                     "the air between a camera and what it looks at", aerial_perspective_fields()),
+        make_section("bake.*", "irradiance", "the light that falls on level surfaces",
+                     irradiance_fields()),
         make_section("bake.*", "noise_volume", "the voxels of a noise", noise_volume_fields()),
         make_section("bake.*", "cloud_volume", "the voxels of a cloud", cloud_volume_fields()),
         make_section("bake.*", "occupancy", "which cells of a cloud volume are empty, and how far",
@@ -62,6 +70,7 @@ std::string spell_bound(const Field& field, double value) {
     switch (field.kind) {
         case Kind::length:
         case Kind::lengths:
+        case Kind::length_bounds:
             return spell_length(value);
         case Kind::wavelengths:
             return spell_wavelength(value);
@@ -69,6 +78,8 @@ std::string spell_bound(const Field& field, double value) {
         case Kind::coefficients:
             return spell_inverse_length(value);
         case Kind::angle:
+        case Kind::angles:
+        case Kind::angle_bounds:
             return spell_angle(value);
         default:
             return spell_number(value);
@@ -245,6 +256,12 @@ std::string_view describe_kind(Kind kind) {
             return "a whole number, or \"all\"";
         case Kind::angle:
             return "an angle with its unit, such as \"30 deg\"";
+        case Kind::angles:
+            return "a list of angles, such as [\"30 deg\", \"5 deg\"]";
+        case Kind::angle_bounds:
+            return "two angles, the lower one first, such as [\"-10 deg\", \"90 deg\"]";
+        case Kind::length_bounds:
+            return "two lengths, the smaller one first, such as [\"0 km\", \"3 km\"]";
         case Kind::coefficient:
             return "a coefficient with its unit, such as \"40 /km\"";
         case Kind::lengths:

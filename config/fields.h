@@ -40,8 +40,11 @@ enum class Kind {
     remap,          // [0.4, 1, 0, 1]
     levels,         // 4, or "all", which is read as 0
     angle,          // "30 deg"
+    angles,         // ["30 deg", "5 deg"], or one
+    angle_bounds,   // ["-10 deg", "90 deg"], the first not above the second
     coefficient,    // "40 /km"
     lengths,        // ["6 km", "6 km", "1.5 km"]
+    length_bounds,  // ["0 km", "3 km"], the first not above the second
     pair,           // [0.2, 0.35]
     bounds,         // [0.02, 0.05], the first not above the second
     height_table,   // [[0, 0.0], [0.2, 1.0]]
@@ -49,6 +52,9 @@ enum class Kind {
     path_groups,    // [["a.b", "c.d"]], or one group of paths
     swept,          // a number or a quantity, as the key that varies takes it
 };
+
+// Angles that a list of them may have.
+inline constexpr int most_angles = 64;
 
 // In base units: metres, 1/m, radians, 1.
 struct Range {
@@ -98,8 +104,9 @@ using Member =
     std::variant<std::monostate, bool S::*, int S::*, double S::*, std::optional<double> S::*,
                  std::string S::*, Length S::*, InverseLength S::*, Angle S::*,
                  std::array<int, 2> S::*, std::array<int, 3> S::*, std::array<double, 2> S::*,
-                 std::array<double, 4> S::*, std::array<Length, 3> S::*, std::uint64_t S::*,
-                 std::vector<double> S::*, std::vector<Length> S::*,
+                 std::array<double, 4> S::*, std::array<Length, 2> S::*, std::array<Length, 3> S::*,
+                 std::array<Angle, 2> S::*, std::uint64_t S::*, std::vector<std::string> S::*,
+                 std::vector<double> S::*, std::vector<Length> S::*, std::vector<Angle> S::*,
                  std::vector<InverseLength> S::*, std::vector<DensityPoint> S::*,
                  std::vector<HeightPoint> S::*, Choices S::*...>;
 
@@ -114,8 +121,13 @@ using AtmosphereField = BoundField<Atmosphere>;
 using LayerField = BoundField<Layer, Profile, Phase>;
 using TransmittanceField = BoundField<TransmittanceBake, TransmittanceContent, TransmittanceMapping,
                                       PixelType, Compression>;
-using MultipleScatteringField = BoundField<MultipleScatteringBake, MultipleScatteringMapping,
-                                           MultipleScatteringMethod, PixelType, Compression>;
+using MultipleScatteringField =
+    BoundField<MultipleScatteringBake, MultipleScatteringMapping, MultipleScatteringMethod,
+               MultipleScatteringContent, PixelType, Compression>;
+using SceneField = BoundField<Scene>;
+using SkyViewField = BoundField<SkyViewBake, SkyOrders, PixelType, Compression>;
+using IrradianceField = BoundField<IrradianceBake, IrradianceContent, SkyOrders,
+                                   MultipleScatteringMapping, PixelType, Compression>;
 using NoiseField = BoundField<Noise, NoiseSampling, NoisePacking>;
 using NoiseChannelField =
     BoundField<NoiseChannel, NoiseType, NoiseFractal, WorleyFeature, WorleyValue, CurlComponent>;
@@ -131,6 +143,8 @@ using VolumeBakeField = BoundField<S, std::vector<VolumeFormat>, PixelType, Volu
                                    Compression, VdbCompression, Choices...>;
 using NoiseVolumeField = VolumeBakeField<NoiseVolumeBake>;
 using CloudVolumeField = VolumeBakeField<CloudVolumeBake>;
+using AerialPerspectiveField =
+    VolumeBakeField<AerialPerspectiveBake, AerialContent, SliceSpacing, SkyOrders>;
 using OccupancyField =
     VolumeBakeField<OccupancyBake, OccupancyFilter, OccupancyRule, std::vector<OccupancyContent>>;
 
@@ -139,6 +153,10 @@ std::span<const AtmosphereField> atmosphere_fields();
 std::span<const LayerField> layer_fields();
 std::span<const TransmittanceField> transmittance_fields();
 std::span<const MultipleScatteringField> multiple_scattering_fields();
+std::span<const SceneField> scene_fields();
+std::span<const SkyViewField> sky_view_fields();
+std::span<const AerialPerspectiveField> aerial_perspective_fields();
+std::span<const IrradianceField> irradiance_fields();
 std::span<const NoiseField> noise_fields();
 std::span<const NoiseChannelField> noise_channel_fields();
 std::span<const CloudField> cloud_fields();
@@ -168,7 +186,7 @@ std::vector<std::string_view> choice_names(const Field& field);
 // The names of all assets, one bake section each.
 std::vector<std::string_view> asset_names();
 
-// The tables within the table at a path: {"atmosphere", "noise", "clouds", "bake", "sweep"} for "".
+// The tables within the table at a path: {"atmosphere", "scene", "noise", "clouds" ...} for "".
 std::vector<std::string_view> subtables(std::string_view path);
 
 // The names that a section's path is made of, `*` among them.

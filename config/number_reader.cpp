@@ -46,12 +46,15 @@ Dimension wanted_dimension(Kind kind) {
             return Dimension::fraction;
         case Kind::length:
         case Kind::lengths:
+        case Kind::length_bounds:
         case Kind::wavelengths:
             return Dimension::length;
         case Kind::coefficient:
         case Kind::coefficients:
             return Dimension::inverse_length;
         case Kind::angle:
+        case Kind::angles:
+        case Kind::angle_bounds:
             return Dimension::angle;
         default:
             return Dimension::number;

@@ -47,6 +47,13 @@ struct Atmosphere {
     std::vector<Layer> layers;          // enabled ones, by name
 };
 
+// What a runtime will show: cameras and suns in ranges, so that tables need not hold more.
+struct Scene {
+    std::array<Length, 2> altitude;      // of cameras
+    std::array<Angle, 2> sun_elevation;  // at the camera
+    Length view_distance;
+};
+
 enum class PixelType { float32, half, unorm8, unorm16 };  // "float" ...; tables: the first two
 enum class Compression { none, zip, zips, piz };
 
@@ -63,7 +70,8 @@ struct TransmittanceBake {
 };
 
 enum class MultipleScatteringMapping { hillaire, twilight };
-enum class MultipleScatteringMethod { converged, as_in_paper };
+enum class MultipleScatteringMethod { converged, as_in_paper, solved };
+enum class MultipleScatteringContent { hillaire, fitted, moments };
 
 struct MultipleScatteringBake {
     std::array<int, 2> size{};        // texels along the sun cosine, along altitude
@@ -71,6 +79,34 @@ struct MultipleScatteringBake {
     double max_texel_error = 0;       // sets the quadrature's counts
     MultipleScatteringMapping mapping = MultipleScatteringMapping::hillaire;
     MultipleScatteringMethod method = MultipleScatteringMethod::converged;
+    MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // solved
+    int degree = 2;                                                           // moments
+    PixelType pixel_type = PixelType::float32;
+    Compression compression = Compression::zip;
+};
+
+// Which light: all of it; scattered once, in the air; or the rest, ground in sunlight included.
+enum class SkyOrders { all, single, multiple };
+
+struct SkyViewBake {
+    std::array<int, 2> size{};  // texels along azimuth, along elevation; of one sun
+    Length altitude;            // of the camera, which may be in space
+    std::vector<Angle> sun_elevations;
+    SkyOrders orders = SkyOrders::all;
+    std::vector<std::string> layers;  // single: what scatters; empty: every layer
+    PixelType pixel_type = PixelType::float32;
+    Compression compression = Compression::zip;
+};
+
+enum class IrradianceContent { direct, sky, total };
+
+struct IrradianceBake {
+    std::array<int, 2> size{};  // texels along the sun cosine, along altitude
+    IrradianceContent content = IrradianceContent::total;
+    SkyOrders orders = SkyOrders::all;  // sky
+    std::vector<std::string> layers;    // single
+    double max_texel_error = 0;         // sets the quadrature's counts
+    MultipleScatteringMapping mapping = MultipleScatteringMapping::twilight;
     PixelType pixel_type = PixelType::float32;
     Compression compression = Compression::zip;
 };
@@ -239,21 +275,41 @@ struct OccupancyBake : VolumeFiles {
     std::vector<OccupancyContent> contents;  // the channels, in this order, without duplicates
 };
 
+enum class AerialContent { in_scatter_and_transmittance, in_scatter, transmittance };
+enum class SliceSpacing { linear, squared };
+
+// Light scattered into view rays of a camera, up to distances along them.
+struct AerialPerspectiveBake : VolumeFiles {
+    std::array<int, 3> size{};  // voxels across, down and along distance
+    AerialContent content = AerialContent::in_scatter_and_transmittance;
+    Length altitude;  // of the camera, within the atmosphere
+    Angle sun_elevation;
+    Angle heading;  // of the view from the sun, to the right
+    Angle pitch;    // above the horizontal
+    Angle fov;      // vertical
+    double aspect = 1;
+    Length view_distance;  // where the last slice ends
+    SliceSpacing slices = SliceSpacing::squared;
+    SkyOrders orders = SkyOrders::all;
+    std::vector<std::string> layers;  // single
+};
+
 // One [bake.NAME] section.
 struct Bake {
     std::string name;
     // `asset = "..."`, default NAME
-    std::variant<TransmittanceBake, MultipleScatteringBake, NoiseVolumeBake, CloudVolumeBake,
-                 OccupancyBake>
+    std::variant<TransmittanceBake, MultipleScatteringBake, SkyViewBake, AerialPerspectiveBake,
+                 IrradianceBake, NoiseVolumeBake, CloudVolumeBake, OccupancyBake>
         asset;
 };
 
 struct Parameters {
     std::vector<Length> wavelengths;  // one per channel: 1 (a luminance table, Y) or 3 (R, G, B)
     Atmosphere atmosphere;            // without radii and layers in a recipe of noises alone
-    std::vector<Noise> noises;        // by name
-    std::vector<Cloud> clouds;        // by name
-    std::vector<Bake> bakes;          // in the order of the file
+    std::optional<Scene> scene;
+    std::vector<Noise> noises;  // by name
+    std::vector<Cloud> clouds;  // by name
+    std::vector<Bake> bakes;    // in the order of the file
 };
 
 }  // namespace skybake::config

@@ -58,6 +58,18 @@ Atmosphere decode_atmosphere(const Table& root, Decoder& decoder) {
     return result;
 }
 
+std::optional<Scene> decode_scene(const Table& root, Decoder& decoder) {
+    const Entry* entry = find_entry(root, "scene");
+    if (!entry) return std::nullopt;
+    const Table& table = subtable(root, "scene", "", decoder);
+    const DecodedSection section = decode_section(*find_section("scene"), "scene", entry->key_place,
+                                                  table, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    Scene scene;
+    bind(section, scene_fields(), scene);
+    return scene;
+}
+
 std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
     std::vector<Noise> noises;
     for (const Entry& entry : subtable(root, "noise", "", decoder)) {
@@ -86,7 +98,10 @@ std::vector<Cloud> decode_clouds(const Table& root, std::span<const Noise> noise
 
 bool needs_atmosphere(const Bake& bake) {
     return std::holds_alternative<TransmittanceBake>(bake.asset) ||
-           std::holds_alternative<MultipleScatteringBake>(bake.asset);
+           std::holds_alternative<MultipleScatteringBake>(bake.asset) ||
+           std::holds_alternative<SkyViewBake>(bake.asset) ||
+           std::holds_alternative<AerialPerspectiveBake>(bake.asset) ||
+           std::holds_alternative<IrradianceBake>(bake.asset);
 }
 
 // The sky's assets need an atmosphere; a recipe of nothing at all was to be one of a sky.
@@ -114,9 +129,10 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
         decoder.channels = static_cast<int>(parameters.wavelengths.size());
     }
     parameters.atmosphere = decode_atmosphere(root, decoder);
+    parameters.scene = decode_scene(root, decoder);
     parameters.noises = decode_noises(root, decoder);
     parameters.clouds = decode_clouds(root, parameters.noises, decoder);
-    parameters.bakes = decode_bakes(root, parameters.noises, parameters.clouds, decoder);
+    parameters.bakes = decode_bakes(root, parameters, decoder);
     check_atmosphere(root, parameters, source, decoder);
     return parameters;
 }

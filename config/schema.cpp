@@ -156,6 +156,12 @@ Json value_schema(const Field& field) {
             return levels_schema(field.range);
         case Kind::angle:
             return quantity_schema(Dimension::angle);
+        case Kind::angles:
+            return one_or_list(quantity_schema(Dimension::angle), 1, most_angles);
+        case Kind::angle_bounds:
+            return list_schema(quantity_schema(Dimension::angle), 2, 2);
+        case Kind::length_bounds:
+            return list_schema(quantity_schema(Dimension::length), 2, 2);
         case Kind::coefficient:
             return quantity_schema(Dimension::inverse_length);
         case Kind::lengths:
@@ -332,6 +338,7 @@ std::string recipe_schema() {
     Json atmosphere = section_schema(*find_section("atmosphere"));
     atmosphere["properties"]["layers"] = named_schema("layers of the atmosphere, by name", "layer");
     schema["properties"]["atmosphere"] = atmosphere;
+    schema["properties"]["scene"] = section_schema(*find_section("scene"));
     schema["properties"]["noise"] = with_bare_names(named_schema("noises, by name", "noise"));
     schema["properties"]["clouds"] = with_bare_names(named_schema("clouds, by name", "cloud"));
     schema["properties"]["bake"] = bakes_schema();

@@ -46,6 +46,25 @@ struct SectionReader {
             fmt::format("{} = \"{}\" comes from {}", field.selector, found, said));
     }
 
+    // Whether the field's selector is a key that has itself no meaning here.
+    bool selects_nothing(const Field& field) const {
+        const Field& selector = *result.at(field.selector).field;
+        if (selector.selector.empty()) return false;
+        const std::optional<std::string_view> name = selected(selector);
+        return name ? !applies(selector, *name) : selects_nothing(selector);
+    }
+
+    void report_without_selector(const Field& field, const Entry& entry) const {
+        const Field& selector = *result.at(field.selector).field;
+        decoder.diagnostics.error(
+            "E0111", entry.key_place,
+            fmt::format("`{}` belongs to {} {}, and there is no {} here",
+                        join_path(result.path, field.key), field.selector,
+                        fmt::join(field.selected_by, " or "), field.selector),
+            fmt::format("{} goes with {} = \"{}\"", field.selector, selector.selector,
+                        fmt::join(selector.selected_by, "\" or \"")));
+    }
+
     // Whether the text that the field needs is there; one at fault passes for it.
     bool has_needed(const Field& field) const {
         if (field.needs.empty()) return true;
@@ -86,6 +105,7 @@ struct SectionReader {
                 return;
             }
             if (!name && !entry) return;
+            if (!name && selects_nothing(field)) return report_without_selector(field, *entry);
         }
         if (!has_needed(field)) {
             if (entry && decoder.complete) report_without_needed(field, *entry);

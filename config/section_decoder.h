@@ -72,6 +72,9 @@ struct Assigner {
         const auto& meters = std::get<std::array<double, 3>>(value);
         target.*member = {Length{meters[0]}, Length{meters[1]}, Length{meters[2]}};
     }
+    void operator()(std::array<Length, 2> S::*member) const { assign_both(member); }
+    void operator()(std::array<Angle, 2> S::*member) const { assign_both(member); }
+    void operator()(std::vector<Angle> S::*member) const { assign_each(member); }
     void operator()(std::vector<Length> S::*member) const { assign_each(member); }
     void operator()(std::vector<InverseLength> S::*member) const { assign_each(member); }
     void operator()(int S::*member) const {
@@ -99,6 +102,11 @@ struct Assigner {
     }
 
   private:
+    template <class T>
+    void assign_both(std::array<T, 2> S::*member) const {
+        const auto& numbers = std::get<std::array<double, 2>>(value);
+        target.*member = {T{numbers[0]}, T{numbers[1]}};
+    }
     template <class T>
     void assign_each(std::vector<T> S::*member) const {
         (target.*member).clear();

@@ -2,6 +2,7 @@
 // of their files (VolumeFiles) are described once.
 #include "config/fields.h"
 #include "config/shared_fields.h"
+#include "config/sky_fields.h"
 
 namespace skybake::config {
 namespace {
@@ -51,7 +52,20 @@ constexpr std::array content_choices = {
     Choice{"maximum", "no filtered sample in the cell is above"},
 };
 
+constexpr std::array aerial_content_choices = {
+    Choice{"in_scatter_and_transmittance", "R, G, B light, and A the channels' mean transmittance"},
+    Choice{"in_scatter", "light alone"},
+    Choice{"transmittance", "transmittance alone, of each channel"},
+};
+constexpr std::array slices_choices = {
+    Choice{"linear", "w = distance / view_distance"},
+    Choice{"squared", "w = sqrt(distance / view_distance): closer together near the camera"},
+};
+
 constexpr std::string_view atlas[] = {"atlas"};
+constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
+constexpr Range fov_range{0, std::numbers::pi, true, true};
+constexpr Range aspect_range{1e-3, 1e3};
 
 // What the keys of files say differently in one asset and the other.
 struct FileWords {
@@ -188,7 +202,75 @@ const std::array occupancy_table = {
                    &OccupancyBake::contents},
 };
 
+const std::array aerial_perspective_table = {
+    AerialPerspectiveField{asset_field, {}},
+    AerialPerspectiveField{{.key = "size",
+                            .kind = Kind::voxels,
+                            .range = voxel_range,
+                            .fallback = "[32, 32, 32]",
+                            .documentation = "voxels across the picture, down it, and slices",
+                            .citation = hillaire_2020},
+                           &AerialPerspectiveBake::size},
+    AerialPerspectiveField{{.key = "content",
+                            .kind = Kind::choice,
+                            .choices = aerial_content_choices,
+                            .fallback = R"("in_scatter_and_transmittance")",
+                            .documentation = "what the channels hold"},
+                           &AerialPerspectiveBake::content},
+    AerialPerspectiveField{camera_altitude_field, &AerialPerspectiveBake::altitude},
+    AerialPerspectiveField{{.key = "sun_elevation",
+                            .kind = Kind::angle,
+                            .range = elevation_range,
+                            .required = true,
+                            .documentation = "of the sun at the camera",
+                            .hint = "-90 deg to 90 deg"},
+                           &AerialPerspectiveBake::sun_elevation},
+    AerialPerspectiveField{{.key = "heading",
+                            .kind = Kind::angle,
+                            .range = turn_range,
+                            .fallback = R"("0 deg")",
+                            .documentation = "of the view, to the right from the sun's azimuth"},
+                           &AerialPerspectiveBake::heading},
+    AerialPerspectiveField{{.key = "pitch",
+                            .kind = Kind::angle,
+                            .range = elevation_range,
+                            .fallback = R"("0 deg")",
+                            .documentation = "of the view, upwards from the horizontal"},
+                           &AerialPerspectiveBake::pitch},
+    AerialPerspectiveField{{.key = "fov",
+                            .kind = Kind::angle,
+                            .range = fov_range,
+                            .fallback = R"("60 deg")",
+                            .documentation = "angle between the lower and the upper edge"},
+                           &AerialPerspectiveBake::fov},
+    AerialPerspectiveField{{.key = "aspect",
+                            .kind = Kind::number,
+                            .range = aspect_range,
+                            .fallback = "1.7777777777777777",
+                            .documentation = "width of the picture over its height"},
+                           &AerialPerspectiveBake::aspect},
+    AerialPerspectiveField{{.key = "view_distance",
+                            .kind = Kind::length,
+                            .range = view_distance_range,
+                            .documentation = "at w = 1; left out: that of [scene], or its default"},
+                           &AerialPerspectiveBake::view_distance},
+    AerialPerspectiveField{{.key = "slices",
+                            .kind = Kind::choice,
+                            .choices = slices_choices,
+                            .fallback = R"("squared")",
+                            .documentation = "the distance that a slice stands for",
+                            .citation = hillaire_2020},
+                           &AerialPerspectiveBake::slices},
+    AerialPerspectiveField{orders_field, &AerialPerspectiveBake::orders},
+    AerialPerspectiveField{layers_field, &AerialPerspectiveBake::layers},
+};
+
 }  // namespace
+
+std::span<const AerialPerspectiveField> aerial_perspective_fields() {
+    static const auto table = with_file_fields(aerial_perspective_table, {.formats = R"(["exr"])"});
+    return table;
+}
 
 std::span<const NoiseVolumeField> noise_volume_fields() {
     static const auto table = with_file_fields(noise_volume_table, {.formats = R"(["exr"])"});

@@ -12,6 +12,9 @@ struct BakeOptions {
     int threads = 0;  // 0: as many as the machine has
     Certification certification = Certification::quick;
     Progress* progress = nullptr;
+
+    // Once true a bake returns early, with a result that is not to be used.
+    bool cancelled() const { return progress != nullptr && progress->cancelled(); }
 };
 
 }  // namespace skybake

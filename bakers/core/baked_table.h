@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,16 @@ struct ErrorFigures {
     double rms = 0;
 };
 
+// Of a table that stands for an approximation: radiance of the sky made with it, |value / reference -
+// 1| over sky directions.
+struct SkyError {
+    double median = 0;
+    double ninth_decile = 0;  // nine in ten are below
+    double max = 0;
+    int points = 0;
+    std::string reference;
+};
+
 // The error that a table has, measured. All figures are pure functions of the parameters.
 struct Certificate {
     ErrorFigures texel;  // stored texels against the reference at their centres
@@ -37,6 +48,7 @@ struct Certificate {
     std::string
         worst;  // where the largest lookup error was: "altitude_km 0.02, sun_cos_zenith -0.01"
     std::string advice;  // what would help, or empty
+    std::optional<SkyError> sky = {};
 };
 
 // A place and the value that a correct lookup of the stored file returns there.

@@ -101,9 +101,9 @@ MeasuredErrors measure_lookups(const TableModel& model, const Image2<float>& ima
     const Values values =
         evaluate(points.rows, model.channels, BakeOptions{1}, "lookups",
                  [&](double y, const std::vector<double>& x, double* out) {
-                     const double v = texture_coordinate(model.convention, y, image.height);
+                     const double v = lookup_v(model, y, image.height);
                      for (std::size_t i = 0; i < x.size(); ++i) {
-                         bilinear(image, texture_coordinate(model.convention, x[i], image.width), v,
+                         bilinear(image, lookup_u(model, x[i], image.width), v,
                                   out + i * static_cast<std::size_t>(model.channels));
                      }
                  });

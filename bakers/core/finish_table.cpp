@@ -94,9 +94,8 @@ std::vector<Probe> make_probes(const TableModel& model, const BakedTable& table,
         {0.4613, 0.297}, {0.6173, 0.711}, {0.873, 0.5491}, {0.127, 0.867}, {0.968, 0.871}};
     std::vector<Probe> probes;
     for (const auto& [x, y] : kPlaces) {
-        Probe probe = make_probe(
-            table.image, texture_coordinate(model.convention, x, table.image.width),
-            texture_coordinate(model.convention, y, table.image.height), table.pixel_type);
+        Probe probe = make_probe(table.image, lookup_u(model, x, table.image.width),
+                                 lookup_v(model, y, table.image.height), table.pixel_type);
         probe.at = place_of(x, y);
         probes.push_back(std::move(probe));
     }

@@ -5,6 +5,14 @@
 
 namespace skybake {
 
+double lookup_u(const TableModel& model, double x, int columns) {
+    return texture_coordinate(model.convention, x, columns);
+}
+
+double lookup_v(const TableModel& model, double y, int rows) {
+    return model.v_of ? model.v_of(y, rows) : texture_coordinate(model.convention, y, rows);
+}
+
 Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size,
                            const BakeOptions& options) {
     Image2<double> image(size[0], size[1], model.channels);

@@ -17,6 +17,10 @@ struct TableModel {
     int channels = 0;
     TexelConvention convention = TexelConvention::end_points_on_texel_centres;
 
+    // The v at which a runtime looks up y in a table of so many rows, where that is not what the
+    // convention says; else empty.
+    std::function<double(double y, int rows)> v_of = {};
+
     // Quadrature levels, cheapest first, by their cost in evaluations per texel.
     std::vector<double> cost_per_texel;
 
@@ -35,6 +39,10 @@ struct TableModel {
     // over the points measured.
     std::function<double(double value, double reference, double scale)> error;
 };
+
+// Texture coordinates of a lookup.
+double lookup_u(const TableModel& model, double x, int columns);
+double lookup_v(const TableModel& model, double y, int rows);
 
 // Texels of a table as its kernel gives them, before rounding. Tiles are rows.
 Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size,

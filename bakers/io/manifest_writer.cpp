@@ -48,14 +48,22 @@ Json to_json(const AxisMapping& axis) {
 Json to_json(const std::optional<Certificate>& certificate) {
     if (!certificate) return nullptr;
     const Certificate& c = *certificate;
-    return {{"texel", {{"max", c.texel.max}, {"rms", c.texel.rms}}},
-            {"lookup", {{"max", c.lookup.max}, {"rms", c.lookup.rms}}},
-            {"reference", c.reference},
-            {"points", c.lookup_points},
-            {"texel_points", c.texel_points},
-            {"scale", c.scale},
-            {"worst", c.worst},
-            {"advice", c.advice}};
+    Json json = {{"texel", {{"max", c.texel.max}, {"rms", c.texel.rms}}},
+                 {"lookup", {{"max", c.lookup.max}, {"rms", c.lookup.rms}}},
+                 {"reference", c.reference},
+                 {"points", c.lookup_points},
+                 {"texel_points", c.texel_points},
+                 {"scale", c.scale},
+                 {"worst", c.worst},
+                 {"advice", c.advice}};
+    if (c.sky) {
+        json["sky"] = {{"median", c.sky->median},
+                       {"ninth_decile", c.sky->ninth_decile},
+                       {"max", c.sky->max},
+                       {"points", c.sky->points},
+                       {"reference", c.sky->reference}};
+    }
+    return json;
 }
 
 Json to_json(const Probe& probe) {

@@ -109,6 +109,11 @@ std::string error_line(const std::optional<Certificate>& certificate) {
         c.texel.max, c.texel.rms, c.texel_points, c.lookup.max, c.lookup.rms, c.lookup_points,
         c.reference, c.scale);
     if (!c.worst.empty()) line += fmt::format("; worst at {}", c.worst);
+    if (c.sky) {
+        line += fmt::format(
+            "; sky made with it median {} ninth decile {} max {} ({} values), reference: {}",
+            c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->points, c.sky->reference);
+    }
     return line;
 }
 

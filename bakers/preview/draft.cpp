@@ -38,6 +38,17 @@ struct Reduce {
         reduce_table(table, {32, 32});
         table.max_texel_error = std::max(table.max_texel_error, 0.02);
     }
+    void operator()(config::SkyViewBake& table) const {
+        table.size = {std::min(table.size[0], 96), std::min(table.size[1], 54)};
+    }
+    void operator()(config::IrradianceBake& table) const {
+        table.size = {std::min(table.size[0], 32), std::min(table.size[1], 16)};
+        table.max_texel_error = std::max(table.max_texel_error, 0.02);
+    }
+    void operator()(config::AerialPerspectiveBake& volume) const {
+        for (int& edge : volume.size) edge = std::min(edge, 16);
+        volume.mips = 1;
+    }
     void operator()(config::NoiseVolumeBake& volume) const {
         volume.size = reduced(volume.size);
         volume.mips = 1;

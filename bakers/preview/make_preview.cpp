@@ -9,6 +9,7 @@
 #include "bakers/preview/cloud_input.h"
 #include "bakers/preview/cloud_pictures.h"
 #include "bakers/preview/noise_pictures.h"
+#include "bakers/preview/sky_asset_pictures.h"
 #include "bakers/preview/sky_pictures.h"
 #include "bakers/preview/table_pictures.h"
 
@@ -99,6 +100,7 @@ class Preview {
                                    [&] { return cloud_pictures(cloud, options_.threads); });
         }
         return encoder_.encode(key_of(asset), [&] {
+            if (asset.entry.kind == "aerial_perspective") return aerial_pictures(asset);
             return asset.entry.is_volume() ? noise_pictures(asset) : table_pictures(asset);
         });
     }

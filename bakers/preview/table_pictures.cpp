@@ -15,6 +15,7 @@
 #include "bakers/core/bilinear.h"
 #include "bakers/preview/chart.h"
 #include "bakers/preview/field_scaling.h"
+#include "bakers/preview/sky_asset_pictures.h"
 #include "bakers/preview/table_geometry.h"
 #include "bakers/preview/tone_curve.h"
 
@@ -326,6 +327,8 @@ class TablePictures {
 }  // namespace
 
 std::vector<PreviewPicture> table_pictures(const PreviewAsset& asset) {
+    if (asset.entry.kind == "sky_view") return sky_view_pictures(asset);
+    if (asset.entry.kind == "irradiance") return irradiance_pictures(asset);
     const bool known =
         asset.entry.kind == "transmittance" || asset.entry.kind == "multiple_scattering";
     const Image2<float>& table = asset.table;

@@ -1,5 +1,7 @@
 #include "bakers/report/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -110,6 +112,16 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     return outcome;
 }
 
+// Assets that have no variants to compare: their certificates say what they reach.
+Outcome<AssetReport> nothing_to_compare(const Bake& bake) {
+    AssetReport report;
+    report.name = bake.name;
+    report.kind = baker_of(bake).asset;
+    report.notes.push_back(
+        fmt::format("no variants of {} are compared: `bake` measures its errors", report.kind));
+    return {std::move(report), {}};
+}
+
 }  // namespace
 
 Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake,
@@ -123,7 +135,11 @@ Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake
     if (std::holds_alternative<config::OccupancyBake>(bake.asset)) {
         return report_occupancy(recipe, bake, options);
     }
-    return report_table_asset(recipe, bake, options);
+    if (std::holds_alternative<TransmittanceBake>(bake.asset) ||
+        std::holds_alternative<MultipleScatteringBake>(bake.asset)) {
+        return report_table_asset(recipe, bake, options);
+    }
+    return nothing_to_compare(bake);
 }
 
 }  // namespace skybake

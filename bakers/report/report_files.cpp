@@ -8,6 +8,7 @@
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/report/report_plot.h"
 #include "bakers/report/report_text.h"
+#include "bakers/report/sky_truth_store.h"
 
 namespace skybake {
 
@@ -44,7 +45,10 @@ std::vector<std::string> report_file_names(const std::vector<std::string>& asset
 }
 
 bool is_report_text(std::string_view name, std::string_view text) {
-    if (name.ends_with(".csv")) return text.starts_with("asset,family,variant,baseline,");
+    if (name.ends_with(".csv")) {
+        return text.starts_with("asset,family,variant,baseline,") ||
+               text.starts_with("method,family,variant,baseline,") || is_stored_sky_truth(text);
+    }
     if (name.ends_with(".json"))
         return text.starts_with("{\n  \"report\": {\n    \"tool\": \"skybake\"");
     return text.find("<!-- skybake report -->") < kSignLength;

@@ -22,7 +22,8 @@ std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets);
 // Their names, before the report is made.
 std::vector<std::string> report_file_names(const std::vector<std::string>& assets);
 
-// Whether a text that stands under such a name was written by report_files.
+// Whether a text that stands under such a name was written by report_files, or under the like by
+// `report --truth`.
 bool is_report_text(std::string_view name, std::string_view text);
 
 // E0303 for each file of these names that is in the folder and is not a report's.

@@ -4,29 +4,31 @@
 #include <vector>
 
 #include "bakers/atmosphere/medium.h"
+#include "bakers/scattering/light_field.h"
 #include "bakers/scattering/sun_axis.h"
 
 namespace skybake {
 
 struct SolvedLight {
-    int degree = 0;
     int channels = 0;
     std::vector<double> altitudes_km;  // ascending, from the ground to the top
     SunAxis suns;
-    // Light scattered or reflected once and more, 1/sr times sr^(1/2) (light_moments.h):
-    // moments[((level * suns.count + sun) * moment_count(degree) + lm) * channels + channel].
-    std::vector<double> moments;
-    // Irradiance of the ground by the sky, without the sun: sky_irradiance[sun * channels + c].
-    std::vector<double> sky_irradiance;
+    // 1 for the stencils (by their first column) in which light falls too fast for cubics.
+    std::vector<double> steep;
+    LightField light;  // scattered or reflected once and more, for a solar irradiance of 1
 
-    int iterations = 0;
-    double left_out = 0;  // bound of what further orders would add, as a share of the light
+    int applications = 0;  // of one more order
+    double left_out = 0;   // bound of what further orders would add, as a share of the light
 
-    // Between the grid's points, by cubics: values[lm * channels + channel].
+    int degree() const { return light.degree; }
+    // Weights of the columns around a sun.
+    SunStencil stencil(double sun_cos_zenith) const;
+    // Moments between the grid's points: values[lm * kMaxChannels + channel].
     void moments_at(double altitude_km, double sun_cos_zenith, double* values) const;
-    Spectrum sky_irradiance_at(double sun_cos_zenith) const;
     // L_00 / sqrt(4 pi): what Hillaire's texture stands for.
     Spectrum mean_radiance_at(double altitude_km, double sun_cos_zenith) const;
+    // Irradiance of level ground by the sky, without the sun.
+    Spectrum sky_irradiance_at(double sun_cos_zenith) const;
 };
 
 }  // namespace skybake

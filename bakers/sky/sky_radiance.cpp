@@ -37,18 +37,6 @@ Spectrum SkyRadiance::total() const {
     return sum;
 }
 
-struct SkyIntegrator::Ray {
-    double altitude_km;
-    double r_km;
-    double sun_s_km;  // r mu_s at the camera
-    double sun_cos_zenith;
-    SkyDirection direction;
-    double s_km;
-    double length_km;
-    bool hits_ground;
-    std::vector<double> phases;  // of each layer
-};
-
 struct SkyIntegrator::Piece {
     double from_km;
     double to_km;
@@ -72,28 +60,28 @@ Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
     return value;
 }
 
-Spectrum SkyIntegrator::depth_km(const Ray& ray, double distance_km) const {
-    return optical_depth_along(medium_.air, ray.altitude_km, ray.direction.mu, distance_km);
+Spectrum SkyIntegrator::depth_km(const SkyRay& ray, double distance_km) const {
+    const double r = shell_.ground_radius_km + ray.altitude_km;
+    return optical_depth_along(medium_.air, ray.altitude_km, ray.s_km / r, distance_km);
 }
 
-// After `distance_km` of a ray, at an altitude where r mu_s = `sun_s_km`.
-ScatteringPoint SkyIntegrator::scattering_point(const Ray& ray, double altitude_km, double sun_s_km,
-                                                double distance_km) const {
-    const double r = shell_.ground_radius_km + altitude_km;
+ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double altitude_km,
+                                 double sun_s_km, double distance_km) {
+    const double r = shell.ground_radius_km + altitude_km;
     ScatteringPoint point;
     point.altitude_km = altitude_km;
     point.sun_cos_zenith = std::clamp(sun_s_km / r, -1.0, 1.0);                   // rounding
     point.view_cos_zenith = std::clamp((ray.s_km + distance_km) / r, -1.0, 1.0);  // rounding
     const double sines = std::sqrt((1 - point.sun_cos_zenith) * (1 + point.sun_cos_zenith) *
                                    (1 - point.view_cos_zenith) * (1 + point.view_cos_zenith));
-    const double along = ray.direction.cosine_to_sun - point.sun_cos_zenith * point.view_cos_zenith;
+    const double along = ray.cosine_to_sun - point.sun_cos_zenith * point.view_cos_zenith;
     // A vertical view or sun has no azimuth, and what depends on it vanishes with the sines.
     point.azimuth_cosine = std::fabs(along) < sines ? along / sines : std::copysign(1.0, along);
     return point;
 }
 
 // Ascending, with both ends.
-std::vector<double> SkyIntegrator::cuts_km(const Ray& ray) const {
+std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
     std::vector<double> cuts;
     for (const RayBreak& at :
          ray_breaks(shell_, ray.altitude_km, ray.s_km, ray.length_km, break_altitudes_km_)) {
@@ -101,9 +89,9 @@ std::vector<double> SkyIntegrator::cuts_km(const Ray& ray) const {
     }
     // The sun's ray through P grazes altitude k where |P|^2 - (P . sun)^2 = (R + k)^2 and the sun
     // is below the horizontal there; k = 0 is the edge of the shadow.
-    const double nu = ray.direction.cosine_to_sun;
-    const double a = ray.direction.one_minus_cosine * ray.direction.one_plus_cosine;
-    const double b = ray.r_km * (ray.direction.mu - ray.sun_cos_zenith * nu);
+    const double nu = ray.cosine_to_sun;
+    const double a = ray.one_minus_cosine * ray.one_plus_cosine;
+    const double b = ray.s_km - ray.sun_s_km * nu;
     for (const double altitude : break_altitudes_km_) {
         const double gain = ray.altitude_km - altitude;
         // r^2 - (R + k)^2 - (r mu_s)^2.
@@ -120,8 +108,16 @@ std::vector<double> SkyIntegrator::cuts_km(const Ray& ray) const {
     return cuts;
 }
 
-void SkyIntegrator::add_piece(const Ray& ray, const Piece& piece, int halvings,
-                              SkyRadiance& sum) const {
+std::vector<double> SkyIntegrator::phases(const SkyRay& ray) const {
+    std::vector<double> values;
+    for (const SkyLayer& layer : medium_.layers) {
+        values.push_back(phase_value(layer.phase, ray.one_minus_cosine, ray.one_plus_cosine));
+    }
+    return values;
+}
+
+void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<double>& phases,
+                              const Piece& piece, int halvings, SkyRadiance& sum) const {
     const auto channels = static_cast<std::size_t>(medium_.air.channels);
     bool lit = false;
     double depth = 0;
@@ -134,8 +130,10 @@ void SkyIntegrator::add_piece(const Ray& ray, const Piece& piece, int halvings,
     if (depth > kLargestDepth && halvings < kMostHalvings) {
         const double middle = 0.5 * (piece.from_km + piece.to_km);
         const Spectrum depth_middle = depth_km(ray, middle);
-        add_piece(ray, {piece.from_km, middle, piece.depth_from, depth_middle}, halvings + 1, sum);
-        add_piece(ray, {middle, piece.to_km, depth_middle, piece.depth_to}, halvings + 1, sum);
+        add_piece(ray, phases, {piece.from_km, middle, piece.depth_from, depth_middle},
+                  halvings + 1, sum);
+        add_piece(ray, phases, {middle, piece.to_km, depth_middle, piece.depth_to}, halvings + 1,
+                  sum);
         return;
     }
     const double width = piece.to_km - piece.from_km;
@@ -143,7 +141,7 @@ void SkyIntegrator::add_piece(const Ray& ray, const Piece& piece, int halvings,
         const double x = piece.from_km + width * gauss_rule().nodes[i];
         const double altitude = std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, x),
                                            0.0, shell_.thickness_km);  // rounding
-        const double s = ray.sun_s_km + x * ray.direction.cosine_to_sun;
+        const double s = ray.sun_s_km + x * ray.cosine_to_sun;
         const Spectrum depth_here = depth_km(ray, x);
         const Spectrum sun = sunlight(altitude, s);
         Spectrum towards_eye{};
@@ -152,12 +150,13 @@ void SkyIntegrator::add_piece(const Ray& ray, const Piece& piece, int halvings,
             if (!medium_.layers[k].scatters) continue;
             scattering[k] = scattering_at(medium_.layers[k].alone, altitude);
             for (std::size_t c = 0; c < channels; ++c) {
-                towards_eye[c] += scattering[k][c] * ray.phases[k];
+                towards_eye[c] += scattering[k][c] * phases[k];
             }
         }
         Spectrum again{};
         if (higher_orders_) {
-            again = higher_orders_->scattered(scattering_point(ray, altitude, s, x), scattering);
+            again = higher_orders_->scattered(scattering_point(shell_, ray, altitude, s, x),
+                                              scattering);
         }
         for (std::size_t c = 0; c < channels; ++c) {
             const double weight = width * gauss_rule().weights[i] * exponential(-depth_here[c]);
@@ -180,34 +179,56 @@ Spectrum SkyIntegrator::ground_radiance(double sun_s_km) const {
 
 SkyRadiance SkyIntegrator::radiance(double altitude_km, const SunZenith& sun,
                                     const SkyDirection& direction) const {
-    Ray ray;
-    ray.altitude_km = altitude_km;
-    ray.r_km = shell_.ground_radius_km + altitude_km;
-    ray.sun_s_km = ray.r_km * sun.cosine;
-    ray.sun_cos_zenith = sun.cosine;
-    ray.direction = direction;
-    ray.s_km = ray.r_km * direction.mu;
-    ray.hits_ground = ray.s_km < -horizon_distance_km(shell_, altitude_km);
-    ray.length_km = ray.hits_ground ? distance_to_ground_km(shell_, altitude_km, ray.s_km)
-                                    : distance_to_top_km(shell_, altitude_km, ray.s_km);
-    for (const SkyLayer& layer : medium_.layers) {
-        ray.phases.push_back(
-            phase_value(layer.phase, direction.one_minus_cosine, direction.one_plus_cosine));
+    return radiance(sky_ray(shell_, altitude_km, sun, direction));
+}
+
+SkyRadiance SkyIntegrator::radiance(const SkyRay& ray) const {
+    SkyRadiance sum = up_to(ray, {ray.length_km}).front();
+    if (ray.meets_ground) {
+        sum.ground = ground_radiance(ray.sun_s_km + ray.length_km * ray.cosine_to_sun);
+        for (std::size_t c = 0; c < sum.ground.size(); ++c) sum.ground[c] *= sum.transmittance[c];
     }
+    return sum;
+}
+
+std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
+                                              const std::vector<double>& distances_km) const {
     const auto channels = static_cast<std::size_t>(medium_.air.channels);
+    std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{0};
+    cuts.insert(cuts.end(), distances_km.begin(), distances_km.end());
+    std::sort(cuts.begin(), cuts.end());
+    const std::vector<double> phase_values = phases(ray);
+    std::vector<SkyRadiance> result;
     SkyRadiance sum;
     Spectrum depth{};
-    const std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{};
+    std::size_t cut = 0;
+    for (const double distance : distances_km) {
+        for (; cuts[cut] < distance; ++cut) {
+            if (!(cuts[cut] < cuts[cut + 1])) continue;
+            const Spectrum next = depth_km(ray, cuts[cut + 1]);
+            add_piece(ray, phase_values, {cuts[cut], cuts[cut + 1], depth, next}, 0, sum);
+            depth = next;
+        }
+        for (std::size_t c = 0; c < channels; ++c) sum.transmittance[c] = exponential(-depth[c]);
+        result.push_back(sum);
+    }
+    return result;
+}
+
+SkyRadiance SkyIntegrator::between(const SkyRay& ray, double from_km, double to_km) const {
+    std::vector<double> cuts = {from_km};
+    for (const double cut : cuts_km(ray)) {
+        if (cut > from_km && cut < to_km) cuts.push_back(cut);
+    }
+    cuts.push_back(to_km);
+    const std::vector<double> phase_values = phases(ray);
+    SkyRadiance sum;
+    Spectrum depth = depth_km(ray, from_km);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         if (!(cuts[i] < cuts[i + 1])) continue;
         const Spectrum next = depth_km(ray, cuts[i + 1]);
-        add_piece(ray, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
+        add_piece(ray, phase_values, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
         depth = next;
-    }
-    for (std::size_t c = 0; c < channels; ++c) sum.transmittance[c] = exponential(-depth[c]);
-    if (ray.hits_ground) {
-        sum.ground = ground_radiance(ray.sun_s_km + ray.length_km * direction.cosine_to_sun);
-        for (std::size_t c = 0; c < channels; ++c) sum.ground[c] *= sum.transmittance[c];
     }
     return sum;
 }

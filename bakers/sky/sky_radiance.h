@@ -22,6 +22,7 @@
 #include "bakers/atmosphere/sky_medium.h"
 #include "bakers/sky/higher_orders.h"
 #include "bakers/sky/sky_direction.h"
+#include "bakers/sky/sky_ray.h"
 
 namespace skybake {
 
@@ -43,23 +44,39 @@ class SkyIntegrator {
     SkyRadiance radiance(double altitude_km, const SunZenith& sun,
                          const SkyDirection& direction) const;
 
+    // The same along any ray.
+    SkyRadiance radiance(const SkyRay& ray) const;
+
+    // What has come along the ray from its beginning up to each of `distances_km`, which ascend
+    // in [0, length]: without the ground.
+    std::vector<SkyRadiance> up_to(const SkyRay& ray,
+                                   const std::vector<double>& distances_km) const;
+
+    // Light scattered between two distances as it leaves the ray's beginning, without the ground.
+    SkyRadiance between(const SkyRay& ray, double from_km, double to_km) const;
+
+    // What the ground sends up, in 1/sr, where r mu_s = `sun_s_km`.
+    Spectrum ground_radiance(double sun_s_km) const;
+
     // Transmittance to the sun at a point where r mu_s = `s_km`; 0 in the planet's shadow.
     Spectrum sunlight(double altitude_km, double s_km) const;
 
   private:
-    struct Ray;
     struct Piece;
-    std::vector<double> cuts_km(const Ray& ray) const;
-    Spectrum depth_km(const Ray& ray, double distance_km) const;
-    ScatteringPoint scattering_point(const Ray& ray, double altitude_km, double sun_s_km,
-                                     double distance_km) const;
-    void add_piece(const Ray& ray, const Piece& piece, int halvings, SkyRadiance& sum) const;
-    Spectrum ground_radiance(double sun_s_km) const;
+    std::vector<double> cuts_km(const SkyRay& ray) const;
+    Spectrum depth_km(const SkyRay& ray, double distance_km) const;
+    std::vector<double> phases(const SkyRay& ray) const;
+    void add_piece(const SkyRay& ray, const std::vector<double>& phases, const Piece& piece,
+                   int halvings, SkyRadiance& sum) const;
 
     const SkyMedium& medium_;
     const HigherOrders* higher_orders_;
     Shell shell_;
     std::vector<double> break_altitudes_km_;
 };
+
+// A point of a ray after `distance_km`, at an altitude where r mu_s = `sun_s_km`.
+ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double altitude_km,
+                                 double sun_s_km, double distance_km);
 
 }  // namespace skybake

@@ -12,9 +12,9 @@ recipes=(earth tiny_planet dense_earth)
 bake() {
     local folder=$1 recipe
     shift
-    for recipe in "${recipes[@]}" noise clouds; do
+    for recipe in "${recipes[@]}" noise clouds sky; do
         mkdir -p "$folder"
-        if [[ $recipe == noise || $recipe == clouds ]]; then
+        if [[ $recipe == noise || $recipe == clouds || $recipe == sky ]]; then
             "${recipe}_recipe" >"$folder/$recipe.toml"
         else
             printf 'preset = "%s"\n[bake.transmittance]\nsize = [64, 16]\n[bake.depth]\nasset = "transmittance"\ncontent = "optical_depth"\nsize = [33, 9]\n[bake.multiple_scattering]\nsize = [16, 8]\nmapping = "twilight"\nmax_texel_error = "2 %%"\n' \
@@ -22,6 +22,20 @@ bake() {
         fi
         "$@" bake "$folder/$recipe.toml" -o "$folder/$recipe" -q >/dev/null
     done
+}
+
+# All orders solved, and what sees them; no finer solution to measure against.
+sky_recipe() {
+    cat <<'TOML'
+preset = "mars"
+[bake.moments]
+asset = "multiple_scattering"
+method = "solved"
+content = "moments"
+size = [16, 8]
+[bake.sky_view]
+size = [11, 9]
+TOML
 }
 
 # Every kernel of noise, wide cells and narrow ones, sizes that no vector divides, every format.
@@ -142,7 +156,7 @@ TOML
 # same A B: every file equal, wall times in the manifest aside
 same() {
     local recipe file
-    for recipe in "${recipes[@]}" noise clouds; do
+    for recipe in "${recipes[@]}" noise clouds sky; do
         diff <(cd "$1/$recipe" && ls) <(cd "$2/$recipe" && ls)
         for file in "$1/$recipe"/*; do
             [[ $file == */manifest.json ]] || cmp "$file" "$2/$recipe/${file##*/}"

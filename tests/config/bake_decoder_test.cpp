@@ -38,6 +38,8 @@ TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
         if (asset == "noise_volume") keys = "noise = 'n'\n";
         if (asset == "cloud_volume") keys = "cloud = 'c'\nsize = [16, 16, 16]\n";
         if (asset == "occupancy") keys = "of = 'v'\n";
+        if (asset == "sky_view") keys = "sun_elevations = '30 deg'\n";
+        if (asset == "aerial_perspective") keys = "sun_elevation = '30 deg'\n";
         const Recipe recipe = bake(
             "[noise.n.channels.Y]\ntype = 'perlin'\n[clouds.c]\nnoise = 'n'\n"
             "extent = ['1 m', '1 m', '1 m']\n[bake.v]\nasset = 'cloud_volume'\n"
@@ -85,8 +87,8 @@ TEST(BakeDecoder, RefusesUnknownAssets) {
     EXPECT_EQ(diagnostics[0].where.column, 7);
     EXPECT_EQ(diagnostics[1].code, "E0118");
     EXPECT_EQ(diagnostics[1].label,
-              "`asset` is one of transmittance, multiple_scattering, noise_volume, cloud_volume, "
-              "occupancy");
+              "`asset` is one of transmittance, multiple_scattering, sky_view, aerial_perspective, "
+              "irradiance, noise_volume, cloud_volume, occupancy");
     EXPECT_EQ(diagnostics[1].where.line, 4);
     EXPECT_EQ(diagnostics[2].code, "E0103");
 }

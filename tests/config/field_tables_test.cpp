@@ -102,6 +102,40 @@ TEST(FieldTables, ChoicesStandInTheOrderOfTheirEnumerations) {
               static_cast<int>(MultipleScatteringMethod::converged));
     EXPECT_EQ(scattering("method", "as_in_paper"),
               static_cast<int>(MultipleScatteringMethod::as_in_paper));
+    EXPECT_EQ(scattering("method", "solved"), static_cast<int>(MultipleScatteringMethod::solved));
+    EXPECT_EQ(scattering("content", "hillaire"),
+              static_cast<int>(MultipleScatteringContent::hillaire));
+    EXPECT_EQ(scattering("content", "fitted"), static_cast<int>(MultipleScatteringContent::fitted));
+    EXPECT_EQ(scattering("content", "moments"),
+              static_cast<int>(MultipleScatteringContent::moments));
+}
+
+TEST(FieldTables, ChoicesOfTheSkyStandInTheOrderOfTheirEnumerations) {
+    using Names = std::vector<std::string_view>;
+    const auto names = [](std::string_view asset, std::string_view key) {
+        return choice_names(*find_field(*find_section("bake.*", asset), key));
+    };
+    const auto at = [](const Names& all, auto enumerator) {
+        return all[static_cast<std::size_t>(enumerator)];
+    };
+    for (const char* asset : {"sky_view", "aerial_perspective", "irradiance"}) {
+        const Names orders = names(asset, "orders");
+        EXPECT_EQ(at(orders, SkyOrders::all), "all");
+        EXPECT_EQ(at(orders, SkyOrders::single), "single");
+        EXPECT_EQ(at(orders, SkyOrders::multiple), "multiple");
+    }
+    const Names irradiance = names("irradiance", "content");
+    EXPECT_EQ(at(irradiance, IrradianceContent::direct), "direct");
+    EXPECT_EQ(at(irradiance, IrradianceContent::sky), "sky");
+    EXPECT_EQ(at(irradiance, IrradianceContent::total), "total");
+    const Names aerial = names("aerial_perspective", "content");
+    EXPECT_EQ(at(aerial, AerialContent::in_scatter_and_transmittance),
+              "in_scatter_and_transmittance");
+    EXPECT_EQ(at(aerial, AerialContent::in_scatter), "in_scatter");
+    EXPECT_EQ(at(aerial, AerialContent::transmittance), "transmittance");
+    EXPECT_EQ(names("aerial_perspective", "slices"), (Names{"linear", "squared"}));
+    EXPECT_EQ(static_cast<int>(SliceSpacing::squared), 1);
+    EXPECT_EQ(names("irradiance", "mapping"), (Names{"hillaire", "twilight"}));
 }
 
 TEST(FieldTables, ChoicesOfNoisesStandInTheOrderOfTheirEnumerations) {

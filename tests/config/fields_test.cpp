@@ -11,19 +11,20 @@ TEST(Fields, FindsSectionsAndFields) {
     EXPECT_FALSE(find_field(*find_section("atmosphere"), "g"));
     ASSERT_TRUE(find_section("bake.*", "transmittance"));
     EXPECT_TRUE(find_field(*find_section("bake.*", "transmittance"), "content"));
-    EXPECT_FALSE(find_field(*find_section("bake.*", "multiple_scattering"), "content"));
+    EXPECT_FALSE(find_field(*find_section("bake.*", "multiple_scattering"), "layers"));
     EXPECT_EQ(find_section("bake.*"), nullptr);
     EXPECT_EQ(find_section("clouds"), nullptr);
 }
 
 TEST(Fields, KnowsTheTablesWithinATable) {
-    EXPECT_EQ(subtables(""),
-              (std::vector<std::string_view>{"atmosphere", "noise", "clouds", "bake", "sweep"}));
+    EXPECT_EQ(subtables(""), (std::vector<std::string_view>{"atmosphere", "scene", "noise",
+                                                            "clouds", "bake", "sweep"}));
     EXPECT_EQ(subtables("atmosphere"), (std::vector<std::string_view>{"layers"}));
     EXPECT_TRUE(subtables("atmosphere.layers.*").empty());
     EXPECT_EQ(subtables("noise.*"), (std::vector<std::string_view>{"channels"}));
     EXPECT_EQ(asset_names(),
-              (std::vector<std::string_view>{"transmittance", "multiple_scattering", "noise_volume",
+              (std::vector<std::string_view>{"transmittance", "multiple_scattering", "sky_view",
+                                             "aerial_perspective", "irradiance", "noise_volume",
                                              "cloud_volume", "occupancy"}));
 }
 

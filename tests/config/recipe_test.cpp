@@ -103,6 +103,10 @@ const std::vector<Fault> faults = {
      perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 99999, count = 99999 }\n"
               "\"noise.n.size\" = [[8, 8, 8], [4, 4, 4]]",
      5, 1, 14, "at most 100000"},
+    {"E0138",
+     "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
+     "orders = \"single\"\nlayers = [\"mei\"]",
+     5, 10, 7, "did you mean `mie`?"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 

@@ -216,6 +216,45 @@ inline void check_asset(const OccupancyBake& asset, const Parameters& parameters
     require(contents == 1 || contents == 3 || contents == 4, "contents make a picture");
 }
 
+inline bool is_elevation(Angle angle) { return within(angle.radians, -1.571, 1.571); }
+
+inline void check_layers(const std::vector<std::string>& layers, SkyOrders orders,
+                         const Parameters& parameters) {
+    require(layers.empty() || orders == SkyOrders::single, "layers scatter once");
+    for (const std::string& name : layers) {
+        require(find_by_name(parameters.atmosphere.layers, name) != nullptr,
+                "its layers are there");
+    }
+}
+
+inline void check_asset(const SkyViewBake& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    require(!asset.sun_elevations.empty() && asset.sun_elevations.size() <= 64, "suns");
+    for (const Angle sun : asset.sun_elevations) require(is_elevation(sun), "a sun's elevation");
+    require(within(asset.altitude.meters, 0, 1e12), "camera above the ground");
+    check_layers(asset.layers, asset.orders, parameters);
+    for (const int texels : asset.size) require(texels >= 1 && texels <= 16384, "size in range");
+}
+
+inline void check_asset(const IrradianceBake& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    check_layers(asset.layers, asset.orders, parameters);
+    for (const int texels : asset.size) require(texels >= 1 && texels <= 16384, "size in range");
+}
+
+inline void check_asset(const AerialPerspectiveBake& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    require(parameters.wavelengths.size() == 3 ||
+                asset.content != AerialContent::in_scatter_and_transmittance,
+            "channels make a picture");
+    require(is_elevation(asset.sun_elevation) && is_elevation(asset.pitch), "elevations in range");
+    require(asset.fov.radians > 0 && asset.fov.radians < 3.142, "a field of view");
+    require(within(asset.aspect, 1e-3, 1e3), "aspect in range");
+    require(within(asset.view_distance.meters, 1e-3, 1e12), "distance in range");
+    check_layers(asset.layers, asset.orders, parameters);
+    check_files(asset, asset.size);
+}
+
 template <class Asset>
 void check_asset(const Asset& asset, const Parameters& parameters) {
     require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");

@@ -62,6 +62,49 @@ def check_volume(asset, table):
             assert row["file_bytes"] == voxel * row["width"] * row["height"] * row["depth"], row
 
 
+def check_truth(program, folder):
+    """The sky against path tracing: what it writes, and that truth is taken from the cache."""
+    cache = folder / "cache"
+    few = ["--truth", "--truth-paths", "64", "--cache-dir", str(cache), "-o", str(folder / "sky")]
+    run = report(program, folder, *few)
+    assert run.returncode == 0, run.stderr
+    assert "baseline: Hillaire 2020" in run.stdout and "degree 8" in run.stdout, run.stdout
+    sky = folder / "sky"
+    result = json.loads((sky / "sky_error.json").read_text())
+    methods = [row["method"] for row in result["rows"]]
+    assert result["mean_paths"] == 64 and result["directions"] == 178, result
+    pictures = sorted(f"sky_error_{method}.png" for method in methods[:-1])
+    assert sorted(path.name for path in sky.iterdir()) == sorted(
+        pictures + ["sky_error.csv", "sky_error.json", "sky_error.svg", "sky_truth.csv"])
+    check_svg(sky / "sky_error.svg")
+    with open(sky / "sky_error.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["method"] for row in rows] == methods + ["truth"], rows
+    for row, entry in zip(rows, result["rows"]):
+        assert None not in row and None not in row.values(), row
+        assert float(row["error_median"]) == entry["error"]["median"] > 0, row
+    (kept,) = cache.rglob("*.csv")
+    truth = (sky / "sky_truth.csv").read_bytes()
+    assert kept.read_bytes() == truth
+
+    kept.write_bytes(truth[:-1])
+    (sky / "sky_truth.csv").unlink()
+    run = report(program, folder, *few, "--json")
+    assert run.returncode == 0 and json.loads(run.stdout)["directions"] == 178, run.stderr
+    assert kept.read_bytes() == truth == (sky / "sky_truth.csv").read_bytes()
+
+    assert report(program, folder, *few, "--only", "air").returncode == 2
+    for paths in ["0", "15", "-1", "1e6", "many", "1000000001"]:
+        assert report(program, folder, "--truth", "--truth-paths", paths).returncode == 2, paths
+    assert report(program, folder, "--truth-paths", "64").returncode == 2
+    (folder / "cells.toml").write_text(RECIPE[RECIPE.index("[noise"):])
+    cells = subprocess.run([program, "report", "--truth", str(folder / "cells.toml")],
+                           capture_output=True, text=True, cwd=folder)
+    assert cells.returncode == 2 and "E0105" in cells.stderr, cells.stderr
+    (sky / "sky_truth.csv").write_text("h,sun\n")
+    assert report(program, folder, *few).returncode == 3
+
+
 def main():
     program = sys.argv[1]
     with tempfile.TemporaryDirectory() as name:
@@ -99,6 +142,7 @@ def main():
         assert report(program, folder, "--only", "water").returncode == 2
         assert report(program, folder, "-j", "none").returncode == 2
         assert report(program, folder, "-o", str(folder / "small.toml")).returncode == 3
+        check_truth(program, folder)
         (out / "air.svg").write_text("drawn by hand")
         assert report(program, folder).returncode == 3
         assert (out / "air.svg").read_text() == "drawn by hand"

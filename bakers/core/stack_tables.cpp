@@ -1,0 +1,61 @@
+#include "bakers/core/stack_tables.h"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "bakers/core/make_probe.h"
+
+namespace skybake {
+
+namespace {
+
+// Both are figures of so many points.
+void add_errors(const ErrorFigures& part, int part_points, ErrorFigures& sum, int points) {
+    sum.max = std::fmax(sum.max, part.max);
+    const double squares = sum.rms * sum.rms * points + part.rms * part.rms * part_points;
+    sum.rms = points + part_points > 0 ? std::sqrt(squares / (points + part_points)) : 0;
+}
+
+void add_certificate(const Certificate& part, Certificate& sum) {
+    if (part.lookup.max > sum.lookup.max) sum.worst = part.worst;
+    add_errors(part.texel, part.texel_points, sum.texel, sum.texel_points);
+    add_errors(part.lookup, part.lookup_points, sum.lookup, sum.lookup_points);
+    sum.texel_points += part.texel_points;
+    sum.lookup_points += part.lookup_points;
+}
+
+}  // namespace
+
+BakedTable stack_tables(std::vector<BakedTable> parts) {
+    const auto count = static_cast<int>(parts.size());
+    if (count == 1) return std::move(parts.front());
+    Image2<float> stack(parts[0].image.width, parts[0].image.height * count,
+                        parts[0].image.channels);
+    stack.texels.clear();
+    for (const BakedTable& part : parts) {
+        stack.texels.insert(stack.texels.end(), part.image.texels.begin(), part.image.texels.end());
+    }
+    // Made again, since next to a seam a lookup may take a little of the neighbour.
+    std::vector<Probe> probes;
+    for (int k = 0; k < count; ++k) {
+        for (const Probe& of_part : parts[static_cast<std::size_t>(k)].probes) {
+            Probe probe =
+                make_probe(stack, of_part.uv[0], (k + of_part.uv[1]) / count, parts[0].pixel_type);
+            probe.at = of_part.at;
+            probes.push_back(std::move(probe));
+        }
+    }
+    BakedTable table = std::move(parts.front());
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        table.range.below_normal += parts[k].range.below_normal;
+        table.range.above_range += parts[k].range.above_range;
+        table.bake_seconds += parts[k].bake_seconds;
+        add_certificate(parts[k].certificate, table.certificate);
+    }
+    table.image = std::move(stack);
+    table.probes = std::move(probes);
+    return table;
+}
+
+}  // namespace skybake

@@ -1,0 +1,36 @@
+// Ways to multiple scattering: what a sky may take for the light that was scattered before.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bakers/atmosphere/sky_medium.h"
+#include "bakers/sky/higher_orders.h"
+
+namespace skybake {
+
+struct SkyMethod {
+    std::string key;       // for file names: "solved_32x32"
+    std::string family;    // what it shares with others: "moments, solved"
+    std::string name;      // what it differs in: "degree 4"
+    std::string baseline;  // where it is from, of what others are compared with; or empty
+    // All that comes before the first view ray, from nothing but the medium, on one thread: what is
+    // timed. Null: nothing is to be made, there are no higher orders.
+    std::function<std::unique_ptr<HigherOrders>()> make;
+};
+
+// From single scattering alone to moments of degree 8. Tables are float, with bilinear lookups, as
+// a runtime has them; moments are looked up in the solver's own grid. `medium` must outlive what
+// they make.
+//
+//   single scattering
+//   as in the paper    64 directions x 20 steps, 32x32
+//   converged          the same closure by the baker's quadrature (level 9), 32x32, 64x32 twilight
+//   mean radiance      of the solution, all orders with their phases, in the same tables
+//   fitted             to the skies of cameras up to 3 km (sky/fitted_radiance.h), same tables
+//   moments            of the solution, of degree 2, 4 and 8
+std::vector<SkyMethod> sky_methods(const SkyMedium& medium);
+
+}  // namespace skybake

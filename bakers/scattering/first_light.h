@@ -1,0 +1,25 @@
+// The light that was scattered or reflected once, with every layer's true phase function: what all
+// further orders begin with.
+//
+// Along a ray of fixed azimuth sunlight is taken as linear between the fan's points, and where the
+// planet's shadow crosses a cell, up to the shadow's edge alone, where sunlight is what grazes the
+// ground: it jumps there, by a factor in thin air.
+#pragma once
+
+#include <vector>
+
+#include "bakers/atmosphere/transmittance_field.h"
+#include "bakers/scattering/light_field.h"
+#include "bakers/scattering/ray_fan.h"
+#include "bakers/scattering/sun_axis.h"
+
+namespace skybake {
+
+// The moments at the fan's level into `out` (one level of a LightField of this degree), and for
+// the ground, where `sky_irradiance` is not null, the sky's irradiance. The same bits for any
+// vector width.
+void gather_first_light(const SkyMedium& medium, const RayFan& fan,
+                        const TransmittanceField& sunlight, const SunAxis& suns, int degree,
+                        double* out, double* sky_irradiance);
+
+}  // namespace skybake

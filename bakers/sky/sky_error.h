@@ -1,0 +1,30 @@
+// What a table of multiple scattering is worth: the sky made with it against a better sky.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bakers/core/baked_table.h"
+#include "bakers/sky/sky_radiance.h"
+
+namespace skybake {
+
+struct SkySample {
+    double altitude_km = 0;
+    SunZenith sun;
+    SkyDirection direction;
+};
+
+// Cameras near the ground, suns from the zenith to 6 degrees below the horizon, views from 15
+// degrees off the zenith to half a degree above the horizon, at several azimuths.
+std::vector<SkySample> sky_samples(const Shell& shell);
+
+// Light that reaches the camera through the air: single and multiple scattering, not the ground.
+std::vector<Spectrum> sky_values(const SkyMedium& medium, const HigherOrders& higher_orders,
+                                 const std::vector<SkySample>& samples, int threads);
+
+// Of |value / reference - 1| over all samples and channels, those without light left out.
+SkyError sky_error(int channels, const std::vector<Spectrum>& values,
+                   const std::vector<Spectrum>& references);
+
+}  // namespace skybake

@@ -1,0 +1,309 @@
+#include "bakers/sky/solved_scattering_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "bakers/atmosphere/multiple_scattering_mapping.h"
+#include "bakers/core/finish_table.h"
+#include "bakers/core/stack_tables.h"
+#include "bakers/reference/path_tracer.h"
+#include "bakers/scattering/energy_balance.h"
+#include "bakers/scattering/solve_light.h"
+#include "bakers/sky/relative_error.h"
+#include "bakers/sky/scene_sun_range.h"
+#include "bakers/sky/sky_error.h"
+#include "bakers/sky/solved_orders.h"
+#include "bakers/sky/table_orders.h"
+
+namespace skybake {
+
+using config::MultipleScatteringBake;
+using config::MultipleScatteringContent;
+using config::MultipleScatteringMapping;
+
+namespace {
+
+// Moments that feed the mean radiance, and those of the sky that tables are compared with.
+constexpr int kDegree = 4;
+// What goes in and what comes out may differ by this share: ten times what Earth's do.
+constexpr double kEnergyTolerance = 0.03;
+constexpr double kMostLeftOut = 0.01;
+// Paths in each direction with --certify=full, 64 times this many in all channels.
+constexpr std::int64_t kPaths = 20000;
+
+// The sun's axis of the table: the mapping over the suns of the scene.
+struct SunColumns {
+    MultipleScatteringMapping mapping;
+    double first = 0;  // of the mapping's coordinate
+    double last = 1;
+
+    double cosine(double x) const { return sun_cos_zenith_at(mapping, first + (last - first) * x); }
+    double coordinate(double sun_cos_zenith) const {
+        return (sun_coordinate(mapping, sun_cos_zenith) - first) / (last - first);
+    }
+};
+
+SunColumns sun_columns(const MultipleScatteringBake& bake,
+                       const std::optional<config::Scene>& scene, const Shell& shell) {
+    SunColumns columns{bake.mapping};
+    if (scene) {
+        const SunRange range = scene_sun_range(*scene, shell);
+        columns.first = sun_coordinate(bake.mapping, range.lowest);
+        columns.last = sun_coordinate(bake.mapping, range.highest);
+    }
+    return columns;
+}
+
+// M_lm of solved_scattering_table.h.
+Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
+                   double sun_cos_zenith) {
+    if (l == 0) return light.mean_radiance_at(altitude_km, sun_cos_zenith);
+    std::vector<double> moments(static_cast<std::size_t>(moment_count(light.degree())) *
+                                kMaxChannels);
+    light.moments_at(altitude_km, sun_cos_zenith, moments.data());
+    Spectrum value{};
+    for (std::size_t c = 0; c < value.size(); ++c) {
+        value[c] = harmonic_norm(l, m) *
+                   moments[static_cast<std::size_t>(moment_index(l, m)) * kMaxChannels + c];
+    }
+    return value;
+}
+
+// Of all channels, on the solution's grid; 0 where there is no solution.
+double largest_moment(const SolvedLight& light, int l, int m) {
+    double largest = 0;
+    for (const double altitude_km : light.altitudes_km) {
+        for (const double cosine : light.suns.cosines) {
+            for (const double value : moment_of(light, l, m, altitude_km, cosine)) {
+                largest = std::max(largest, std::fabs(value));
+            }
+        }
+    }
+    return largest;
+}
+
+TableModel moment_model(const SolvedLight& light, const SolvedLight& finer_light, int l, int m,
+                        const SunColumns& columns, double thickness_km) {
+    TableModel model;
+    model.channels = light.channels;
+    model.lowest = l == 0 ? 0 : std::numeric_limits<double>::lowest();
+    model.highest = std::numeric_limits<double>::max();
+    model.cost_per_texel = {1};
+    const auto row = [l, m, &columns, thickness_km](const SolvedLight& from, double y,
+                                                    const std::vector<double>& x, double* values) {
+        for (const double coordinate : x) {
+            const Spectrum value =
+                moment_of(from, l, m, y * thickness_km, columns.cosine(coordinate));
+            values = std::copy_n(value.begin(), from.channels, values);
+        }
+    };
+    model.row = [row, &light](int, double y, const std::vector<double>& x, double* values) {
+        row(light, y, x, values);
+    };
+    model.reference = [row, &finer_light](double y, const std::vector<double>& x, double* values) {
+        row(finer_light, y, x, values);
+    };
+    if (l == 0) {
+        model.error = relative_error;
+    } else {
+        // Moments have both signs: their errors are shares of the largest.
+        const double largest = largest_moment(finer_light, l, m);
+        model.error = [largest](double value, double reference, double) {
+            return largest > 0 ? (value - reference) / largest : value - reference;
+        };
+    }
+    return model;
+}
+
+void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int degree,
+              double thickness_km, BakedTable& table) {
+    const bool twilight = bake.mapping == MultipleScatteringMapping::twilight;
+    const int parts = moment_count(degree);
+    table.kind = "multiple_scattering";
+    table.content =
+        "Psi (1/sr): mean radiance of all light but the sun's own, per unit of solar irradiance; "
+        "multiply by sigma_s alone";
+    if (degree > 0) {
+        table.content = fmt::format(
+            "moments M_lm (1/sr) of the light, degree {}: sigma_s chi_l M_lm P_l^m(mu) cos(m phi), "
+            "summed over l and m, is what a km of a layer scatters towards (mu, phi)",
+            degree);
+    }
+    table.mapping = twilight ? "twilight" : "hillaire";
+    const std::string formula = twilight ? "(1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "(mu_s + 1) / 2";
+    const bool cropped = columns.first > 0 || columns.last < 1;
+    table.axes[0] = {"sun_cos_zenith",
+                     cropped ? fmt::format("x = ({} - {:.17g}) / {:.17g}", formula, columns.first,
+                                           columns.last - columns.first)
+                             : "x = " + formula,
+                     "end points on texel centres", columns.cosine(0), columns.cosine(1)};
+    table.axes[1] = {"altitude_km",
+                     parts > 1 ? fmt::format("x = altitude / (R_top - R_ground) in each of {} "
+                                             "tables one below the other, (l, m) the {}-th: "
+                                             "v = (l (l + 1) / 2 + m + v of its table) / {}",
+                                             parts, "(l (l + 1) / 2 + m)", parts)
+                               : "x = altitude / (R_top - R_ground)",
+                     "end points on texel centres", 0, thickness_km};
+    table.pixel_type = bake.pixel_type;
+    table.compression = bake.compression;
+    table.certificate.reference =
+        "the same equation on a finer grid of altitudes, directions and rays";
+    table.certificate.scale = kRelativeErrorScale;
+    if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
+}
+
+SkyError measure_sky(const SkyMedium& medium, const BakedTable& table, int degree,
+                     const SunColumns& columns, const SolvedLight& finer_light,
+                     const BakeOptions& options) {
+    const double thickness_km = medium.air.thickness_km;
+    const TableOrders orders(
+        medium, table.image, degree,
+        [&columns, thickness_km](double altitude_km, double sun_cos_zenith) {
+            return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / thickness_km};
+        });
+    const std::vector<SkySample> samples = sky_samples(shell_of(medium.air));
+    const std::vector<Spectrum> values = sky_values(medium, orders, samples, options.threads);
+    std::vector<Spectrum> references;
+    std::string name;
+    if (options.certification == Certification::full) {
+        const PathTracer tracer(medium);
+        PathTracerSettings settings;
+        settings.paths = kPaths;
+        settings.include_seen_ground = false;
+        for (const SkySample& sample : samples) {
+            references.push_back(trace_paths(tracer, sample.altitude_km, sample.sun,
+                                             sample.direction, settings, options.threads)
+                                     .radiance);
+            ++settings.ray;
+        }
+        name = fmt::format("{} paths of light in each direction", kPaths);
+    } else {
+        const SolvedOrders solved(medium, finer_light, finer_light.degree());
+        references = sky_values(medium, solved, samples, options.threads);
+        name = fmt::format("all orders solved with moments to degree {}", finer_light.degree());
+    }
+    SkyError error = sky_error(medium.air.channels, values, references);
+    error.reference = std::move(name);
+    return error;
+}
+
+// E0405 where a solution is no light.
+std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
+                                              const SolvedLight& light, const std::string& name) {
+    config::Diagnostic failure;
+    failure.severity = config::Severity::error;
+    failure.code = "E0405";
+    if (!(light.left_out <= kMostLeftOut)) {
+        failure.message = fmt::format(
+            "`{}`: after {} orders {:.2g} of the light is still left out, more than {:.2g}: air so "
+            "dense is beyond method = \"solved\"",
+            name, light.applications + 1, light.left_out, kMostLeftOut);
+        return failure;
+    }
+    if (!(balance.largest_error() <= kEnergyTolerance)) {
+        failure.message = fmt::format(
+            "`{}`: of the light that enters {:.3g} is not accounted for, more than {:.3g}", name,
+            balance.largest_error(), kEnergyTolerance);
+        return failure;
+    }
+    for (int level = 0; level < light.light.levels; ++level) {
+        for (int sun = 0; sun < light.light.suns; ++sun) {
+            const double* mean = light.light.at(level, sun);
+            const double least = *std::min_element(mean, mean + kMaxChannels);
+            if (least >= 0) continue;
+            failure.message =
+                fmt::format("`{}`: light at altitude_km {:.6g}, sun_cos_zenith {:.6g} is negative",
+                            name, light.altitudes_km[static_cast<std::size_t>(level)],
+                            light.suns.cosines[static_cast<std::size_t>(sun)]);
+            return failure;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atmosphere,
+                                                   const std::optional<config::Scene>& scene,
+                                                   const MultipleScatteringBake& bake,
+                                                   const BakeOptions& options, BakedTable table) {
+    const SkyMedium medium = make_sky_medium(atmosphere);
+    const double thickness_km = medium.air.thickness_km;
+    const bool moments = bake.content == MultipleScatteringContent::moments;
+    const int degree = moments ? bake.degree : 0;
+    const SunColumns columns = sun_columns(bake, scene, shell_of(medium.air));
+    describe(bake, columns, degree, thickness_km, table);
+
+    config::Outcome<BakedTable> outcome;
+    const auto start = std::chrono::steady_clock::now();
+    SolverSettings settings;
+    settings.degree = std::max(degree, kDegree);
+    const SolvedLight light = solve_light(medium, settings, options.threads, options.progress);
+    if (options.cancelled()) return outcome;
+    table.bake_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const EnergyBalance balance = energy_balance(medium, light);
+    if (const auto failure = check_light(balance, light, table.name)) {
+        outcome.diagnostics.push_back(*failure);
+        return outcome;
+    }
+    table.details.emplace_back("method", "solved");
+    table.details.emplace_back("orders", std::to_string(light.applications + 1));
+    table.details.emplace_back("left_out", fmt::format("{:.1e}", light.left_out));
+    table.details.emplace_back("energy_error", fmt::format("{:.1e}", balance.largest_error()));
+
+    SolvedLight finer_light;
+    if (options.certification != Certification::off || bake.max_error) {
+        SolverSettings reference = finer(settings);
+        if (moments) reference.degree += 2;
+        finer_light = solve_light(medium, reference, options.threads, options.progress);
+        if (options.cancelled()) return outcome;
+    }
+
+    AccuracyRequest request;
+    request.size = bake.size;
+    request.max_error = bake.max_error;
+    request.choice = {32, 16};
+    request.quick = {32, 16};
+    request.full = {1024, 16};
+    const auto place_of = [&columns, thickness_km](double x, double y) {
+        return Place{{"altitude_km", y * thickness_km}, {"sun_cos_zenith", columns.cosine(x)}};
+    };
+    std::vector<BakedTable> parts;
+    for (int l = 0; l <= degree; ++l) {
+        for (int m = 0; m <= l; ++m) {
+            config::Outcome<BakedTable> part =
+                finish_table(moment_model(light, finer_light, l, m, columns, thickness_km), request,
+                             options, place_of, table);
+            outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
+                                       part.diagnostics.end());
+            if (!part.value) return outcome;
+            for (Probe& probe : part.value->probes) {
+                if (!moments) break;
+                probe.at.emplace_back("l", l);
+                probe.at.emplace_back("m", m);
+            }
+            parts.push_back(std::move(*part.value));
+            // The first table's size is all tables'.
+            request.size = {parts.front().image.width, parts.front().image.height};
+            request.max_error.reset();
+            table.bake_seconds = 0;
+        }
+    }
+    BakedTable stack = stack_tables(std::move(parts));
+    if (stack.certified) {
+        stack.certificate.sky = measure_sky(medium, stack, degree, columns, finer_light, options);
+        if (options.cancelled()) return outcome;
+    }
+    outcome.value = std::move(stack);
+    return outcome;
+}
+
+}  // namespace skybake

@@ -1,0 +1,235 @@
+#include "cli/report_truth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "bakers/io/atomic_file.h"
+#include "bakers/io/file_diagnostic.h"
+#include "bakers/io/output_folder.h"
+#include "bakers/preview/label.h"
+#include "bakers/preview/png_image.h"
+#include "bakers/preview/sky_error_pictures.h"
+#include "bakers/report/sky_truth_budget.h"
+#include "bakers/report/sky_truth_plot.h"
+#include "bakers/report/sky_truth_store.h"
+#include "bakers/report/sky_truth_text.h"
+#include "cli/bake_progress.h"
+#include "cli/bake_selection.h"
+#include "cli/cache_folder.h"
+#include "cli/console.h"
+#include "cli/interrupt.h"
+#include "cli/parse_arguments.h"
+#include "cli/report_output.h"
+#include "cli/sky_truth_table.h"
+#include "config/recipe.h"
+
+namespace skybake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Diagnostic;
+using config::Outcome;
+using Truth = std::vector<SkyTruth>;
+
+constexpr double kCameraAltitudeKm = 0.5;
+constexpr std::int64_t kMeanPaths = 131072;
+constexpr std::int64_t kQuickMeanPaths = 8192;
+constexpr std::int64_t kFewestPaths = 16;
+constexpr std::int64_t kMostPaths = 1'000'000'000;
+constexpr int kRepetitions = 3;
+constexpr int kQuickDomePixels = 24;
+constexpr const char* kTruthName = "sky_truth.csv";
+constexpr const char* kJsonName = "sky_error.json";
+
+struct TruthRequest {
+    config::Recipe recipe;
+    SkyMedium medium;
+    fs::path folder;
+    fs::path cache;  // empty: none
+    std::int64_t mean_paths = 0;
+    int threads = 0;
+    bool quick = false;
+    double altitude_km() const { return std::min(kCameraAltitudeKm, medium.air.thickness_km); }
+};
+
+Outcome<std::int64_t> mean_paths_of(const Invocation& invocation) {
+    if (!invocation.has("truth-paths")) {
+        return {invocation.has("quick") ? kQuickMeanPaths : kMeanPaths, {}};
+    }
+    const std::string text = invocation.value("truth-paths");
+    std::int64_t paths = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), paths);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    if (whole && paths >= kFewestPaths && paths <= kMostPaths) return {paths, {}};
+    return {{},
+            {usage_error(fmt::format("--truth-paths: `{}` is not a number of paths", text),
+                         fmt::format("{} to {}", kFewestPaths, kMostPaths))}};
+}
+
+Outcome<TruthRequest> request_of(const Invocation& invocation) {
+    if (invocation.has("only")) {
+        return {{},
+                {usage_error("--only and --truth exclude each other",
+                             "a sky is made of all of the air")}};
+    }
+    const auto paths = mean_paths_of(invocation);
+    if (!paths.value) return {{}, paths.diagnostics};
+    const auto threads = jobs_of(invocation);
+    if (!threads.value) return {{}, threads.diagnostics};
+    auto recipe = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
+    Outcome<TruthRequest> outcome;
+    outcome.diagnostics = std::move(recipe.diagnostics);
+    if (!recipe.value) return outcome;
+    if (!(recipe.value->parameters.atmosphere.top_radius.meters > 0)) {  // noises, clouds alone
+        outcome.diagnostics.push_back(file_error("E0105", invocation.arguments()[0],
+                                                 "the recipe has no [atmosphere]: it has no sky"));
+        return outcome;
+    }
+    TruthRequest request;
+    request.medium = make_sky_medium(recipe.value->parameters.atmosphere);
+    request.recipe = std::move(*recipe.value);
+    request.folder = invocation.value("output");
+    request.cache = cache_folder(invocation);
+    request.mean_paths = *paths.value;
+    request.threads = *threads.value;
+    request.quick = invocation.has("quick");
+    outcome.value = std::move(request);
+    return outcome;
+}
+
+std::string picture_name(const std::string& key) { return "sky_error_" + key + ".png"; }
+
+// PNGs carry no sign of their maker: they are a report's where its JSON is beside them.
+std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
+    auto problems = check_report_folder(
+        request.folder, {kTruthName, kJsonName, "sky_error.csv", "sky_error.svg"}, force);
+    std::error_code error;
+    if (force || !problems.empty() || fs::exists(request.folder / kJsonName, error)) {
+        return problems;
+    }
+    for (const SkyMethod& method : sky_methods(request.medium)) {
+        const fs::path path = request.folder / picture_name(method.key);
+        if (!fs::exists(path, error)) continue;
+        Diagnostic diagnostic = file_error(
+            "E0303", path.string(),
+            fmt::format("`{}` is there and is not a report of skybake's", path.string()));
+        diagnostic.label = "--force overwrites it, -o chooses another folder";
+        problems.push_back(std::move(diagnostic));
+    }
+    return problems;
+}
+
+// A cache that cannot be written to fails no report.
+std::vector<Diagnostic> keep_in_cache(const fs::path& path, const std::string& text) {
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    std::vector<Diagnostic> problems =
+        error ? std::vector{file_error("E0301", path.string(), error.message())}
+              : write_file_atomically(path, text).diagnostics;
+    for (Diagnostic& problem : problems) {
+        problem.severity = config::Severity::warning;
+        problem.code = "W0301";
+        problem.message = "the cache does not keep the traced sky: " + problem.message;
+    }
+    return problems;
+}
+
+// Kept as soon as it is there: what follows may be interrupted.
+ExitCode keep(const TruthRequest& request, const std::string& key, const Truth& truth,
+              Console& console) {
+    const std::string text = stored_sky_truth(truth, key);
+    if (!request.cache.empty()) {
+        console.report(keep_in_cache(cached_sky_truth_path(request.cache, key), text));
+    }
+    return write_report_files({{kTruthName, text}}, request.folder, console);
+}
+
+// From the cache, the folder's earlier report, or traced now.
+ExitCode find_truth(const TruthRequest& request, Truth& truth, Console& console) {
+    const auto directions = sky_truth_directions(request.altitude_km());
+    const std::string key = sky_truth_key(request.recipe, directions, request.mean_paths);
+    std::optional<Truth> found;
+    if (!request.cache.empty()) {
+        found = load_sky_truth(cached_sky_truth_path(request.cache, key), key);
+    }
+    if (!found) found = load_sky_truth(request.folder / kTruthName, key);
+    if (!found) {
+        BakeProgress progress("truth", console);
+        found = trace_sky_truth_within(request.medium, directions, request.mean_paths,
+                                       request.threads, &progress);
+    }
+    if (!found) return ExitCode::interrupted;
+    truth = std::move(*found);
+    return keep(request, key, truth, console);
+}
+
+ExitCode add_pictures(const TruthRequest& request, const std::vector<MadeSkyMethod>& methods,
+                      std::vector<ReportFile>& files, Console& console) {
+    SkyErrorPictureOptions options;
+    options.camera_altitude_km = request.altitude_km();
+    if (request.quick) options.dome_pixels = kQuickDomePixels;
+    if (auto problem = text_problem()) {  // pictures are worth having without labels, too
+        problem->severity = config::Severity::warning;
+        problem->code = "W0302";
+        console.report(std::array{*problem});
+    }
+    BakeProgress progress("sky", console);
+    for (const PreviewPicture& picture :
+         sky_error_pictures(request.medium, methods, options, request.threads, &progress)) {
+        auto png = png_bytes(picture.picture);
+        if (const ExitCode code = console.report(png.diagnostics); !png.value) return code;
+        files.push_back({picture.name + ".png", std::move(*png.value)});
+    }
+    return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode report_truth(const Invocation& invocation, Console& console) {
+    const auto request = request_of(invocation);
+    if (const ExitCode code = console.report(request.diagnostics); !request.value) return code;
+    const auto problems = check_folder(*request.value, invocation.has("force"));
+    if (!problems.empty()) return console.report(problems);
+    Truth truth;
+    if (const ExitCode code = find_truth(*request.value, truth, console); code != ExitCode::done) {
+        return code;
+    }
+    const int repetitions = request.value->quick ? 1 : kRepetitions;
+    auto methods = [&] {
+        BakeProgress progress("sky", console);
+        return make_sky_methods(sky_methods(request.value->medium), repetitions, &progress);
+    }();
+    if (!methods) return ExitCode::interrupted;
+    SkyErrorReport report = measure_sky_errors(request.value->medium, *methods, truth, repetitions,
+                                               request.value->threads);
+    report.mean_paths = request.value->mean_paths;
+    const std::string csv = sky_truth_report_csv(report);
+    const std::string json = sky_truth_report_json(report);
+    std::vector<ReportFile> files = {
+        {"sky_error.csv", csv}, {kJsonName, json}, {"sky_error.svg", sky_truth_svg(report)}};
+    if (const ExitCode code = add_pictures(*request.value, *methods, files, console);
+        code != ExitCode::done) {
+        return code;
+    }
+    if (interrupted()) return ExitCode::interrupted;
+    if (const ExitCode code = write_report_files(files, request.value->folder, console);
+        code != ExitCode::done) {
+        return code;
+    }
+    console.result(invocation.has("json")  ? json
+                   : invocation.has("csv") ? csv
+                                           : sky_truth_table(report));
+    return ExitCode::done;
+}
+
+}  // namespace skybake::cli

@@ -1,0 +1,83 @@
+// Paths a second and the standard error that they buy: Earth over black ground, the 178 directions
+// of sky_truth.h, one thread. tests/benchmarks/README.md keeps the figures reached.
+//
+// A path serves three channels. `error_squared_seconds` is the median over directions and channels
+// of (standard error / radiance)^2 times the processor time: what more paths do not change.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "bakers/reference/path_tracer.h"
+#include "bakers/reference/sky_truth.h"
+#include "config/recipe.h"
+
+namespace skybake {
+namespace {
+
+// Earth with the given g, or one of its channels alone.
+SkyMedium earth(const std::string& g, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> settings = {"atmosphere.ground_albedo=0",
+                                         "atmosphere.layers.mie.g=" + g};
+    settings.insert(settings.end(), more.begin(), more.end());
+    return make_sky_medium(config::parse_recipe("preset = \"earth\"\n", "benchmark", {}, settings)
+                               .value->parameters.atmosphere);
+}
+
+void walk_sky(benchmark::State& state, const SkyMedium& medium) {
+    constexpr std::int64_t kPaths = 4096;
+    const auto directions = sky_truth_directions(0.5);
+    std::vector<double> errors;
+    for (auto _ : state) {
+        const auto sky = trace_sky_truth(medium, directions, {1, kPaths}, 1);
+        errors.clear();
+        for (const SkyTruth& value : sky) errors.push_back(value.standard_error / value.radiance);
+    }
+    std::sort(errors.begin(), errors.end());
+    const double paths = static_cast<double>(kPaths) * static_cast<double>(directions.size());
+    const double all_paths = paths * static_cast<double>(state.iterations());
+    state.counters["paths"] = benchmark::Counter(all_paths, benchmark::Counter::kIsRate);
+    state.counters["channel_paths"] =
+        benchmark::Counter(all_paths * medium.air.channels, benchmark::Counter::kIsRate);
+    const double median = errors[errors.size() / 2];
+    const double tail = errors[errors.size() * 9 / 10];
+    state.counters["error_median"] = median;
+    state.counters["error_p90"] = tail;
+    state.counters["error_squared_seconds"] =
+        benchmark::Counter(static_cast<double>(state.iterations()) / (median * median),
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void make_tracer(benchmark::State& state) {
+    const SkyMedium medium = earth("0.8");
+    for (auto _ : state) benchmark::DoNotOptimize(PathTracer(medium));
+}
+
+}  // namespace
+}  // namespace skybake
+
+int main(int argc, char** argv) {
+    using namespace skybake;
+    const auto add = [](const std::string& name, const SkyMedium& medium) {
+        benchmark::RegisterBenchmark(name.c_str(), [medium](benchmark::State& state) {
+            walk_sky(state, medium);
+        })->Unit(benchmark::kMillisecond);
+    };
+    add("sky, three channels share paths", earth("0.8"));
+    add("sky, 680 nm alone", earth("0.8", {"wavelengths=[\"680 nm\"]",
+                                           "atmosphere.layers.rayleigh.scattering=\"5.802e-6 /m\"",
+                                           "atmosphere.layers.ozone.absorption=\"0.650e-6 /m\""}));
+    add("sky, 550 nm alone", earth("0.8", {"wavelengths=[\"550 nm\"]",
+                                           "atmosphere.layers.rayleigh.scattering=\"13.558e-6 /m\"",
+                                           "atmosphere.layers.ozone.absorption=\"1.881e-6 /m\""}));
+    add("sky, 440 nm alone", earth("0.8", {"wavelengths=[\"440 nm\"]",
+                                           "atmosphere.layers.rayleigh.scattering=\"33.1e-6 /m\"",
+                                           "atmosphere.layers.ozone.absorption=\"0.085e-6 /m\""}));
+    add("sky, g 0.95", earth("0.95"));
+    add("sky, g 0", earth("0"));
+    benchmark::RegisterBenchmark("shells and their tables", make_tracer)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,91 @@
+#include "bakers/preview/sky_asset_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include "bakers/io/metadata.h"
+#include "bakers/preview/table_pictures.h"
+#include "bakers/registry.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake {
+namespace {
+
+PreviewAsset bake_one(const std::string& section) {
+    const config::Recipe recipe = test::recipe_of("preset = 'earth'\n[bake.a]\n" + section);
+    auto baked =
+        bake_asset(recipe, recipe.parameters.bakes.at(0), {.certification = Certification::off});
+    EXPECT_TRUE(baked.value);
+    PreviewAsset asset;
+    if (auto* table = std::get_if<BakedTable>(&*baked.value)) {
+        asset.entry = describe(*table);
+        asset.table = table->image;
+        return asset;
+    }
+    const auto& volume = std::get<BakedVolume>(*baked.value);
+    asset.entry = describe(volume);
+    const VoxelBox box{{}, volume.levels[0].size};
+    const auto voxels = static_cast<std::size_t>(box.count());
+    const std::size_t channels = volume.channel_names.size();
+    std::vector<std::vector<float>> planar(channels, std::vector<float>(voxels));
+    std::vector<float*> targets;
+    for (std::vector<float>& channel : planar) targets.push_back(channel.data());
+    volume.levels[0].voxels->fill(box, targets);
+    for (std::size_t i = 0; i < voxels; ++i) {
+        for (std::size_t c = 0; c < channels; ++c) asset.voxels.push_back(planar[c][i]);
+    }
+    return asset;
+}
+
+bool is_black(const Picture& picture) {
+    return std::all_of(picture.rgb.begin(), picture.rgb.end(),
+                       [](std::uint8_t value) { return value == 0; });
+}
+
+TEST(SkyAssetPictures, ShowEachSunOfASkyViewWithItsOwnExposure) {
+    const PreviewAsset view = bake_one(
+        "asset = 'sky_view'\nsize = [8, 6]\norders = 'single'\n"
+        "sun_elevations = ['30 deg', '-4 deg']\n");
+    const auto pictures = table_pictures(view);
+    ASSERT_EQ(pictures.size(), 2u);
+    EXPECT_EQ(pictures[0].name, "a_0");
+    EXPECT_NE(pictures[1].title.find("-4 degrees"), std::string::npos);
+    EXPECT_GT(pictures[1].exposure.value_or(0), pictures[0].exposure.value_or(0));
+    for (const PreviewPicture& picture : pictures) EXPECT_FALSE(is_black(picture.picture));
+}
+
+TEST(SkyAssetPictures, ShowIrradiances) {
+    const auto pictures =
+        table_pictures(bake_one("asset = 'irradiance'\nsize = [8, 6]\ncontent = 'direct'\n"));
+    ASSERT_EQ(pictures.size(), 1u);
+    EXPECT_FALSE(is_black(pictures[0].picture));
+}
+
+TEST(SkyAssetPictures, ShowLightAndTransmittanceOfTheAir) {
+    const std::string volume =
+        "asset = 'aerial_perspective'\nsize = [4, 3, 8]\norders = 'single'\n"
+        "sun_elevation = '20 deg'\naltitude = '1 km'\n";
+    const auto both = aerial_pictures(bake_one(volume));
+    ASSERT_EQ(both.size(), 2u);
+    EXPECT_EQ(both[0].name, "a_light");
+    EXPECT_EQ(both[1].name, "a_transmittance");
+    EXPECT_EQ(aerial_pictures(bake_one(volume + "content = 'in_scatter'\n")).size(), 1u);
+    EXPECT_EQ(aerial_pictures(bake_one(volume + "content = 'transmittance'\n")).size(), 1u);
+    // One slice is shown once.
+    EXPECT_EQ(aerial_pictures(bake_one("asset = 'aerial_perspective'\nsize = [4, 3, 1]\n"
+                                       "orders = 'single'\nsun_elevation = '20 deg'\n"))
+                  .size(),
+              2u);
+}
+
+TEST(SkyAssetPictures, ShowNothingOfWhatIsIncomplete) {
+    PreviewAsset view = bake_one(
+        "asset = 'sky_view'\nsize = [8, 6]\norders = 'single'\nsun_elevations = '30 deg'\n");
+    view.table = Image2<float>(8, 5, 3);
+    EXPECT_TRUE(sky_view_pictures(view).empty());
+    EXPECT_TRUE(aerial_pictures(view).empty());
+    view.entry.parameters = "no recipe";
+    EXPECT_TRUE(sky_view_pictures(view).empty());
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,96 @@
+// Media and views that tests of the path tracer share.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bakers/core/transcendental.h"
+#include "bakers/reference/path_tracer.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake::test {
+
+inline SkyMedium sky_medium(const std::string& preset,
+                            const std::vector<std::string>& settings = {}) {
+    return make_sky_medium(
+        recipe_of("preset = \"" + preset + "\"\n", settings).parameters.atmosphere);
+}
+
+// Earth's Rayleigh and Mie layers alone, without absorption, over white ground; coefficients are
+// multiplied by `factor`.
+inline SkyMedium white_furnace(double factor, const std::string& mie_g = "0.8",
+                               const std::string& planet = "earth") {
+    const auto per_meter = [&](double value) {
+        return "\"" + std::to_string(value * factor * 1e6) + "e-6 /m\"";
+    };
+    const std::string rayleigh =
+        "[" + per_meter(5.802e-6) + ", " + per_meter(13.558e-6) + ", " + per_meter(33.1e-6) + "]";
+    const std::string mie = per_meter(3.996e-6);
+    std::vector<std::string> settings = {
+        "atmosphere.ground_albedo=1", "atmosphere.layers.rayleigh.scattering=" + rayleigh,
+        "atmosphere.layers.mie.scattering=" + mie, "atmosphere.layers.mie.extinction=" + mie,
+        "atmosphere.layers.mie.g=" + mie_g};
+    if (planet == "earth") settings.push_back("atmosphere.layers.ozone.enabled=false");
+    return sky_medium(planet, settings);
+}
+
+inline double cosine_of_degrees(double angle) { return cosine_of_pi(angle / 180); }
+inline double sine_of_degrees(double angle) { return cosine_of_pi(std::fabs(90 - angle) / 180); }
+
+struct View {
+    double altitude_km = 0;
+    SunZenith sun;
+    SkyDirection direction;
+};
+
+inline View view_at(double altitude_km, double sun_zenith, double view_zenith, double azimuth) {
+    View view;
+    view.altitude_km = altitude_km;
+    view.sun = {cosine_of_degrees(sun_zenith), sine_of_degrees(sun_zenith)};
+    view.direction = sky_direction(view.sun, cosine_of_degrees(view_zenith),
+                                   sine_of_degrees(view_zenith), cosine_of_degrees(azimuth));
+    return view;
+}
+
+inline PathTracedRadiance trace(const PathTracer& tracer, const View& view,
+                                const PathTracerSettings& settings, int threads = 1) {
+    return trace_paths(tracer, view.altitude_km, view.sun, view.direction, settings, threads);
+}
+
+inline PathTracerSettings paths(std::int64_t count, std::uint32_t ray = 0) {
+    PathTracerSettings settings;
+    settings.seed = 20;
+    settings.ray = ray;
+    settings.paths = count;
+    return settings;
+}
+
+// The largest |a - 1| in standard errors; an error too small to be seen counts as rounding of 1e-9.
+inline double furnace_deviation(const PathTracedRadiance& radiance, int channels) {
+    double worst = 0;
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+        const double error = std::fabs(radiance.radiance[c] - 1);
+        worst = std::max(worst, error / (radiance.standard_error[c] + 1e-9));
+    }
+    return worst;
+}
+
+// Differences in standard errors, summed up: chi-square and the largest.
+struct Agreement {
+    double chi_square = 0;
+    double largest = 0;
+    int count = 0;
+
+    void add(double a, double error_a, double b, double error_b) {
+        const double error = std::hypot(error_a, error_b);
+        if (a == b) return;  // both dark
+        const double z = (a - b) / error;
+        chi_square += z * z;
+        largest = std::max(largest, std::fabs(z));
+        ++count;
+    }
+    double mean() const { return chi_square / count; }
+};
+
+}  // namespace skybake::test

@@ -1,0 +1,90 @@
+// What the tests of the sky share: atmospheres, random ones among them, and light scattered before.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "bakers/sky/isotropic_orders.h"
+#include "bakers/sky/sky_light.h"
+#include "bakers/sky/sky_view_mapping.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake::test {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+inline config::Atmosphere preset_atmosphere(const std::string& name,
+                                            const std::vector<std::string>& settings = {}) {
+    return recipe_of("preset = \"" + name + "\"\n", settings).parameters.atmosphere;
+}
+
+inline double uniform(double from, double to) {
+    return from + (to - from) * *rc::gen::inRange(0, 1 << 30) / static_cast<double>(1 << 30);
+}
+
+inline double log_uniform(double from, double to) {
+    return std::exp(uniform(std::log(from), std::log(to)));
+}
+
+// One to three layers of any phase function and profile, zenith optical depths from 1e-3 to 10,
+// planets from 50 km to 1e5 km.
+inline config::Atmosphere random_atmosphere() {
+    const double radius = log_uniform(5e4, 1e8);
+    const double thickness = radius * log_uniform(1e-3, 0.3);
+    config::Atmosphere atmosphere;
+    atmosphere.ground_radius = {radius};
+    atmosphere.top_radius = {radius + thickness};
+    atmosphere.ground_albedo = {uniform(0, 1), uniform(0, 1), uniform(0, 1)};
+    const int layers = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < layers; ++i) {
+        config::Layer layer;
+        layer.name = std::string(1, static_cast<char>('a' + i));
+        layer.profile =
+            *rc::gen::inRange(0, 3) == 0 ? config::Profile::tent : config::Profile::exponential;
+        layer.scale_height = {thickness * log_uniform(0.02, 1)};
+        layer.center_altitude = {thickness * uniform(0.1, 0.6)};
+        layer.half_width = {thickness * uniform(0.05, 0.4)};
+        layer.phase = static_cast<config::Phase>(*rc::gen::inRange(0, 4));
+        layer.g = uniform(-0.8, 0.9);
+        const double column = layer.profile == config::Profile::tent ? layer.half_width.meters
+                                                                     : layer.scale_height.meters;
+        for (int c = 0; c < 3; ++c) {
+            const double extinction = log_uniform(1e-3, 10) / column;
+            layer.extinction.push_back({extinction});
+            layer.scattering.push_back({extinction * uniform(0, 1)});
+        }
+        atmosphere.layers.push_back(layer);
+    }
+    return atmosphere;
+}
+
+// The light of an atmosphere with higher orders that are smooth and cost nothing.
+class TestSky {
+  public:
+    TestSky(const config::Atmosphere& atmosphere, config::SkyOrders orders,
+            const std::vector<std::string>& layers = {})
+        : full_(make_sky_medium(atmosphere)),
+          light_(make_sky_medium(scattering_only(atmosphere, layers)), orders,
+                 std::make_unique<IsotropicOrders>(
+                     full_.air, [](double altitude_km, double sun_cos_zenith) {
+                         const double psi =
+                             0.02 * std::exp(3 * sun_cos_zenith) / (1 + 0.05 * altitude_km);
+                         return Spectrum{psi, 1.5 * psi, 2 * psi};
+                     })) {}
+
+    const SkyLight& light() const { return light_; }
+
+  private:
+    SkyMedium full_;
+    SkyLight light_;
+};
+
+// The largest value of all channels.
+inline double largest(const Spectrum& value) { return std::max({value[0], value[1], value[2]}); }
+
+}  // namespace skybake::test

@@ -1,0 +1,144 @@
+#include "bakers/sky/sky_view_table.h"
+
+#include <gtest/gtest.h>
+
+#include "bakers/core/bilinear.h"
+#include "bakers/registry.h"
+#include "tests/sky/sky_media.h"
+
+namespace skybake {
+namespace {
+
+using config::SkyOrders;
+using test::kDegree;
+using test::TestSky;
+
+config::SkyViewBake bake_of(std::array<int, 2> size, double altitude_km,
+                            const std::vector<double>& suns) {
+    config::SkyViewBake bake;
+    bake.size = size;
+    bake.altitude = {altitude_km * 1000};
+    for (const double sun : suns) bake.sun_elevations.push_back({sun * kDegree});
+    return bake;
+}
+
+config::Outcome<BakedTable> bake(const SkyLight& light, const config::SkyViewBake& asset,
+                                 Certification certification = Certification::off) {
+    BakedTable table;
+    table.name = "view";
+    table.channel_names = {"R", "G", "B"};
+    return bake_sky_view(light, asset, {.threads = 1, .certification = certification}, table);
+}
+
+TEST(SkyViewTable, HoldsWhatTheIntegratorSees) {
+    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const auto baked = bake(sky.light(), bake_of({48, 36}, 0.5, {30, -4}), Certification::quick);
+    ASSERT_TRUE(baked.value);
+    const Certificate& certificate = baked.value->certificate;
+    EXPECT_LT(certificate.texel.max, 5e-3);
+    EXPECT_LT(certificate.texel.rms, 5e-4);
+    EXPECT_LT(certificate.lookup.rms, 0.02);
+    EXPECT_EQ(certificate.texel_points, 512);
+    EXPECT_EQ(baked.value->image.height, 72);
+}
+
+TEST(SkyViewTable, StacksTheTablesOfItsSuns) {
+    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const auto both = bake(sky.light(), bake_of({8, 6}, 0.5, {30, 5}));
+    const auto second = bake(sky.light(), bake_of({8, 6}, 0.5, {5}));
+    ASSERT_TRUE(both.value && second.value);
+    const Image2<float>& stack = both.value->image;
+    const Image2<float>& alone = second.value->image;
+    EXPECT_TRUE(std::equal(alone.texels.begin(), alone.texels.end(),
+                           stack.texels.begin() + static_cast<std::ptrdiff_t>(stack.offset(0, 6))));
+    ASSERT_EQ(both.value->probes.size(), 2 * second.value->probes.size());
+    for (std::size_t i = 0; i < second.value->probes.size(); ++i) {
+        const Probe& in_stack = both.value->probes[second.value->probes.size() + i];
+        const Probe& by_itself = second.value->probes[i];
+        EXPECT_EQ(in_stack.at, by_itself.at);
+        EXPECT_NEAR(in_stack.uv[1], 0.5 + 0.5 * by_itself.uv[1], 1e-15);
+        // Next to the seam a probe of the stack allows for its neighbour.
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(in_stack.value[c], by_itself.value[c], 1e-12);
+            EXPECT_GE(in_stack.tolerance[c], (1 - 1e-9) * by_itself.tolerance[c]);
+        }
+    }
+}
+
+TEST(SkyViewTable, IsBlackWithoutAirButForTheGround) {
+    const TestSky sky(test::preset_atmosphere("vacuum", {"atmosphere.ground_albedo=0.5"}),
+                      SkyOrders::single);
+    const auto single = bake(sky.light(), bake_of({4, 4}, 1, {30, -30}));
+    ASSERT_TRUE(single.value);
+    for (const float texel : single.value->image.texels) EXPECT_EQ(texel, 0);
+    const SkyLight lit(
+        make_sky_medium(test::preset_atmosphere("vacuum", {"atmosphere.ground_albedo=0.5"})),
+        SkyOrders::all, nullptr);
+    const auto all = bake(lit, bake_of({4, 4}, 0, {30}));
+    ASSERT_TRUE(all.value);
+    EXPECT_NEAR(*all.value->image.texel(1, 0), 0.5 / std::numbers::pi * 0.5, 1e-7);
+    EXPECT_EQ(*all.value->image.texel(1, 3), 0);
+}
+
+TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
+    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    for (const std::array<int, 2> size : {std::array<int, 2>{1, 1}, {2, 2}, {3, 5}, {1, 4}}) {
+        for (const double altitude : {0.0, 1e-3, 99.9999, 100.0, 100.0001, 1000.0, 1e6}) {
+            const auto baked = bake(sky.light(), bake_of(size, altitude, {90, 0, -6, -90}));
+            ASSERT_TRUE(baked.value) << altitude;
+            for (const float texel : baked.value->image.texels) {
+                EXPECT_TRUE(std::isfinite(texel) && texel >= 0) << altitude;
+            }
+        }
+    }
+}
+
+TEST(SkyViewTable, IsContinuousWhereTheCameraMoves) {
+    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const auto view = [&](double altitude) {
+        return bake(sky.light(), bake_of({4, 8}, altitude, {20})).value->image;
+    };
+    const Image2<float> ground = view(0);
+    const Image2<float> above = view(1e-6);
+    for (std::size_t i = 0; i < ground.texels.size(); ++i) {
+        EXPECT_NEAR(ground.texels[i], above.texels[i], 2e-3 * ground.texels[i]);
+    }
+    // From above, only rays that look down see something.
+    const Image2<float> top = view(100);
+    const Image2<float> beyond = view(100 + 1e-8);
+    for (std::size_t i = 0; i < top.texels.size(); ++i) {
+        EXPECT_NEAR(top.texels[i], beyond.texels[i], 2e-3 * top.texels[i] + 1e-9);
+    }
+}
+
+TEST(SkyViewTable, SaysWhatHalfLoses) {
+    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::single);
+    config::SkyViewBake asset = bake_of({16, 16}, 0, {-12});
+    asset.pixel_type = config::PixelType::half;
+    const auto baked = bake(sky.light(), asset);
+    ASSERT_TRUE(baked.value);
+    EXPECT_GT(baked.value->range.below_normal, 0);
+    ASSERT_EQ(baked.diagnostics.size(), 1u);
+    EXPECT_EQ(baked.diagnostics[0].code, "W0201");
+}
+
+// As a recipe asks for it: one layer's single scattering, with its probes in place.
+TEST(SkyViewTable, IsBakedByARecipe) {
+    const config::Recipe recipe = test::recipe_of(
+        "preset = 'earth'\n[bake.haze]\nasset = 'sky_view'\nsize = [16, 12]\norders = 'single'\n"
+        "layers = ['mie']\nsun_elevations = ['30 deg', '5 deg']\n");
+    const auto baked = bake_table(recipe, recipe.parameters.bakes[0], {.threads = 2});
+    ASSERT_TRUE(baked.value);
+    EXPECT_EQ(baked.value->kind, "sky_view");
+    EXPECT_NE(baked.value->content.find("single scattering by mie"), std::string::npos);
+    EXPECT_NE(baked.value->parameters.find("layers = [\"mie\"]"), std::string::npos);
+    for (const Probe& probe : baked.value->probes) {
+        ASSERT_EQ(probe.at.size(), 3u);
+        std::vector<double> found(3);
+        bilinear(baked.value->image, probe.uv[0], probe.uv[1], found.data());
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(found[c], probe.value[c]);
+    }
+}
+
+}  // namespace
+}  // namespace skybake

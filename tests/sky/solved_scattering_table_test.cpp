@@ -1,0 +1,80 @@
+#include "bakers/sky/solved_scattering_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bakers/core/bilinear.h"
+#include "bakers/registry.h"
+#include "bakers/scattering/light_moments.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake {
+namespace {
+
+config::Outcome<BakedTable> bake(const std::string& settings,
+                                 Certification certification = Certification::off) {
+    const config::Recipe recipe = test::recipe_of(
+        "preset = \"earth\"\n[bake.multiple_scattering]\nmethod = \"solved\"\n" + settings);
+    BakeOptions options;
+    options.certification = certification;
+    return bake_table(recipe, recipe.parameters.bakes.front(), options);
+}
+
+BakedTable table_of(const std::string& settings, Certification certification = Certification::off) {
+    config::Outcome<BakedTable> outcome = bake(settings, certification);
+    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
+        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
+    }
+    return outcome.value.value_or(BakedTable{});
+}
+
+TEST(SolvedScatteringTable, IsDropIn) {
+    const BakedTable table = table_of("", Certification::quick);
+    EXPECT_EQ(table.image.width, 32);
+    EXPECT_EQ(table.image.height, 32);
+    EXPECT_EQ(table.axes[0].formula, "x = (mu_s + 1) / 2");
+    for (const float value : table.image.texels) EXPECT_GE(value, 0);
+    // Day is of the size of Hillaire's.
+    EXPECT_NEAR(table.image.texel(31, 0)[2], 0.07, 0.01);
+    EXPECT_LT(table.certificate.texel.max, 0.02);
+    ASSERT_TRUE(table.certificate.sky);
+    // 32 texels of linear cosines leave the terminator to chance: the median is what they hold.
+    EXPECT_LT(table.certificate.sky->median, 0.05);
+    EXPECT_GT(table.certificate.sky->points, 200);
+}
+
+TEST(SolvedScatteringTable, MomentsBeginWithTheMeanRadiance) {
+    const std::string size = "size = [24, 9]\nmapping = \"twilight\"\n";
+    const BakedTable mean = table_of(size);
+    const BakedTable moments = table_of(size + "content = \"moments\"\ndegree = 3\n");
+    EXPECT_EQ(moments.image.height, 9 * moment_count(3));
+    for (int y = 0; y < 9; ++y) {
+        for (int x = 0; x < 24; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                // Solved to the same degree, 4, at least.
+                EXPECT_EQ(moments.image.texel(x, y)[c], mean.image.texel(x, y)[c]);
+            }
+        }
+    }
+    for (const Probe& probe : moments.probes) {
+        double value[3];
+        bilinear(moments.image, probe.uv[0], probe.uv[1], value);
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(value[c], probe.value[c]);
+    }
+}
+
+// A scene's suns alone: texels are closer.
+TEST(SolvedScatteringTable, ScenesCropTheSuns) {
+    const BakedTable cropped = table_of(
+        "[scene]\naltitude = [\"0 km\", \"3 km\"]\nsun_elevation = [\"20 deg\", \"70 deg\"]\n",
+        Certification::quick);
+    EXPECT_GT(cropped.axes[0].first, 0);
+    EXPECT_LT(cropped.axes[0].last, 1);
+    // The whole axis leaves some per cent.
+    EXPECT_LT(cropped.certificate.lookup.rms, 0.004);
+    EXPECT_NE(cropped.parameters.find("scene"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace skybake
