@@ -117,7 +117,7 @@ std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
     if (force || !problems.empty() || fs::exists(request.folder / kJsonName, error)) {
         return problems;
     }
-    for (const SkyMethod& method : sky_methods(request.medium)) {
+    for (const SkyMethod& method : sky_methods(request.medium, request.quick)) {
         const fs::path path = request.folder / picture_name(method.key);
         if (!fs::exists(path, error)) continue;
         Diagnostic diagnostic = file_error(
@@ -207,7 +207,8 @@ ExitCode report_truth(const Invocation& invocation, Console& console) {
     const int repetitions = request.value->quick ? 1 : kRepetitions;
     auto methods = [&] {
         BakeProgress progress("sky", console);
-        return make_sky_methods(sky_methods(request.value->medium), repetitions, &progress);
+        return make_sky_methods(sky_methods(request.value->medium, request.value->quick),
+                                repetitions, &progress);
     }();
     if (!methods) return ExitCode::interrupted;
     SkyErrorReport report = measure_sky_errors(request.value->medium, *methods, truth, repetitions,

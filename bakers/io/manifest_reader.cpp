@@ -163,10 +163,11 @@ std::optional<Certificate> read_certificate(const Node& node) {
     certificate.scale = node["scale"].text();
     certificate.worst = node["worst"].text();
     certificate.advice = node["advice"].text();
-    if (const Node& sky = node["sky"]; !sky.is_null()) {
-        certificate.sky =
-            SkyError{sky["median"].number(), sky["ninth_decile"].number(), sky["max"].number(),
-                     sky["points"].integer<int>(0), sky["reference"].text()};
+    if (node.has("sky")) {
+        const Node sky = node["sky"];
+        certificate.sky = SkyError{sky["median"].number(), sky["ninth_decile"].number(),
+                                   sky["max"].number(), sky["points"].integer<int>(0),
+                                   sky["reference"].text()};
     }
     return certificate;
 }

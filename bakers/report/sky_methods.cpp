@@ -145,7 +145,9 @@ class SolutionItself : public HigherOrders {
 
 }  // namespace
 
-std::vector<SkyMethod> sky_methods(const SkyMedium& medium) {
+std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
+    std::vector<TableShape> shapes = {kClassic};
+    if (!quick) shapes.push_back(kTwilight);
     std::vector<SkyMethod> methods;
     methods.push_back({"single", "single scattering", "alone", "", nullptr});
     methods.push_back({key_of("as_in_paper", kClassic), "as in the paper", name_of(kClassic),
@@ -153,18 +155,18 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium) {
                            return closure(medium.air, kClassic,
                                           MultipleScatteringMethod::as_in_paper);
                        }});
-    for (const TableShape& shape : {kClassic, kTwilight}) {
+    for (const TableShape& shape : shapes) {
         methods.push_back({key_of("converged", shape), "Hillaire, converged", name_of(shape), "",
                            [&medium, shape] {
                                return closure(medium.air, shape,
                                               MultipleScatteringMethod::converged);
                            }});
     }
-    for (const TableShape& shape : {kClassic, kTwilight}) {
+    for (const TableShape& shape : shapes) {
         methods.push_back({key_of("mean_radiance", shape), "mean radiance, solved", name_of(shape),
                            "", [&medium, shape] { return mean_radiance(medium, shape); }});
     }
-    for (const TableShape& shape : {kClassic, kTwilight}) {
+    for (const TableShape& shape : shapes) {
         methods.push_back({key_of("fitted", shape), "fitted, solved", name_of(shape), "",
                            [&medium, shape] { return fitted(medium, shape); }});
     }

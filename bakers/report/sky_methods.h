@@ -22,8 +22,8 @@ struct SkyMethod {
 };
 
 // From single scattering alone to moments of degree 8. Tables are float, with bilinear lookups, as
-// a runtime has them; moments are looked up in the solver's own grid. `medium` must outlive what
-// they make.
+// a runtime has them; moments are looked up in the solver's own grid. `quick` leaves out the tables
+// of 64x32. `medium` must outlive what they make.
 //
 //   single scattering
 //   as in the paper    64 directions x 20 steps, 32x32
@@ -31,6 +31,6 @@ struct SkyMethod {
 //   mean radiance      of the solution, all orders with their phases, in the same tables
 //   fitted             to the skies of cameras up to 3 km (sky/fitted_radiance.h), same tables
 //   moments            of the solution, of degree 2, 4 and 8
-std::vector<SkyMethod> sky_methods(const SkyMedium& medium);
+std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick);
 
 }  // namespace skybake

@@ -20,8 +20,8 @@ namespace skybake {
 
 // The places of a table's texels.
 struct FitAxes {
-    std::vector<double> sun_cos_zenith_of_columns;
-    std::vector<double> altitudes_km_of_rows;  // ascending
+    std::vector<double> sun_cos_zenith_of_columns;  // both ascending
+    std::vector<double> altitudes_km_of_rows;
     // The column, a fraction between two, where a runtime looks up a cosine; beyond the table its
     // edge is taken.
     std::function<double(double sun_cos_zenith)> column_of;

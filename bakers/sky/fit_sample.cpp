@@ -15,13 +15,17 @@ namespace {
 
 SunZenith sun_of(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
 
-std::vector<SunZenith> suns_of(const SunAxis& axis, const FitScene& scene) {
+std::vector<SunZenith> suns_of(const SunAxis& axis, const FitScene& scene, int suns_per_column) {
     // Darker suns than the axis' last bring that one's light.
     const double lowest = std::max(cosine_of(scene.largest_sun_zenith), axis.darkest);
     const double highest = std::max(cosine_of(scene.smallest_sun_zenith), lowest);
     std::vector<SunZenith> suns = {sun_of(lowest)};
-    for (const double cosine : axis.cosines) {
-        if (cosine > lowest && cosine < highest) suns.push_back(sun_of(cosine));
+    for (std::size_t i = 0; i + 1 < axis.cosines.size(); ++i) {
+        for (int k = 0; k < suns_per_column; ++k) {
+            const double share = static_cast<double>(k) / suns_per_column;
+            const double cosine = (1 - share) * axis.cosines[i] + share * axis.cosines[i + 1];
+            if (cosine > lowest && cosine < highest) suns.push_back(sun_of(cosine));
+        }
     }
     if (highest > lowest) suns.push_back(sun_of(highest));
     return suns;
@@ -52,7 +56,7 @@ SkyRay FitSample::ray(const Shell& shell, const FitView& view, std::size_t index
 FitSample sample_scene(const Shell& shell, const SunAxis& axis, const FitScene& scene,
                        const FitDensity& density) {
     FitSample sample;
-    sample.suns = suns_of(axis, scene);
+    sample.suns = suns_of(axis, scene, density.suns_per_column);
     for (int i = 0; i < density.azimuths; ++i) {
         sample.azimuth_cosines.push_back(cosine_of_pi((i + 0.5) / density.azimuths));
     }

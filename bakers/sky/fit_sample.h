@@ -23,6 +23,7 @@ struct FitDensity {
     int sky_views = 7;     // zenith angles from the horizon up, Gauss' nodes
     int ground_views = 2;  // from the horizon down, where only the air before the ground counts
     int azimuths = 4;
+    int suns_per_column = 2;  // of the solution's axis
 };
 
 // Rays of one zenith angle at a camera, for all suns and azimuths.
@@ -45,8 +46,8 @@ struct FitSample {
     SkyRay ray(const Shell& shell, const FitView& view, std::size_t index) const;
 };
 
-// Cameras closest at the lowest; suns at the axis' columns within the scene's range and at its
-// ends; nodes of views closest at the horizon.
+// Cameras closest at the lowest; suns evenly between the axis' columns within the scene's range
+// and at its ends; nodes of views closest at the horizon.
 FitSample sample_scene(const Shell& shell, const SunAxis& axis, const FitScene& scene,
                        const FitDensity& density);
 

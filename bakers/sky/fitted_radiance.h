@@ -10,10 +10,10 @@
 // dusk counts as much as noon. The light of the ground itself is not fitted.
 //
 // On Earth with 64 x 32 texels and the twilight mapping the RMS error of skies that the fit has not
-// seen falls from 4.5, 3.0, 2.3 to 3.1, 1.9, 1.7 % of the mean (R, G, B, sun at 89 degrees), from
-// 6.1, 4.0, 2.5 to 3.3, 2.7, 2.2 % at 94 degrees. What is left is the light about the sun that haze
-// scatters forward: no isotropic table has it, and one of haze that scatters like air would be
-// better by a factor of 3 in red.
+// seen falls from 4.5, 3.0, 2.3 to 3.1, 1.9, 1.6 % of the mean (R, G, B, sun at 89 degrees), from
+// 6.1, 4.0, 2.5 to 3.3, 2.5, 2.0 % at 94 degrees. What is left is the light about the sun that haze
+// scatters forward, which no isotropic table has: were haze's phase that of air, it would be a
+// quarter in red.
 #pragma once
 
 #include "bakers/core/image.h"

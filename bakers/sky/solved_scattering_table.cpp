@@ -10,14 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/core/finish_table.h"
 #include "bakers/core/stack_tables.h"
 #include "bakers/reference/path_tracer.h"
 #include "bakers/scattering/energy_balance.h"
 #include "bakers/scattering/solve_light.h"
+#include "bakers/sky/fitted_table.h"
 #include "bakers/sky/relative_error.h"
-#include "bakers/sky/scene_sun_range.h"
 #include "bakers/sky/sky_error.h"
 #include "bakers/sky/solved_orders.h"
 #include "bakers/sky/table_orders.h"
@@ -32,34 +31,13 @@ namespace {
 
 // Moments that feed the mean radiance, and those of the sky that tables are compared with.
 constexpr int kDegree = 4;
+// Of the light that skies are fitted to.
+constexpr int kFitDegree = 8;
 // What goes in and what comes out may differ by this share: ten times what Earth's do.
 constexpr double kEnergyTolerance = 0.03;
 constexpr double kMostLeftOut = 0.01;
 // Paths in each direction with --certify=full, 64 times this many in all channels.
 constexpr std::int64_t kPaths = 20000;
-
-// The sun's axis of the table: the mapping over the suns of the scene.
-struct SunColumns {
-    MultipleScatteringMapping mapping;
-    double first = 0;  // of the mapping's coordinate
-    double last = 1;
-
-    double cosine(double x) const { return sun_cos_zenith_at(mapping, first + (last - first) * x); }
-    double coordinate(double sun_cos_zenith) const {
-        return (sun_coordinate(mapping, sun_cos_zenith) - first) / (last - first);
-    }
-};
-
-SunColumns sun_columns(const MultipleScatteringBake& bake,
-                       const std::optional<config::Scene>& scene, const Shell& shell) {
-    SunColumns columns{bake.mapping};
-    if (scene) {
-        const SunRange range = scene_sun_range(*scene, shell);
-        columns.first = sun_coordinate(bake.mapping, range.lowest);
-        columns.last = sun_coordinate(bake.mapping, range.highest);
-    }
-    return columns;
-}
 
 // M_lm of solved_scattering_table.h.
 Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
@@ -156,6 +134,12 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     table.certificate.reference =
         "the same equation on a finer grid of altitudes, directions and rays";
     table.certificate.scale = kRelativeErrorScale;
+    if (bake.content == MultipleScatteringContent::fitted) {
+        table.content =
+            "Psi (1/sr) for which the sky is right when it is scattered alike in all directions, "
+            "per unit of solar irradiance; multiply by sigma_s alone";
+        table.certificate.reference = "the fit before it was stored";
+    }
     if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
 }
 
@@ -238,15 +222,27 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
     const double thickness_km = medium.air.thickness_km;
     const bool moments = bake.content == MultipleScatteringContent::moments;
     const int degree = moments ? bake.degree : 0;
-    const SunColumns columns = sun_columns(bake, scene, shell_of(medium.air));
+    const SunColumns columns = sun_columns(bake.mapping, scene, shell_of(medium.air));
     describe(bake, columns, degree, thickness_km, table);
 
     config::Outcome<BakedTable> outcome;
+    const bool fitted = bake.content == MultipleScatteringContent::fitted;
+    if (fitted && bake.max_error) {
+        config::Diagnostic failure;
+        failure.code = "E0403";
+        failure.message =
+            fmt::format("`{}`: what is fitted is fitted to so many texels", table.name);
+        failure.label = "give `size` in place of `max_error`";
+        outcome.diagnostics.push_back(std::move(failure));
+        return outcome;
+    }
     const auto start = std::chrono::steady_clock::now();
     SolverSettings settings;
-    settings.degree = std::max(degree, kDegree);
+    settings.degree = fitted ? kFitDegree : std::max(degree, kDegree);
     const SolvedLight light = solve_light(medium, settings, options.threads, options.progress);
     if (options.cancelled()) return outcome;
+    Image2<double> texels;
+    if (fitted) texels = fitted_texels(medium, light, scene, columns, bake.size, options.threads);
     table.bake_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const EnergyBalance balance = energy_balance(medium, light);
@@ -280,8 +276,9 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
     for (int l = 0; l <= degree; ++l) {
         for (int m = 0; m <= l; ++m) {
             config::Outcome<BakedTable> part =
-                finish_table(moment_model(light, finer_light, l, m, columns, thickness_km), request,
-                             options, place_of, table);
+                finish_table(fitted ? fitted_model(texels)
+                                    : moment_model(light, finer_light, l, m, columns, thickness_km),
+                             request, options, place_of, table);
             outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                        part.diagnostics.end());
             if (!part.value) return outcome;

@@ -66,7 +66,7 @@ SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double 
 }
 
 Spectrum SolvedSource::scattered(double sun_cos_zenith, double azimuth_cosine) const {
-    const SunStencil stencil = sun_stencil(light_.suns, sun_cos_zenith);
+    const SunStencil stencil = light_.stencil(sun_cos_zenith);
     const auto orders = static_cast<std::size_t>(light_.degree()) + 1;
     const std::size_t column = orders * kMaxChannels;
     const double* values = values_.data() + static_cast<std::size_t>(stencil.column) * column;

@@ -135,12 +135,13 @@ std::string percents(const Spectrum& channels, int count) {
     return text;
 }
 
-// `night` is of the suns from 92 degrees on alone.
+// `night` is of the suns from 92 degrees on alone, if there are any.
 std::string line_of(const std::string& name, const std::string& time, const SkyErrorFigures& error,
                     const SkyErrorFigures& night, int channels) {
-    std::string line = fmt::format("| {} | {} | {} / {} / {} | {} / {} |", name, time,
-                                   percent(error.median), percent(error.p90), percent(error.max),
-                                   percent(night.median), percent(night.p90));
+    std::string line = fmt::format(
+        "| {} | {} | {} / {} / {} | {} |", name, time, percent(error.median), percent(error.p90),
+        percent(error.max),
+        night.dome_rms.empty() ? "" : percent(night.median) + " / " + percent(night.p90));
     for (const Spectrum& rms : error.dome_rms) line += " " + percents(rms, channels) + " |";
     return line + "\n";
 }
@@ -178,7 +179,7 @@ int run(const std::filesystem::path& folder, std::int64_t mean_paths,
             fmt::print(stderr, "{}: not a table of a sky\n", scenario.name);
             return 1;
         }
-        const auto methods = make_sky_methods(sky_methods(medium), kRepetitions, nullptr);
+        const auto methods = make_sky_methods(sky_methods(medium, false), kRepetitions, nullptr);
         std::vector<SkyTruth> night = *truth;
         std::erase_if(
             night, [](const SkyTruth& value) { return value.direction.sun_zenith_degrees < 92; });

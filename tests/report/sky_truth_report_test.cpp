@@ -143,7 +143,7 @@ TEST(SkyTruthReport, MomentsAreRightOnEarth) {
     ASSERT_TRUE(truth);
     ASSERT_EQ(truth->size(), 534u);
     const SkyMedium medium = medium_of("earth", {"atmosphere.ground_albedo=0"});
-    std::vector<SkyMethod> methods = sky_methods(medium);
+    std::vector<SkyMethod> methods = sky_methods(medium, true);
     std::erase_if(methods, [](const SkyMethod& method) {
         return method.key != "single" && method.key != "converged_32x32" &&
                method.key != "moments_4";
