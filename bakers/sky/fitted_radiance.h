@@ -12,8 +12,9 @@
 // On Earth with 64 x 32 texels and the twilight mapping the RMS error of skies that the fit has not
 // seen falls from 4.5, 3.0, 2.3 to 3.1, 1.9, 1.6 % of the mean (R, G, B, sun at 89 degrees), from
 // 6.1, 4.0, 2.5 to 3.3, 2.5, 2.0 % at 94 degrees. What is left is the light about the sun that haze
-// scatters forward, which no isotropic table has: were haze's phase that of air, it would be a
-// quarter in red.
+// scatters forward, which no isotropic table has: were haze's phase that of air, it would be less
+// than a third in red. What runtimes derive from Psi at the ground about the light that the ground
+// receives (isotropic_orders.h), too bright with E0 / 4pi already, becomes brighter.
 #pragma once
 
 #include "bakers/core/image.h"

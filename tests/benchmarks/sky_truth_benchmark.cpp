@@ -24,7 +24,7 @@ namespace skybake {
 namespace {
 
 constexpr double kAltitudeKm = 0.5;
-constexpr int kRepetitions = 3;
+constexpr int kRepetitions = 1;
 
 struct Scenario {
     std::string name;
