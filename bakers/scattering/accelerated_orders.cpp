@@ -18,6 +18,8 @@ constexpr PerChannel kMinusOne = {-1, -1, -1, -1};
 
 // Below this share of a channel's brightest light errors are shares of that.
 constexpr double kDarkest = 1e-12;
+// A night sky without a moon, as a share of the day's.
+constexpr double kStarlight = 1e-8;
 // Where directions are sought, of light darker than this share of the brightest at another
 // altitude.
 constexpr double kDeepest = 1e-3;
@@ -210,6 +212,26 @@ double mean_ratio(const LightField& sum, const LightField& added, const LightFie
     return ratio;
 }
 
+// The search resolves light down to kDarkest of the brightest; less than nothing there is rounding
+// of brighter light elsewhere, and in truth nothing that could be told.
+void drop_less_than_nothing(LightField& light) {
+    const std::size_t size = light.sun_size();
+    PerChannel brightest{};
+    for (std::size_t i = 0; i < light.moments.size(); i += size) {
+        for (std::size_t c = 0; c < kChannelSlots; ++c) {
+            brightest[c] = std::max(brightest[c], light.moments[i + c]);
+        }
+    }
+    for (std::size_t i = 0; i < light.moments.size(); i += size) {
+        for (std::size_t c = 0; c < kChannelSlots; ++c) {
+            const double mean = light.moments[i + c];
+            if (mean >= 0 || -mean > kStarlight * brightest[c]) continue;
+            for (std::size_t k = i + c; k < i + size; k += kChannelSlots) light.moments[k] = 0;
+        }
+    }
+    for (double& value : light.sky_irradiance) value = std::max(value, 0.0);
+}
+
 // Adds to sum.light what is missing by the best combination of directions that start with the
 // residual, until that is below `mean_residual` of the light on average.
 void search_directions(const NextOrder& next, LightField residual, const std::vector<double>& scale,
@@ -267,7 +289,10 @@ OrderSum sum_of_orders(const LightField& first, const NextOrder& next, const Sum
         ++sum.applications;
         add(added, kOne, sum.light);
         sum.left_out = tail_bound(sum.light, added, before);
-        if (sum.left_out <= settings.tolerance) return sum;
+        if (sum.left_out <= settings.tolerance) {
+            drop_less_than_nothing(sum.light);
+            return sum;
+        }
         std::swap(before, added);
     }
     // `before` is the last order, `added` the one before it. Orders that grow, deep in dense air,
@@ -285,6 +310,7 @@ OrderSum sum_of_orders(const LightField& first, const NextOrder& next, const Sum
         sum.left_out = largest_share(residual, scale) / (1 - ratio);
         if (sum.left_out <= settings.tolerance || sum.applications >= settings.most_applications) {
             add(residual, kOne, sum.light);
+            drop_less_than_nothing(sum.light);
             return sum;
         }
         search_directions(next, std::move(residual), scale, mean_residual,

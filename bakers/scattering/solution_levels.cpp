@@ -15,8 +15,8 @@ constexpr double kPerScaleHeight = 4;
 constexpr double kThinningScaleHeights = 2.5;
 constexpr double kOverTheShell = 8;
 constexpr double kPerPiece = 3;
-constexpr double kPerOpticalDepth = 1;
-constexpr double kMostPerOpticalDepth = 64;  // in all
+constexpr double kPerOpticalDepth = 2;
+constexpr double kMostPerOpticalDepth = 80;  // in all
 constexpr int kSamples = 64;                 // of a block, to place its levels
 
 double levels_per_km(const Medium& medium, double altitude_km) {
