@@ -12,8 +12,10 @@
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/atmosphere/transmittance_mapping.h"
 #include "bakers/core/texel_axis.h"
+#include "bakers/scattering/light_moments.h"
 #include "bakers/sky/irradiance_table.h"
 #include "bakers/sky/sky_view_mapping.h"
+#include "bakers/sky/sun_columns.h"
 #include "config/recipe.h"
 
 namespace skybake {
@@ -33,12 +35,17 @@ Coordinates texture_coordinates(const config::TransmittanceBake& bake, const She
             texture_coordinate(convention, x.x_r, size[1])};
 }
 
-Coordinates texture_coordinates(const config::MultipleScatteringBake& bake, const Shell& shell,
+// Of a stack of moments in the table of the probe's l and m.
+Coordinates texture_coordinates(const SunColumns& columns, const Shell& shell, int tables,
                                 const std::vector<int>& size, const Probe& probe) {
     constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
-    return {
-        texture_coordinate(kConvention, sun_coordinate(bake.mapping, probe.at[1].second), size[0]),
-        texture_coordinate(kConvention, probe.at[0].second / shell.thickness_km, size[1])};
+    const int part = tables == 1 ? 0
+                                 : moment_index(static_cast<int>(probe.at[2].second),
+                                                static_cast<int>(probe.at[3].second));
+    const double v =
+        texture_coordinate(kConvention, probe.at[0].second / shell.thickness_km, size[1] / tables);
+    return {texture_coordinate(kConvention, columns.coordinate(probe.at[1].second), size[0]),
+            (part + v) / tables};
 }
 
 // Of the table of the sun that the probe names: the nearest, since its angle went through degrees.
@@ -71,6 +78,12 @@ Coordinates texture_coordinates(const config::IrradianceBake& bake, const Shell&
         texture_coordinate(kConvention, irradiance_coordinate(shell, probe.at[0].second), size[1])};
 }
 
+// Looked up by the overload above.
+Coordinates texture_coordinates(const config::MultipleScatteringBake&, const Shell&,
+                                const std::vector<int>&, const Probe& probe) {
+    return probe.uv;
+}
+
 // Volumes have probes of another kind, which are texture coordinates themselves.
 Coordinates texture_coordinates(const config::VolumeFiles&, const Shell&, const std::vector<int>&,
                                 const Probe& probe) {
@@ -90,16 +103,31 @@ std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int&
     const Shell shell = {atmosphere.ground_radius.kilometers(),
                          (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000};
     const config::Bake& bake = recipe.value->parameters.bakes.front();
-    const std::size_t coordinates = std::holds_alternative<config::SkyViewBake>(bake.asset) ? 3 : 2;
+    const auto* scattering = std::get_if<config::MultipleScatteringBake>(&bake.asset);
+    const bool solved =
+        scattering && scattering->method == config::MultipleScatteringMethod::solved;
+    const int tables = solved && scattering->content == config::MultipleScatteringContent::moments
+                           ? moment_count(scattering->degree)
+                           : 1;
+    std::size_t coordinates = std::holds_alternative<config::SkyViewBake>(bake.asset) ? 3 : 2;
+    if (tables > 1) coordinates = 4;
     for (const Probe& probe : asset.probes) {
         ++checks;
         if (probe.at.size() != coordinates) {
             failures.push_back(fmt::format("a probe has not {} coordinates", coordinates));
             continue;
         }
-        const Coordinates uv = std::visit(
-            [&](const auto& of) { return texture_coordinates(of, shell, asset.size, probe); },
-            bake.asset);
+        const Coordinates uv =
+            scattering
+                ? texture_coordinates(
+                      sun_columns(scattering->mapping,
+                                  solved ? recipe.value->parameters.scene : std::nullopt, shell),
+                      shell, tables, asset.size, probe)
+                : std::visit(
+                      [&](const auto& of) {
+                          return texture_coordinates(of, shell, asset.size, probe);
+                      },
+                      bake.asset);
         if (std::fabs(uv[0] - probe.uv[0]) > 1e-9 || std::fabs(uv[1] - probe.uv[1]) > 1e-9) {
             failures.push_back(
                 fmt::format("{} {:.6g}, {} {:.6g} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",

@@ -141,7 +141,8 @@ std::vector<std::string> multiple_scattering_parameters(const Parameters&, const
         config::MultipleScatteringMethod::solved) {
         patterns.emplace_back("atmosphere.layers.*.phase");
         patterns.emplace_back("atmosphere.layers.*.g");
-        patterns.emplace_back("scene.*");
+        patterns.emplace_back("scene.altitude");
+        patterns.emplace_back("scene.sun_elevation");
     }
     return patterns;
 }
@@ -195,16 +196,12 @@ std::vector<std::string> sky_parameters(const Parameters&, const Bake&) {
     return {"wavelengths", "atmosphere.*", "atmosphere.layers.*.*"};
 }
 
-// Nothing where the light was not solved to its end.
-bool is_cancelled(const BakeOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
-
 Outcome<BakedAsset> sky_view(const Parameters& parameters, const Bake& bake,
                              const BakeOptions& options, AssetLabel label) {
     const auto& asset = std::get<config::SkyViewBake>(bake.asset);
     const SkyLight light(parameters.atmosphere, asset.orders, asset.layers, options);
-    if (is_cancelled(options)) return {};
+    if (options.cancelled()) return {};
+    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
     return as_asset(
         bake_sky_view(light, asset, options, labelled_table(parameters, std::move(label))));
 }
@@ -216,7 +213,8 @@ Outcome<BakedAsset> aerial_perspective(const Parameters& parameters, const Bake&
     const SkyLight light(parameters.atmosphere,
                          has_light ? asset.orders : config::SkyOrders::single, asset.layers,
                          options);
-    if (is_cancelled(options)) return {};
+    if (options.cancelled()) return {};
+    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
     return as_asset(bake_aerial_perspective(light, asset, options, colour_names(parameters),
                                             labelled_volume(std::move(label))));
 }
@@ -225,7 +223,8 @@ Outcome<BakedAsset> irradiance(const Parameters& parameters, const Bake& bake,
                                const BakeOptions& options, AssetLabel label) {
     const auto& asset = std::get<config::IrradianceBake>(bake.asset);
     const SkyLight light(parameters.atmosphere, orders_of(asset), asset.layers, options);
-    if (is_cancelled(options)) return {};
+    if (options.cancelled()) return {};
+    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
     return as_asset(
         bake_irradiance(light, asset, options, labelled_table(parameters, std::move(label))));
 }

@@ -73,6 +73,7 @@ constexpr std::string_view tent[] = {"tent"};
 constexpr std::string_view slab[] = {"slab"};
 constexpr std::string_view tabulated[] = {"tabulated"};
 constexpr std::string_view solved[] = {"solved"};
+constexpr std::string_view unsolved[] = {"converged", "as_in_paper"};
 constexpr std::string_view moments[] = {"moments"};
 constexpr std::string_view with_asymmetry[] = {"henyey_greenstein", "cornette_shanks"};
 
@@ -300,7 +301,9 @@ const std::array multiple_scattering_table = {
          .kind = Kind::fraction,
          .range = texel_error_range,
          .fallback = R"("0.2 %")",
-         .documentation = "error of a texel by quadrature; sets the number of nodes"},
+         .documentation = "error of a texel by quadrature; sets the number of nodes",
+         .selector = "method",
+         .selected_by = unsolved},
         &MultipleScatteringBake::max_texel_error},
     MultipleScatteringField{{.key = "mapping",
                              .kind = Kind::choice,

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/atmosphere/transmittance_mapping.h"
 #include "bakers/core/texel_axis.h"
 #include "bakers/core/transcendental.h"
@@ -89,6 +90,17 @@ config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
     tables.multiple_scattering =
         make_lookup_table(multiple_scattering.table, TexelConvention::end_points_on_texel_centres);
     tables.twilight = sun_mapping == "twilight";
+    // A scene may have cropped the sun's axis: to the cosines that the manifest gives.
+    const AxisMapping& axis = multiple_scattering.entry.axes[0];
+    const auto mapping = tables.twilight ? config::MultipleScatteringMapping::twilight
+                                         : config::MultipleScatteringMapping::hillaire;
+    const double first = sun_coordinate(mapping, axis.first);
+    const double share = sun_coordinate(mapping, axis.last) - first;
+    if (share > 0) {
+        LookupTable& table = tables.multiple_scattering;
+        table.scale_x = static_cast<float>(table.scale_x / share);
+        table.offset_x = static_cast<float>(table.offset_x - first * table.scale_x);
+    }
     outcome.value = std::move(tables);
     return outcome;
 }

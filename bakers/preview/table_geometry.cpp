@@ -5,7 +5,6 @@
 #include <numbers>
 #include <variant>
 
-#include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/atmosphere/transmittance_mapping.h"
 #include "config/recipe.h"
 
@@ -53,7 +52,12 @@ std::optional<TableGeometry> TableGeometry::of(const ManifestAsset& asset) {
         return geometry;
     }
     if (const auto* scattering = std::get_if<config::MultipleScatteringBake>(&bake)) {
-        geometry.sun_mapping_ = scattering->mapping;
+        const bool solved = scattering->method == config::MultipleScatteringMethod::solved;
+        if (solved && scattering->content == config::MultipleScatteringContent::moments) {
+            return std::nullopt;  // several tables in one
+        }
+        geometry.suns_ = sun_columns(scattering->mapping, solved ? parameters.scene : std::nullopt,
+                                     geometry.shell_);
         return geometry;
     }
     return std::nullopt;
@@ -74,8 +78,7 @@ std::array<double, 2> TableGeometry::texture_coordinates(double altitude_km,
             transmittance_coordinates(shell_, altitude_km, cosine_of(zenith_angle));
         x = {place.x_mu, place.x_r};
     } else {
-        x = {sun_coordinate(sun_mapping_, cosine_of(zenith_angle)),
-             altitude_km / shell_.thickness_km};
+        x = {suns_.coordinate(cosine_of(zenith_angle)), altitude_km / shell_.thickness_km};
     }
     return {texture_coordinate(convention_, x[0], size_[0]),
             texture_coordinate(convention_, x[1], size_[1])};
@@ -93,7 +96,7 @@ double TableGeometry::altitude_at(double y) const {
 double TableGeometry::zenith_angle(double u, double altitude_km) const {
     const double x_r = transmittance_coordinates(shell_, altitude_km, 1).x_r;
     return continued(coordinate(u, size_[0]), [&](double x) {
-        if (!is_transmittance_) return angle_of(sun_cos_zenith_at(sun_mapping_, x));
+        if (!is_transmittance_) return angle_of(suns_.cosine(x));
         return angle_of(cos_zenith_of(shell_, transmittance_ray(shell_, {x, x_r})));
     });
 }

@@ -8,6 +8,7 @@
 #include "bakers/atmosphere/ray.h"
 #include "bakers/core/texel_axis.h"
 #include "bakers/io/manifest.h"
+#include "bakers/sky/sun_columns.h"
 #include "config/parameters.h"
 
 namespace skybake {
@@ -46,7 +47,7 @@ class TableGeometry {
     bool is_transmittance_ = false;
     Shell shell_;
     TexelConvention convention_ = TexelConvention::end_points_on_texel_centres;
-    config::MultipleScatteringMapping sun_mapping_ = config::MultipleScatteringMapping::hillaire;
+    SunColumns suns_;  // of multiple scattering
     std::array<int, 2> size_{};
     std::vector<double> wavelengths_nm_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <numbers>
 
 #include "bakers/core/parallel.h"
 #include "bakers/core/transcendental.h"
@@ -22,9 +24,21 @@ SunZenith sun_at(double zenith_degrees) {
 
 }  // namespace
 
-std::vector<SkySample> sky_samples(const Shell& shell) {
+std::vector<SkySample> sky_samples(const Shell& shell, const std::optional<config::Scene>& scene) {
+    double altitude_km = kCameraShare * shell.thickness_km;
+    std::vector<double> suns(std::begin(kSunZenithDegrees), std::end(kSunZenithDegrees));
+    if (scene) {
+        altitude_km = std::min(std::clamp(altitude_km, scene->altitude[0].kilometers(),
+                                          scene->altitude[1].kilometers()),
+                               shell.thickness_km);
+        const double degrees = 180 / std::numbers::pi;
+        const double highest = 90 - scene->sun_elevation[1].radians * degrees;
+        const double lowest = 90 - scene->sun_elevation[0].radians * degrees;
+        std::erase_if(suns, [&](double zenith) { return zenith < highest || zenith > lowest; });
+        suns.insert(suns.end(), {highest, lowest});
+    }
     std::vector<SkySample> samples;
-    for (const double sun_zenith : kSunZenithDegrees) {
+    for (const double sun_zenith : suns) {
         for (const double view_zenith : kViewZenithDegrees) {
             for (const double azimuth : kAzimuthDegrees) {
                 const SunZenith sun = sun_at(sun_zenith);

@@ -1,11 +1,13 @@
 // What a table of multiple scattering is worth: the sky made with it against a better sky.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bakers/core/baked_table.h"
 #include "bakers/sky/sky_radiance.h"
+#include "config/parameters.h"
 
 namespace skybake {
 
@@ -15,9 +17,10 @@ struct SkySample {
     SkyDirection direction;
 };
 
-// Cameras near the ground, suns from the zenith to 6 degrees below the horizon, views from 15
-// degrees off the zenith to half a degree above the horizon, at several azimuths.
-std::vector<SkySample> sky_samples(const Shell& shell);
+// A camera near the ground, suns from the zenith to 6 degrees below the horizon, views from 15
+// degrees off the zenith to half a degree above the horizontal, at several azimuths; of a scene a
+// camera and suns within its ranges.
+std::vector<SkySample> sky_samples(const Shell& shell, const std::optional<config::Scene>& scene);
 
 // Light that reaches the camera through the air: single and multiple scattering, not the ground.
 std::vector<Spectrum> sky_values(const SkyMedium& medium, const HigherOrders& higher_orders,

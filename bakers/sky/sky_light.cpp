@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/scattering/solve_light.h"
+#include "bakers/sky/check_light.h"
 #include "bakers/sky/solved_orders.h"
 
 namespace skybake {
@@ -51,6 +52,11 @@ SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,
       orders_(orders),
       higher_orders_(std::move(higher_orders)),
       integrator_(medium_, higher_orders_.get()) {}
+
+std::optional<config::Diagnostic> SkyLight::problem(const std::string& name) const {
+    if (solved_.altitudes_km.empty()) return std::nullopt;
+    return check_light(energy_balance(medium_, solved_), solved_, name);
+}
 
 Spectrum SkyLight::wanted(const SkyRadiance& radiance) const {
     if (orders_ == SkyOrders::single) return radiance.single;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "bakers/core/bake_options.h"
 #include "bakers/scattering/solved_light.h"
 #include "bakers/sky/sky_radiance.h"
+#include "config/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {
@@ -27,6 +29,9 @@ class SkyLight {
 
     SkyLight(const SkyLight&) = delete;
     SkyLight& operator=(const SkyLight&) = delete;
+
+    // Why there is no light, if it was solved for and is none (check_light.h).
+    std::optional<config::Diagnostic> problem(const std::string& name) const;
 
     const SkyMedium& medium() const { return medium_; }
     const Shell& shell() const { return shell_; }

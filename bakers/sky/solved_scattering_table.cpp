@@ -15,6 +15,7 @@
 #include "bakers/reference/path_tracer.h"
 #include "bakers/scattering/energy_balance.h"
 #include "bakers/scattering/solve_light.h"
+#include "bakers/sky/check_light.h"
 #include "bakers/sky/fitted_table.h"
 #include "bakers/sky/relative_error.h"
 #include "bakers/sky/sky_error.h"
@@ -33,9 +34,6 @@ namespace {
 constexpr int kDegree = 4;
 // Of the light that skies are fitted to.
 constexpr int kFitDegree = 8;
-// What goes in and what comes out may differ by this share: ten times what Earth's do.
-constexpr double kEnergyTolerance = 0.03;
-constexpr double kMostLeftOut = 0.01;
 // Paths in each direction with --certify=full, 64 times this many in all channels.
 constexpr std::int64_t kPaths = 20000;
 
@@ -109,9 +107,11 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
         "Psi (1/sr): mean radiance of all light but the sun's own, per unit of solar irradiance; "
         "multiply by sigma_s alone";
     if (degree > 0) {
+        table.kind = "multiple_scattering_moments";
         table.content = fmt::format(
             "moments M_lm (1/sr) of the light, degree {}: sigma_s chi_l M_lm P_l^m(mu) cos(m phi), "
-            "summed over l and m, is what a km of a layer scatters towards (mu, phi)",
+            "summed over l and m, is what an eye that looks along (mu, phi) gets from a km of a "
+            "layer",
             degree);
     }
     table.mapping = twilight ? "twilight" : "hillaire";
@@ -143,16 +143,16 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
 }
 
-SkyError measure_sky(const SkyMedium& medium, const BakedTable& table, int degree,
-                     const SunColumns& columns, const SolvedLight& finer_light,
-                     const BakeOptions& options) {
+SkyError measure_sky(const SkyMedium& medium, const std::optional<config::Scene>& scene,
+                     const BakedTable& table, int degree, const SunColumns& columns,
+                     const SolvedLight& finer_light, const BakeOptions& options) {
     const double thickness_km = medium.air.thickness_km;
     const TableOrders orders(
         medium, table.image, degree,
         [&columns, thickness_km](double altitude_km, double sun_cos_zenith) {
             return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / thickness_km};
         });
-    const std::vector<SkySample> samples = sky_samples(shell_of(medium.air));
+    const std::vector<SkySample> samples = sky_samples(shell_of(medium.air), scene);
     const std::vector<Spectrum> values = sky_values(medium, orders, samples, options.threads);
     std::vector<Spectrum> references;
     std::string name;
@@ -178,40 +178,6 @@ SkyError measure_sky(const SkyMedium& medium, const BakedTable& table, int degre
     return error;
 }
 
-// E0405 where a solution is no light.
-std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
-                                              const SolvedLight& light, const std::string& name) {
-    config::Diagnostic failure;
-    failure.severity = config::Severity::error;
-    failure.code = "E0405";
-    if (!(light.left_out <= kMostLeftOut)) {
-        failure.message = fmt::format(
-            "`{}`: after {} orders {:.2g} of the light is still left out, more than {:.2g}: air so "
-            "dense is beyond method = \"solved\"",
-            name, light.applications + 1, light.left_out, kMostLeftOut);
-        return failure;
-    }
-    if (!(balance.largest_error() <= kEnergyTolerance)) {
-        failure.message = fmt::format(
-            "`{}`: of the light that enters {:.3g} is not accounted for, more than {:.3g}", name,
-            balance.largest_error(), kEnergyTolerance);
-        return failure;
-    }
-    for (int level = 0; level < light.light.levels; ++level) {
-        for (int sun = 0; sun < light.light.suns; ++sun) {
-            const double* mean = light.light.at(level, sun);
-            const double least = *std::min_element(mean, mean + kMaxChannels);
-            if (least >= 0) continue;
-            failure.message =
-                fmt::format("`{}`: light at altitude_km {:.6g}, sun_cos_zenith {:.6g} is negative",
-                            name, light.altitudes_km[static_cast<std::size_t>(level)],
-                            light.suns.cosines[static_cast<std::size_t>(sun)]);
-            return failure;
-        }
-    }
-    return std::nullopt;
-}
-
 }  // namespace
 
 config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atmosphere,
@@ -227,11 +193,11 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
 
     config::Outcome<BakedTable> outcome;
     const bool fitted = bake.content == MultipleScatteringContent::fitted;
-    if (fitted && bake.max_error) {
+    if ((fitted || moments) && bake.max_error) {
         config::Diagnostic failure;
         failure.code = "E0403";
         failure.message =
-            fmt::format("`{}`: what is fitted is fitted to so many texels", table.name);
+            fmt::format("`{}`: no size is looked for with this `content`", table.name);
         failure.label = "give `size` in place of `max_error`";
         outcome.diagnostics.push_back(std::move(failure));
         return outcome;
@@ -288,15 +254,13 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
                 probe.at.emplace_back("m", m);
             }
             parts.push_back(std::move(*part.value));
-            // The first table's size is all tables'.
-            request.size = {parts.front().image.width, parts.front().image.height};
-            request.max_error.reset();
             table.bake_seconds = 0;
         }
     }
     BakedTable stack = stack_tables(std::move(parts));
     if (stack.certified) {
-        stack.certificate.sky = measure_sky(medium, stack, degree, columns, finer_light, options);
+        stack.certificate.sky =
+            measure_sky(medium, scene, stack, degree, columns, finer_light, options);
         if (options.cancelled()) return outcome;
     }
     outcome.value = std::move(stack);

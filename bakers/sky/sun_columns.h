@@ -9,7 +9,7 @@
 namespace skybake {
 
 struct SunColumns {
-    config::MultipleScatteringMapping mapping;
+    config::MultipleScatteringMapping mapping = config::MultipleScatteringMapping::hillaire;
     double first = 0;  // of the mapping's coordinate
     double last = 1;
 

@@ -35,6 +35,7 @@ content = "moments"
 size = [16, 8]
 [bake.sky_view]
 size = [11, 9]
+sun_elevations = ["2 deg"]
 TOML
 }
 
