@@ -337,7 +337,9 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0405", "physical check failed",
         "A baked table breaks a law that it must obey, such as a transmittance above 1 or "
-        "energy from nowhere. That is a fault of skybake: please report the recipe. "
+        "energy from nowhere, or the light of all orders could not be solved for: air of an "
+        "optical depth of hundreds, phase functions of g beyond 0.95 in plenty. The latter is "
+        "beyond skybake, the rest a fault of it: please report the recipe. "
         "Nothing is written.",
         "", "", failed_check},
 

@@ -259,9 +259,10 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
     }
     BakedTable stack = stack_tables(std::move(parts));
     if (stack.certified) {
-        stack.certificate.sky =
-            measure_sky(medium, scene, stack, degree, columns, finer_light, options);
+        SkyError sky = measure_sky(medium, scene, stack, degree, columns, finer_light, options);
         if (options.cancelled()) return outcome;
+        // Where nothing scatters there is no sky to be off.
+        if (sky.points > 0) stack.certificate.sky = std::move(sky);
     }
     outcome.value = std::move(stack);
     return outcome;

@@ -1,6 +1,6 @@
 // The bakers and nothing else, for a compiler whose bytes are to be compared: building the command
 // line, sweeps and previews as well would take twice as long.
-//   bake_without_cli bake RECIPE -o FOLDER ...
+//   bake_without_cli bake RECIPE -o FOLDER [--certify=off] ...
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -43,6 +43,11 @@ int main(int argc, char** argv) {
     bake.recipe = &*recipe.value;
     bake.bakes = recipe.value->parameters.bakes;
     bake.folder = argv[4];
+    for (int i = 5; i < argc; ++i) {
+        if (std::strcmp(argv[i], "--certify=off") == 0) {
+            bake.certification = skybake::Certification::off;
+        }
+    }
     Unwatched observer;
     const auto baked = skybake::bake_folder(bake, observer);
     return baked.value ? 0 : report(baked.diagnostics);
