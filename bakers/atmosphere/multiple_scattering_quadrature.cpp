@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "bakers/atmosphere/ray_breaks.h"
+#include "bakers/atmosphere/zenith_parts.h"
 #include "bakers/core/gauss_legendre.h"
 #include "bakers/core/transcendental.h"
 
@@ -29,27 +30,6 @@ double largest_share(const Spectrum& part, const Spectrum& whole) {
         if (whole[c] > 0) share = std::max(share, part[c] / whole[c]);
     }
     return share;
-}
-
-// A range of mu, integrated with nodes that are densest at `from`.
-struct ZenithPart {
-    double from;
-    double to;
-    bool below_horizon;
-    int nodes;
-};
-
-// Below the horizon, the limb (between the horizon and the horizontal) and above. Seen from higher
-// up the limb is wider and brighter and the sky above it darker. The shares are those that gave
-// Earth's table the least error for its cost among the ones tried (tests/benchmarks/README.md).
-std::vector<ZenithPart> zenith_parts(double horizon, double height, const QuadratureLevel& level) {
-    const auto share = [&](double part) {
-        return std::max(2, static_cast<int>(std::lround(part * level.zenith_nodes)));
-    };
-    std::vector<ZenithPart> parts = {{horizon, -1, true, share(0.5 + 0.2 * height)}};
-    if (horizon < 0) parts.push_back({horizon, 0, false, share(0.7 + 0.7 * height)});
-    parts.push_back({0, 1, false, share(0.7 - 0.4 * height)});
-    return parts;
 }
 
 }  // namespace
@@ -85,7 +65,8 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
     };
     std::vector<Direction> directions;
     Spectrum whole{};  // scattering over all directions
-    for (const ZenithPart& part : zenith_parts(horizon, altitude_km / shell.thickness_km, level)) {
+    for (const ZenithPart& part :
+         zenith_parts(horizon, altitude_km / shell.thickness_km, level.zenith_nodes)) {
         const QuadratureRule rule = gauss_legendre(part.nodes);
         const double range = part.to - part.from;
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

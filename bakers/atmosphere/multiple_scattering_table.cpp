@@ -14,6 +14,7 @@
 #include "bakers/atmosphere/multiple_scattering_kernel.h"
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/core/finish_table.h"
+#include "bakers/core/relative_error.h"
 
 namespace skybake {
 
@@ -31,14 +32,6 @@ constexpr TransmittanceField::Size kReferenceField = {512, 192};
 constexpr TransmittanceField::Size kField = {256, 128};
 constexpr TransmittanceField::Size kFineField = {384, 128};
 constexpr int kFirstFineLevel = 9;
-
-// Values below this share of the channel's maximum are compared with it and not with themselves.
-constexpr double kErrorFloor = 1e-3;
-
-double relative_error(double value, double reference, double scale) {
-    const double denominator = std::max(reference, kErrorFloor * scale);
-    return denominator > 0 ? (value - reference) / denominator : value;
-}
 
 // Psi over rows of suns, with the sunlight that all rows share.
 class Integrator {
@@ -163,7 +156,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     table.compression = bake.compression;
     table.certificate.reference =
         "the same integral with 44 zenith nodes a part and 512 columns of sunlight";
-    table.certificate.scale = "relative to max(reference, 1e-3 of the channel's largest)";
+    table.certificate.scale = kRelativeErrorScale;
     table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
 
     AccuracyRequest request;

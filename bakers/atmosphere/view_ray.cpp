@@ -1,26 +1,17 @@
 #include "bakers/atmosphere/view_ray.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "bakers/atmosphere/cell_rule.h"
 #include "bakers/core/transcendental.h"
 
 namespace skybake {
 
 namespace {
 
-// Gauss' three nodes on [0, 1], their weights, and the weights of the integral from 0 to each node.
-constexpr std::size_t kGauss = 3;
-constexpr double kRoot15 = 3.87298334620741688518;
-constexpr std::array<double, kGauss> kNodes = {0.5 - kRoot15 / 10, 0.5, 0.5 + kRoot15 / 10};
-constexpr std::array<double, kGauss> kWeights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-constexpr std::array<std::array<double, kGauss>, kGauss> kUpTo = {{
-    {5.0 / 36, 2.0 / 9 - kRoot15 / 15, 5.0 / 36 - kRoot15 / 30},
-    {5.0 / 36 + kRoot15 / 24, 2.0 / 9, 5.0 / 36 - kRoot15 / 24},
-    {5.0 / 36 + kRoot15 / 30, 2.0 / 9 + kRoot15 / 15, 5.0 / 36},
-}};
+using namespace cell_rule;
 
 // However little light it scatters, no cell of a ray that is refined spans more than this
 // variation.

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bakers/core/relative_error.h"
+
 namespace skybake {
 
 namespace {
-
-// The scale of the tables' own errors: values below this share of the channel's largest are
-// compared with that.
-constexpr double kErrorFloor = 1e-3;
 
 std::array<double, 4> largest_values(const Image2<float>& image) {
     std::array<double, 4> largest{};
@@ -21,11 +19,6 @@ std::array<double, 4> largest_values(const Image2<float>& image) {
         value = std::max(value, double{image.texels[i]});
     }
     return largest;
-}
-
-double relative_error(double value, double reference, double largest) {
-    const double scale = std::max(reference, kErrorFloor * largest);
-    return scale > 0 ? (value - reference) / scale : value;
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #include "bakers/scattering/ray_fan.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "bakers/atmosphere/cell_rule.h"
 #include "bakers/atmosphere/view_ray.h"
+#include "bakers/atmosphere/zenith_parts.h"
 #include "bakers/core/gauss_legendre.h"
 #include "bakers/core/transcendental.h"
 
@@ -13,16 +14,7 @@ namespace skybake {
 
 namespace {
 
-// Gauss' three nodes on [0, 1], and the weights of the integral from 0 to each node.
-constexpr std::size_t kGauss = 3;
-constexpr double kRoot15 = 3.87298334620741688518;
-constexpr std::array<double, kGauss> kNodes = {0.5 - kRoot15 / 10, 0.5, 0.5 + kRoot15 / 10};
-constexpr std::array<double, kGauss> kWeights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-constexpr std::array<std::array<double, kGauss>, kGauss> kUpTo = {{
-    {5.0 / 36, 2.0 / 9 - kRoot15 / 15, 5.0 / 36 - kRoot15 / 30},
-    {5.0 / 36 + kRoot15 / 24, 2.0 / 9, 5.0 / 36 - kRoot15 / 24},
-    {5.0 / 36 + kRoot15 / 30, 2.0 / 9 + kRoot15 / 15, 5.0 / 36},
-}};
+using namespace cell_rule;
 
 // 1 - e^-x: where the difference would cancel by its series, whose first term left out is x^8 / 9!.
 double one_minus_exponential(double x) {
@@ -30,24 +22,6 @@ double one_minus_exponential(double x) {
     double series = 1;
     for (int n = 8; n >= 2; --n) series = 1 - series * x / n;
     return series * x;
-}
-
-struct ZenithPart {
-    double from;
-    double to;
-    bool below_horizon;
-    int nodes;
-};
-
-// Densest at the horizon, and from higher up more of them in the limb (tests/benchmarks/README.md).
-std::vector<ZenithPart> zenith_parts(double horizon, double height, int zenith_nodes) {
-    const auto share = [&](double part) {
-        return std::max(2, static_cast<int>(std::lround(part * zenith_nodes)));
-    };
-    std::vector<ZenithPart> parts = {{horizon, -1, true, share(0.5 + 0.2 * height)}};
-    if (horizon < 0) parts.push_back({horizon, 0, false, share(0.7 + 0.7 * height)});
-    parts.push_back({0, 1, false, share(0.7 - 0.4 * height)});
-    return parts;
 }
 
 FanPoint point_at(const std::vector<double>& levels_km, double distance_km, double altitude_km,

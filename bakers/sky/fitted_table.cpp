@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bakers/core/texel_axis.h"
-#include "bakers/sky/relative_error.h"
+#include "bakers/core/relative_error.h"
 
 namespace skybake {
 

@@ -12,7 +12,7 @@
 
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/core/finish_table.h"
-#include "bakers/sky/relative_error.h"
+#include "bakers/core/relative_error.h"
 #include "bakers/sky/sky_irradiance.h"
 
 namespace skybake {

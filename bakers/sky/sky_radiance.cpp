@@ -9,26 +9,16 @@
 #include "bakers/atmosphere/multiple_scattering_quadrature.h"
 #include "bakers/atmosphere/optical_depth.h"
 #include "bakers/atmosphere/ray_breaks.h"
-#include "bakers/core/gauss_legendre.h"
 #include "bakers/core/transcendental.h"
+#include "bakers/sky/ray_pieces.h"
 
 namespace skybake {
+
+using namespace ray_pieces;
 
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kGaussNodes = 5;
-constexpr double kLargestDepth = 1;  // of a piece, along the ray
-// Light that has passed this optical depth adds e^-25 = 1e-11 to a picture.
-constexpr double kLastLight = 25;
-// Halvings of a piece: 2^-20 of a ray is metres.
-constexpr int kMostHalvings = 20;
-
-const QuadratureRule& gauss_rule() {
-    static const QuadratureRule rule = gauss_legendre(kGaussNodes);
-    return rule;
-}
-
 }  // namespace
 
 Spectrum SkyRadiance::total() const {

@@ -8,26 +8,18 @@
 #include "bakers/atmosphere/multiple_scattering_quadrature.h"
 #include "bakers/atmosphere/optical_depth.h"
 #include "bakers/atmosphere/ray_breaks.h"
-#include "bakers/core/gauss_legendre.h"
 #include "bakers/core/transcendental.h"
+#include "bakers/sky/ray_pieces.h"
 
 namespace skybake {
 
+using namespace ray_pieces;
+
 namespace {
 
-constexpr int kGaussNodes = 5;
-constexpr double kLargestDepth = 1;  // of a piece, along the ray
 // In radii of the planet: about a degree. Along a horizontal ray at dusk the sun's rays graze one
 // scale height after the other, a few degrees apart.
 constexpr double kLongestPiece = 1.0 / 48;
-// Light that has passed this optical depth adds e^-25 = 1e-11 to a picture.
-constexpr double kLastLight = 25;
-constexpr int kMostHalvings = 20;
-
-const QuadratureRule& gauss_rule() {
-    static const QuadratureRule rule = gauss_legendre(kGaussNodes);
-    return rule;
-}
 
 // Chebyshev points of the second kind, cos(pi k / (n - 1)), with the weights of the barycentric
 // formula: alternating, halved at both ends.

@@ -12,7 +12,7 @@
 #include "bakers/core/finish_table.h"
 #include "bakers/core/stack_tables.h"
 #include "bakers/core/transcendental.h"
-#include "bakers/sky/relative_error.h"
+#include "bakers/core/relative_error.h"
 #include "bakers/sky/sky_row.h"
 
 namespace skybake {

@@ -17,7 +17,7 @@
 #include "bakers/scattering/solve_light.h"
 #include "bakers/sky/check_light.h"
 #include "bakers/sky/fitted_table.h"
-#include "bakers/sky/relative_error.h"
+#include "bakers/core/relative_error.h"
 #include "bakers/sky/sky_error.h"
 #include "bakers/sky/solved_orders.h"
 #include "bakers/sky/table_orders.h"

@@ -6,7 +6,7 @@
 #include "bakers/core/bilinear.h"
 #include "bakers/core/texel_axis.h"
 #include "bakers/phase/legendre_moments.h"
-#include "bakers/scattering/light_moments.h"
+#include "bakers/sky/moment_sum.h"
 
 namespace skybake {
 
@@ -39,28 +39,12 @@ Spectrum TableOrders::scattered(const ScatteringPoint& point,
     if (degree_ == 0) return mean_.scattered(point, scattering_per_km);
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree_)));
     zenith_harmonics(degree_, point.view_cos_zenith, harmonics.data());
-    Spectrum sum{};
-    for (int l = 0; l <= degree_; ++l) {
-        Spectrum of_degree{};
-        double last = 1;  // cos(m phi), by Chebyshev's recursion
-        double before = point.azimuth_cosine;
-        for (int m = 0; m <= l; ++m) {
+    return moment_sum(
+        degree_, point.azimuth_cosine, scattering_per_km, phase_moments_, [&](int l, int m) {
             const int lm = moment_index(l, m);
-            const Spectrum moment = moment_at(point, lm);
-            const double weight = harmonics[static_cast<std::size_t>(lm)] / harmonic_norm(l, m);
-            for (std::size_t c = 0; c < sum.size(); ++c) of_degree[c] += weight * last * moment[c];
-            const double next = 2 * point.azimuth_cosine * last - before;
-            before = last;
-            last = next;
-        }
-        for (std::size_t k = 0; k < scattering_per_km.size(); ++k) {
-            const double chi = phase_moments_[k][static_cast<std::size_t>(l)];
-            for (std::size_t c = 0; c < sum.size(); ++c) {
-                sum[c] += scattering_per_km[k][c] * chi * of_degree[c];
-            }
-        }
-    }
-    return sum;
+            return WeightedMoment{harmonics[static_cast<std::size_t>(lm)] / harmonic_norm(l, m),
+                                  moment_at(point, lm)};
+        });
 }
 
 Spectrum TableOrders::sky_irradiance(double sun_cos_zenith) const {
