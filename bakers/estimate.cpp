@@ -141,7 +141,8 @@ Estimate estimate_aerial_perspective(const Parameters&, const Bake& bake) {
     const auto& asset = std::get<config::AerialPerspectiveBake>(bake.asset);
     Estimate result = estimate_volume(asset, asset.size, 4, 1e-5);
     result.seconds += seconds_to_solve(asset.orders);
-    constexpr double kBytesPerVoxel = 4 * sizeof(float);  // all are held
+    // All are held, and their parts (bruneton/parts_memory.h).
+    constexpr double kBytesPerVoxel = (4 + 9) * sizeof(float);
     result.memory_mib += voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
     return result;
 }
@@ -150,6 +151,27 @@ Estimate estimate_irradiance(const Parameters&, const Bake& bake) {
     const auto& asset = std::get<config::IrradianceBake>(bake.asset);
     return estimate_texels(asset.size, asset.pixel_type, 4e-3,
                            0.3 + seconds_to_solve(asset.orders));
+}
+
+Estimate estimate_phase(const Parameters&, const Bake& bake) {
+    const auto& asset = std::get<config::PhaseBake>(bake.asset);
+    const int width = asset.max_error ? 0 : asset.size;
+    return estimate_texels({width, 1}, asset.pixel_type, 1e-6, 1);
+}
+
+Estimate estimate_bruneton(const Parameters&, const Bake& bake) {
+    const auto& asset = std::get<config::BrunetonBake>(bake.asset);
+    const bool has_light = asset.table != config::BrunetonTable::transmittance;
+    Estimate result = estimate_volume(asset, asset.size, 4, has_light ? 4e-6 : 2e-7);
+    if (has_light) result.seconds += kSecondsToSolve;
+    constexpr double kBytesPerVoxel = 4 * sizeof(float);  // all are held
+    result.memory_mib += voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
+    return result;
+}
+
+Estimate estimate_columns(const Parameters&, const Bake& bake) {
+    const auto& asset = std::get<config::OpticalDepthBake>(bake.asset);
+    return estimate_volume(asset, asset.size, 4, 1e-6);
 }
 
 Estimate estimate_noise_volume(const Parameters& parameters, const Bake& bake) {

@@ -21,6 +21,9 @@ Estimate estimate_multiple_scattering(const config::Parameters& parameters,
 Estimate estimate_sky_view(const config::Parameters& parameters, const config::Bake& bake);
 Estimate estimate_aerial_perspective(const config::Parameters& parameters,
                                      const config::Bake& bake);
+Estimate estimate_phase(const config::Parameters& parameters, const config::Bake& bake);
+Estimate estimate_bruneton(const config::Parameters& parameters, const config::Bake& bake);
+Estimate estimate_columns(const config::Parameters& parameters, const config::Bake& bake);
 Estimate estimate_irradiance(const config::Parameters& parameters, const config::Bake& bake);
 Estimate estimate_noise_volume(const config::Parameters& parameters, const config::Bake& bake);
 

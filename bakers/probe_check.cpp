@@ -11,7 +11,10 @@
 
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/atmosphere/transmittance_mapping.h"
+#include "bakers/core/finish_table.h"
 #include "bakers/core/texel_axis.h"
+#include "bakers/core/transcendental.h"
+#include "bakers/phase/phase_axis.h"
 #include "bakers/scattering/light_moments.h"
 #include "bakers/sky/irradiance_table.h"
 #include "bakers/sky/sky_view_mapping.h"
@@ -78,6 +81,26 @@ Coordinates texture_coordinates(const config::IrradianceBake& bake, const Shell&
         texture_coordinate(kConvention, irradiance_coordinate(shell, probe.at[0].second), size[1])};
 }
 
+// By the spacing that suited the table best, which its file names.
+Coordinates texture_coordinates(std::string_view spacing, const std::vector<int>& size,
+                                const Probe& probe) {
+    const double at = probe.at[0].second;
+    double x = at;  // a share
+    if (spacing == "angle") x = at / 180;
+    const double half_sine = cosine_of_pi(0.5 - at / 360);
+    const double half_cosine = cosine_of_pi(at / 360);
+    const ScatteringAngle angle = {2 * half_sine * half_sine, 2 * half_cosine * half_cosine};
+    if (spacing == "cosine") x = phase_coordinate(config::PhaseSpacing::cosine, angle);
+    if (spacing == "peaks") x = phase_coordinate(config::PhaseSpacing::peaks, angle);
+    return {texture_coordinate(TexelConvention::end_points_on_texel_centres, x, size[0]), 0.5};
+}
+
+// Looked up by the overload above.
+Coordinates texture_coordinates(const config::PhaseBake&, const Shell&, const std::vector<int>&,
+                                const Probe& probe) {
+    return probe.uv;
+}
+
 // Looked up by the overload above.
 Coordinates texture_coordinates(const config::MultipleScatteringBake&, const Shell&,
                                 const std::vector<int>&, const Probe& probe) {
@@ -111,6 +134,8 @@ std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int&
                            : 1;
     std::size_t coordinates = std::holds_alternative<config::SkyViewBake>(bake.asset) ? 3 : 2;
     if (tables > 1) coordinates = 4;
+    const bool is_phase = std::holds_alternative<config::PhaseBake>(bake.asset);
+    if (is_phase) coordinates = 1;
     for (const Probe& probe : asset.probes) {
         ++checks;
         if (probe.at.size() != coordinates) {
@@ -118,7 +143,8 @@ std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int&
             continue;
         }
         const Coordinates uv =
-            scattering
+            is_phase ? texture_coordinates(asset.mapping, asset.size, probe)
+            : scattering
                 ? texture_coordinates(
                       sun_columns(scattering->mapping,
                                   solved ? recipe.value->parameters.scene : std::nullopt, shell),
@@ -129,10 +155,9 @@ std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int&
                       },
                       bake.asset);
         if (std::fabs(uv[0] - probe.uv[0]) > 1e-9 || std::fabs(uv[1] - probe.uv[1]) > 1e-9) {
-            failures.push_back(
-                fmt::format("{} {:.6g}, {} {:.6g} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",
-                            probe.at[0].first, probe.at[0].second, probe.at[1].first,
-                            probe.at[1].second, uv[0], uv[1], probe.uv[0], probe.uv[1]));
+            failures.push_back(fmt::format("{} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",
+                                           place_text(probe.at), uv[0], uv[1], probe.uv[0],
+                                           probe.uv[1]));
         }
     }
     return failures;

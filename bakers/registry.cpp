@@ -4,20 +4,26 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <variant>
 
 #include "bakers/atmosphere/multiple_scattering_table.h"
 #include "bakers/atmosphere/transmittance_table.h"
+#include "bakers/bruneton/bruneton_volume.h"
 #include "bakers/cloud/cloud_volume.h"
 #include "bakers/cloud_inputs.h"
+#include "bakers/columns/column_volume.h"
 #include "bakers/named_parameters.h"
 #include "bakers/noise/noise_volume.h"
 #include "bakers/occupancy/occupancy_grid.h"
+#include "bakers/phase/check_particle_sizes.h"
+#include "bakers/phase/phase_table.h"
 #include "bakers/sky/aerial_perspective_volume.h"
 #include "bakers/sky/irradiance_table.h"
 #include "bakers/sky/sky_light.h"
 #include "bakers/sky/sky_view_table.h"
 #include "bakers/sky/solved_scattering_table.h"
+#include "bakers/sky/strip_orders.h"
 #include "config/cloud_channels.h"
 #include "config/key_path.h"
 
@@ -85,6 +91,25 @@ Outcome<BakedAsset> multiple_scattering(const Parameters& parameters, const Bake
                                              std::move(table)));
 }
 
+Outcome<BakedAsset> phase(const Parameters& parameters, const Bake& bake,
+                          const BakeOptions& options, AssetLabel label) {
+    return as_asset(bake_phase(parameters, std::get<config::PhaseBake>(bake.asset), options,
+                               labelled_table(parameters, std::move(label))));
+}
+
+Outcome<BakedAsset> bruneton(const Parameters& parameters, const Bake& bake,
+                             const BakeOptions& options, AssetLabel label) {
+    return as_asset(bake_bruneton(parameters.atmosphere, std::get<config::BrunetonBake>(bake.asset),
+                                  options, labelled_volume(std::move(label))));
+}
+
+Outcome<BakedAsset> columns(const Parameters& parameters, const Bake& bake,
+                            const BakeOptions& options, AssetLabel label) {
+    return as_asset(bake_columns(parameters.atmosphere,
+                                 std::get<config::OpticalDepthBake>(bake.asset), options,
+                                 labelled_volume(std::move(label))));
+}
+
 Outcome<BakedAsset> noise_volume(const Parameters& parameters, const Bake& bake,
                                  const BakeOptions& options, AssetLabel label) {
     const auto& asset = std::get<NoiseVolumeBake>(bake.asset);
@@ -129,12 +154,36 @@ const std::vector<std::string> kShellAndProfiles = {
     "atmosphere.layers.*.extinction",
 };
 
-std::vector<std::string> transmittance_parameters(const Parameters&, const Bake&) {
-    return kShellAndProfiles;
+void add_particles(const std::string& name, std::vector<std::string>& patterns) {
+    patterns.push_back(fmt::format("{}.*", config::join_path("particles", name)));
 }
 
-std::vector<std::string> multiple_scattering_parameters(const Parameters&, const Bake& bake) {
+// Coefficients of layers of particles follow from these.
+void add_layer_particles(const config::Layer& layer, std::vector<std::string>& patterns) {
+    if (layer.phase != config::Phase::mie) return;
+    const std::string path = config::join_path("atmosphere.layers", layer.name);
+    for (const char* key : {"phase", "particles", "number_density"}) {
+        patterns.push_back(fmt::format("{}.{}", path, key));
+    }
+    add_particles(layer.particles.particles.name, patterns);
+}
+
+void add_layer_particles(const Parameters& parameters, std::vector<std::string>& patterns) {
+    for (const config::Layer& layer : parameters.atmosphere.layers) {
+        add_layer_particles(layer, patterns);
+    }
+}
+
+std::vector<std::string> transmittance_parameters(const Parameters& parameters, const Bake&) {
     std::vector<std::string> patterns = kShellAndProfiles;
+    add_layer_particles(parameters, patterns);
+    return patterns;
+}
+
+std::vector<std::string> multiple_scattering_parameters(const Parameters& parameters,
+                                                        const Bake& bake) {
+    std::vector<std::string> patterns = kShellAndProfiles;
+    add_layer_particles(parameters, patterns);
     patterns.emplace_back("atmosphere.ground_albedo");
     patterns.emplace_back("atmosphere.layers.*.scattering");
     if (std::get<MultipleScatteringBake>(bake.asset).method ==
@@ -192,18 +241,49 @@ std::vector<std::string> occupancy_parameters(const Parameters& parameters, cons
 }
 
 // Asks for all of an atmosphere.
-std::vector<std::string> sky_parameters(const Parameters&, const Bake&) {
-    return {"wavelengths", "atmosphere.*", "atmosphere.layers.*.*"};
+std::vector<std::string> sky_parameters(const Parameters& parameters, const Bake&) {
+    std::vector<std::string> patterns = {"wavelengths", "atmosphere.*", "atmosphere.layers.*.*"};
+    add_layer_particles(parameters, patterns);
+    return patterns;
+}
+
+// Particles or a layer, and nothing else of the atmosphere but what makes it a whole one.
+std::vector<std::string> phase_parameters(const Parameters& parameters, const Bake& bake) {
+    const auto& asset = std::get<config::PhaseBake>(bake.asset);
+    std::vector<std::string> patterns = {"wavelengths"};
+    if (!asset.particles.empty()) {
+        add_particles(asset.particles, patterns);
+        return patterns;
+    }
+    patterns.emplace_back("atmosphere.*");
+    patterns.push_back(fmt::format("{}.*", config::join_path("atmosphere.layers", asset.layer)));
+    for (const config::Layer& layer : parameters.atmosphere.layers) {
+        if (layer.name == asset.layer) add_layer_particles(layer, patterns);
+    }
+    return patterns;
+}
+
+std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphere,
+                                              const config::SkyViewBake& asset,
+                                              const BakeOptions& options) {
+    const bool from_strips =
+        asset.sky == config::SkyMethod::strips && asset.orders != config::SkyOrders::single;
+    if (!from_strips) {
+        return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
+    }
+    SkyMedium medium = make_sky_medium(atmosphere);
+    auto strips = std::make_unique<StripOrders>(medium, options);
+    return std::make_unique<SkyLight>(std::move(medium), asset.orders, std::move(strips));
 }
 
 Outcome<BakedAsset> sky_view(const Parameters& parameters, const Bake& bake,
                              const BakeOptions& options, AssetLabel label) {
     const auto& asset = std::get<config::SkyViewBake>(bake.asset);
-    const SkyLight light(parameters.atmosphere, asset.orders, asset.layers, options);
+    const auto light = light_of_view(parameters.atmosphere, asset, options);
     if (options.cancelled()) return {};
-    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
+    if (const auto problem = light->problem(label.name)) return {{}, {*problem}};
     return as_asset(
-        bake_sky_view(light, asset, options, labelled_table(parameters, std::move(label))));
+        bake_sky_view(*light, asset, options, labelled_table(parameters, std::move(label))));
 }
 
 Outcome<BakedAsset> aerial_perspective(const Parameters& parameters, const Bake& bake,
@@ -248,7 +328,7 @@ std::vector<InputFile> occupancy_inputs(const Parameters& parameters, const Bake
 }  // namespace
 
 std::span<const Baker> bakers() {
-    static const std::array<Baker, 8> table = {{
+    static const std::array<Baker, 11> table = {{
         {"transmittance", 1, transmittance_parameters, no_inputs, estimate_transmittance,
          transmittance},
         {"multiple_scattering", 1, multiple_scattering_parameters, no_inputs,
@@ -257,6 +337,9 @@ std::span<const Baker> bakers() {
         {"aerial_perspective", 1, sky_parameters, no_inputs, estimate_aerial_perspective,
          aerial_perspective},
         {"irradiance", 1, sky_parameters, no_inputs, estimate_irradiance, irradiance},
+        {"phase", 1, phase_parameters, no_inputs, estimate_phase, phase},
+        {"bruneton", 1, sky_parameters, no_inputs, estimate_bruneton, bruneton},
+        {"optical_depth", 1, sky_parameters, no_inputs, estimate_columns, columns},
         {"noise_volume", 1, noise_volume_parameters, no_inputs, estimate_noise_volume,
          noise_volume},
         {"cloud_volume", 1, cloud_volume_parameters, cloud_volume_inputs, estimate_cloud_volume,
@@ -280,6 +363,8 @@ std::string asset_parameters(const config::Recipe& recipe, const Bake& bake) {
 
 Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const Bake& bake,
                                const BakeOptions& options) {
+    std::vector<config::Diagnostic> problems = check_particle_sizes(recipe.parameters);
+    if (!problems.empty()) return {{}, std::move(problems)};
     const Baker& baker = baker_of(bake);
     AssetLabel label;
     label.name = bake.name;

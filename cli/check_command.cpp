@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "bakers/phase/check_particle_sizes.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -22,6 +23,8 @@ std::string contents(const config::Parameters& parameters) {
     std::string text;
     const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;
     if (has_atmosphere) text += count(parameters.atmosphere.layers.size(), "layer") + ", ";
+    if (!parameters.particles.empty())
+        text += fmt::format("{} of particles, ", count(parameters.particles.size(), "kind"));
     if (!parameters.noises.empty()) text += count(parameters.noises.size(), "noise") + ", ";
     if (!parameters.clouds.empty()) text += count(parameters.clouds.size(), "cloud") + ", ";
     return text + count(parameters.bakes.size(), "asset") + " to bake";
@@ -32,6 +35,8 @@ ExitCode run(const Invocation& invocation, Console& console) {
     const auto outcome = config::load_recipe(file, invocation.values("set"));
     const ExitCode code = console.report_results(outcome.diagnostics);
     if (!outcome.value) return code;
+    const auto too_large = check_particle_sizes(outcome.value->parameters);
+    if (!too_large.empty()) return console.report_results(too_large);
     console.note(fmt::format("{}: no errors; {}\n", file, contents(outcome.value->parameters)));
     return code;
 }

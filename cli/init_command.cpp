@@ -40,6 +40,10 @@ std::string preset_list() {
     return "atmospheres: preset = \"NAME\" at the top of a recipe\n" + titles(config::presets()) +
            "\nnoises: preset = \"NAME\" below [noise.ANY_NAME]\n" +
            titles(config::noise_presets()) +
+           "\nparticles: preset = \"NAME\" below [particles.ANY_NAME]\n" +
+           titles(config::particle_presets()) +
+           "\nlayers: preset = \"NAME\" below [atmosphere.layers.ANY_NAME]\n" +
+           titles(config::layer_presets()) +
            "\nclouds: preset = \"NAME\" below [clouds.ANY_NAME]; init --preset clouds.NAME\n" +
            titles(config::cloud_presets());
 }
@@ -55,11 +59,18 @@ std::optional<std::string> recipe_text(std::string_view name) {
     const auto* noise = is_cloud ? nullptr : config::find_noise_preset(name);
     if (noise) return config::noise_init_text(*noise);
     const auto* cloud = config::find_cloud_preset(name);
-    if (!cloud) return std::nullopt;
-    return config::cloud_init_text(*cloud);
+    if (cloud) return config::cloud_init_text(*cloud);
+    const auto* particles =
+        is_cloud ? nullptr : config::find_preset(config::particle_presets(), name);
+    if (!particles) return std::nullopt;
+    return config::particle_init_text(*particles);
 }
 
 config::Diagnostic unknown_preset(const std::string& name) {
+    if (config::find_preset(config::layer_presets(), name)) {
+        return usage_error(fmt::format("`{}` is the preset of a layer, not of a recipe", name),
+                           fmt::format("preset = \"{}\" below [atmosphere.layers.ANY_NAME]", name));
+    }
     auto names = config::preset_names();
     for (const config::SectionPresets& kind : config::section_presets()) {
         for (const std::string_view other : config::preset_names(kind.all())) {
@@ -135,6 +146,7 @@ Command init_command() {
                          {"skybake init mars.toml --preset mars", "another planet"},
                          {"skybake init clouds.toml --preset nubis_shape", "a cloud noise"},
                          {"skybake init clouds.toml --preset clouds.thesis", "a cloud"},
+                         {"skybake init fog.toml --preset fog", "the droplets of fog"},
                          {"skybake init --list", "the presets, a line each"}},
             .exit_codes = {ExitCode::io},
             .run = run};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/phase/layer_phase.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -118,7 +119,8 @@ std::string depths_text(const config::Parameters& parameters) {
     table.add_row(std::move(heading));
     std::vector<double> total(parameters.wavelengths.size(), 0);
     for (const config::Layer& layer : parameters.atmosphere.layers) {
-        const auto depths = config::zenith_optical_depth(layer, parameters.atmosphere);
+        const auto depths =
+            config::zenith_optical_depth(with_coefficients(layer), parameters.atmosphere);
         for (std::size_t i = 0; i < total.size(); ++i) total[i] += depths[i];
         table.add_row(depth_row("  " + config::spell_key(layer.name), depths));
     }

@@ -13,6 +13,8 @@
 #include "config/key_path.h"
 #include "config/noise_volume_decoder.h"
 #include "config/occupancy_decoder.h"
+#include "config/phase_decoder.h"
+#include "config/precomputed_decoder.h"
 #include "config/sky_decoder.h"
 #include "config/suggest.h"
 
@@ -22,7 +24,7 @@ namespace {
 template <class Asset, auto fields>
 Bake bind_as(const std::string& name, const DecodedSection& section) {
     Asset asset;
-    bind(section, fields(), asset);
+    bind_section(section, fields(), asset);
     return {name, asset};
 }
 
@@ -30,6 +32,9 @@ constexpr std::string_view aerial_perspective = "aerial_perspective";
 constexpr std::string_view noise_volume = "noise_volume";
 constexpr std::string_view cloud_volume = "cloud_volume";
 constexpr std::string_view occupancy = "occupancy";
+constexpr std::string_view phase = "phase";
+constexpr std::string_view bruneton = "bruneton";
+constexpr std::string_view optical_depth = "optical_depth";
 
 // Which struct each bake section of the field tables fills.
 struct Binder {
@@ -43,6 +48,9 @@ constexpr std::array binders = {
     Binder{"sky_view", bind_as<SkyViewBake, sky_view_fields>},
     Binder{aerial_perspective, bind_as<AerialPerspectiveBake, aerial_perspective_fields>},
     Binder{"irradiance", bind_as<IrradianceBake, irradiance_fields>},
+    Binder{phase, bind_as<PhaseBake, phase_fields>},
+    Binder{bruneton, bind_as<BrunetonBake, bruneton_fields>},
+    Binder{optical_depth, bind_as<OpticalDepthBake, optical_depth_fields>},
     Binder{noise_volume, bind_as<NoiseVolumeBake, noise_volume_fields>},
     Binder{cloud_volume, bind_as<CloudVolumeBake, cloud_volume_fields>},
     Binder{occupancy, bind_as<OccupancyBake, occupancy_fields>},
@@ -151,7 +159,14 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         if (bake.asset == aerial_perspective) {
             resolve_aerial_perspective(bake.section, recipe.scene, decoder);
         }
-        check_sky_layers(bake.section, root, recipe.atmosphere, decoder);
+        if (bake.asset == phase) check_phase(bake.section, recipe, decoder);
+        if (bake.asset == bruneton) resolve_bruneton(bake.section, recipe, decoder);
+        if (bake.asset == optical_depth) {
+            resolve_optical_depth(bake.section, recipe.atmosphere, decoder);
+        }
+        for (const std::string_view key : {"layers", "mie_layers", "kinds"}) {
+            check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
+        }
         if (bake.asset == noise_volume) resolve_noise_volume(bake.section, noises, decoder);
         if (bake.asset == cloud_volume) resolve_cloud_volume(bake.section, clouds, noises, decoder);
         bakes.push_back(bind_bake(bake));

@@ -22,7 +22,7 @@ DecodedSection decode_into(S& target, std::span<const Bound> fields, std::string
     DecodedSection section =
         decode_section(*find_section(pattern), path, place, table, Absent::filled_in, decoder);
     append_values(section, decoder);
-    bind(section, fields, target);
+    bind_section(section, fields, target);
     return section;
 }
 

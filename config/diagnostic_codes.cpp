@@ -294,6 +294,60 @@ constexpr std::array codes = {
                    "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
                    "orders = \"single\"\nlayers = [\"mie\"]",
                    usage},
+    DiagnosticCode{"E0139", "coefficient besides particles",
+                   "A layer with phase = \"mie\" has its scattering, its extinction and its phase "
+                   "function from its particles. A coefficient beside them would contradict them.",
+                   "preset = \"earth\"\n[particles.fog]\npreset = \"fog\"\n"
+                   "[atmosphere.layers.fog]\nprofile = \"slab\"\nbottom_altitude = \"0 m\"\n"
+                   "top_altitude = \"200 m\"\nphase = { mie = \"fog\" }\n"
+                   "number_density = \"15 /cm3\"\nscattering = \"0.01 /m\"",
+                   "preset = \"earth\"\n[particles.fog]\npreset = \"fog\"\n"
+                   "[atmosphere.layers.fog]\nprofile = \"slab\"\nbottom_altitude = \"0 m\"\n"
+                   "top_altitude = \"200 m\"\nphase = { mie = \"fog\" }\n"
+                   "number_density = \"15 /cm3\"",
+                   usage},
+    DiagnosticCode{"E0140", "unknown particles",
+                   "A layer or a bake names particles; the recipe has no [particles.NAME] of that "
+                   "name.",
+                   "[particles.fog]\npreset = \"fog\"\n[bake.phase]\nparticles = \"frog\"",
+                   "[particles.fog]\npreset = \"fog\"\n[bake.phase]\nparticles = \"fog\"", usage},
+    DiagnosticCode{
+        "E0141", "phase function of nothing",
+        "A bake of a phase function names the particles that scatter, or a layer of the "
+        "atmosphere.",
+        "[particles.fog]\npreset = \"fog\"\n[bake.phase]\nsize = 1024",
+        "[particles.fog]\npreset = \"fog\"\n[bake.phase]\nparticles = \"fog\"\nsize = 1024", usage},
+    DiagnosticCode{
+        "E0142", "size that the table cannot have",
+        "Each axis of a table has an end point on its first and on its last texel, so two "
+        "texels at least; axes that it has not have one. Tables of scattering are "
+        "`nu_size` sub-images side by side, so that it divides the first number; the second is "
+        "even, half of it for rays to the ground.",
+        "preset = \"earth\"\n[bake.bruneton]\nsize = [256, 128, 32]\nnu_size = 7",
+        "preset = \"earth\"\n[bake.bruneton]\nsize = [256, 128, 32]\nnu_size = 8", usage},
+
+    DiagnosticCode{"E0144", "particles whose scattering cannot be computed",
+                   "Spheres of the index of air scatter nothing; the index of water is known from "
+                   "200 nm to 4 um; and the largest spheres may have a circumference of 300 000 "
+                   "wavelengths, which is rain of some 25 mm/h in blue light.",
+                   "[particles.p]\nmaterial = \"constant\"\nrefractive_index = 1\n"
+                   "effective_radius = \"1 um\"\n[bake.phase]\nparticles = \"p\"",
+                   "[particles.p]\nmaterial = \"constant\"\nrefractive_index = 1.5\n"
+                   "effective_radius = \"1 um\"\n[bake.phase]\nparticles = \"p\"",
+                   usage},
+
+    DiagnosticCode{
+        "E0143", "atmosphere that the convention cannot express",
+        "takram's AtmosphereParameters have three layers at most: an exponential one that scatters "
+        "by Rayleigh's phase function and absorbs nothing, an exponential one of phase "
+        "cornette_shanks, and a tent that absorbs only; and three wavelengths. Tables of any other "
+        "atmosphere would be read with wrong parameters. convention = \"bruneton\" takes them all.",
+        "preset = \"takram\"\n[atmosphere.layers.fog]\nprofile = \"slab\"\n"
+        "bottom_altitude = \"0 m\"\ntop_altitude = \"100 m\"\nscattering = \"1e-4 /m\"\n"
+        "phase = \"isotropic\"\n"
+        "[bake.scattering]\nasset = \"bruneton\"\nconvention = \"takram\"",
+        "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\nconvention = \"takram\"",
+        usage},
 
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",

@@ -1,6 +1,7 @@
 # Writes the C++ source that holds the preset texts.
 #   cmake -DOUTPUT=presets_data.cpp -DPRESETS=a.toml;b.toml -DNOISE_PRESETS=c.toml
-#         -DCLOUD_PRESETS=d.toml -P embed_presets.cmake
+#         -DCLOUD_PRESETS=d.toml -DPARTICLE_PRESETS=e.toml -DLAYER_PRESETS=f.toml
+#         -P embed_presets.cmake
 # Called by the build whenever a preset changes.
 
 # The presets of a list of files as the function NAME that returns them.
@@ -35,6 +36,8 @@ namespace skybake::config {
 append_presets(presets ${PRESETS})
 append_presets(noise_presets ${NOISE_PRESETS})
 append_presets(cloud_presets ${CLOUD_PRESETS})
+append_presets(particle_presets ${PARTICLE_PRESETS})
+append_presets(layer_presets ${LAYER_PRESETS})
 file(APPEND "${OUTPUT}.new" "
 }  // namespace skybake::config
 ")

@@ -187,6 +187,7 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
         case Kind::length:
         case Kind::angle:
         case Kind::coefficient:
+        case Kind::number_density:
             return as_field_value(read_number(reader, value));
         case Kind::text:
             return read_text(reader, value);

@@ -16,6 +16,7 @@ constexpr Range altitude_range{-1e9, 1e12};
 constexpr Range thickness_range{1e-3, 1e9};
 constexpr Range wavelength_range{1e-8, 1e-3};
 constexpr Range coefficient_range{0, 1e6};
+constexpr Range number_density_range{1e-12, 1e30};
 constexpr Range unit_range{0, 1};
 constexpr Range albedo_of_scattering_range{1e-6, 1};
 constexpr Range asymmetry_range{-1, 1, true, true};
@@ -43,6 +44,7 @@ constexpr std::array phase_choices = {
     Choice{"rayleigh", "molecules: 3/(16 pi) (1 + cos^2)"},
     Choice{"henyey_greenstein", "haze and dust, one parameter g"},
     Choice{"cornette_shanks", "Henyey-Greenstein with a Rayleigh-like back; Rayleigh at g = 0"},
+    Choice{"mie", "spheres: that of [particles.NAME], and with it scattering and extinction"},
 };
 constexpr std::array content_choices = {
     Choice{"transmittance", "the share of light that passes, in [0, 1]"},
@@ -75,6 +77,7 @@ constexpr std::string_view tabulated[] = {"tabulated"};
 constexpr std::string_view solved[] = {"solved"};
 constexpr std::string_view unsolved[] = {"converged", "as_in_paper"};
 constexpr std::string_view moments[] = {"moments"};
+constexpr std::string_view mie[] = {"mie"};
 constexpr std::string_view with_asymmetry[] = {"henyey_greenstein", "cornette_shanks"};
 
 const std::array root_table = {
@@ -131,6 +134,11 @@ const std::array atmosphere_table = {
 };
 
 const std::array layer_table = {
+    LayerField{{.key = "preset",
+                .kind = Kind::text,
+                .documentation = "name of a preset of a layer to start from",
+                .only_shown = true},
+               {}},
     LayerField{{.key = "enabled",
                 .kind = Kind::flag,
                 .fallback = "true",
@@ -233,7 +241,7 @@ const std::array layer_table = {
                 .kind = Kind::choice,
                 .choices = phase_choices,
                 .fallback = R"("isotropic")",
-                .documentation = "where scattered light goes",
+                .documentation = "where scattered light goes; { mie = \"NAME\" } names particles",
                 .citation = henyey_1941},
                &Layer::phase},
     LayerField{{.key = "g",
@@ -246,6 +254,22 @@ const std::array layer_table = {
                 .selector = "phase",
                 .selected_by = with_asymmetry},
                &Layer::g},
+    LayerField{{.key = "particles",
+                .kind = Kind::text,
+                .required = true,
+                .documentation = "NAME of the [particles.NAME] that the layer is made of",
+                .selector = "phase",
+                .selected_by = mie},
+               {}},
+    LayerField{{.key = "number_density",
+                .kind = Kind::number_density,
+                .range = number_density_range,
+                .required = true,
+                .documentation = "particles per volume where the density is 1",
+                .hint = "haze 1e3 to 1e4 /cm3, fog 10 to 100 /cm3, rain 1e3 /m3",
+                .selector = "phase",
+                .selected_by = mie},
+               {}},
 };
 
 // Keys that both tables of the sky share are described once.

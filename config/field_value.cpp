@@ -46,6 +46,10 @@ std::string spell_one(Kind kind, double value) {
         case Kind::coefficient:
         case Kind::coefficients:
             return toml_string(spell_inverse_length(value));
+        case Kind::levels:
+            return value > 0 ? spell_number(value) : toml_string("all");
+        case Kind::number_density:
+            return toml_string(spell_number_density(value));
         case Kind::angle:
         case Kind::angles:
         case Kind::angle_bounds:

@@ -29,6 +29,8 @@ std::vector<Section> make_sections() {
                      layer_fields()),
         make_section("scene", "", "the cameras and suns that the sky's tables are for",
                      scene_fields()),
+        make_section("particles.*", "", "spheres of given sizes, under any name",
+                     particles_fields()),
         make_section("noise.*", "", "a tileable noise, under any name", noise_fields()),
         make_section("noise.*.channels.*", "", "one channel of a noise: R, G, B, A, or Y alone",
                      noise_channel_fields()),
@@ -55,6 +57,13 @@ std::vector<Section> make_sections() {
                      "the air between a camera and what it looks at", aerial_perspective_fields()),
         make_section("bake.*", "irradiance", "the light that falls on level surfaces",
                      irradiance_fields()),
+        make_section("bake.*", "phase", "how particles or a layer scatter, by angle",
+                     phase_fields()),
+        make_section("bake.*", "bruneton", "a table of Bruneton's precomputed scattering",
+                     bruneton_fields()),
+        make_section("bake.*", "optical_depth",
+                     "columns, densities or phase functions of up to four kinds of particles",
+                     optical_depth_fields()),
         make_section("bake.*", "noise_volume", "the voxels of a noise", noise_volume_fields()),
         make_section("bake.*", "cloud_volume", "the voxels of a cloud", cloud_volume_fields()),
         make_section("bake.*", "occupancy", "which cells of a cloud volume are empty, and how far",
@@ -77,6 +86,8 @@ std::string spell_bound(const Field& field, double value) {
         case Kind::coefficient:
         case Kind::coefficients:
             return spell_inverse_length(value);
+        case Kind::number_density:
+            return spell_number_density(value);
         case Kind::angle:
         case Kind::angles:
         case Kind::angle_bounds:
@@ -264,6 +275,8 @@ std::string_view describe_kind(Kind kind) {
             return "two lengths, the smaller one first, such as [\"0 km\", \"3 km\"]";
         case Kind::coefficient:
             return "a coefficient with its unit, such as \"40 /km\"";
+        case Kind::number_density:
+            return "a number per volume, such as \"300 /cm3\"";
         case Kind::lengths:
             return "three lengths, such as [\"6 km\", \"6 km\", \"1.5 km\"]";
         case Kind::pair:

@@ -18,39 +18,40 @@ namespace skybake::config {
 
 // What a key's value looks like in TOML.
 enum class Kind {
-    flag,           // true or false
-    integer,        // 1
-    number,         // 0.8
-    fraction,       // 0.002 or "0.2 %"
-    text,           // "earth"
-    text_list,      // ["a.toml", "b.toml"], or one text
-    choice,         // one of the field's choices
-    length,         // "8 km"
-    wavelengths,    // ["680 nm", "550 nm", "440 nm"], or one
-    coefficients,   // "4e-6 /m", or one per channel
-    fractions,      // 0.3, or one per channel
-    size,           // [256, 64]
-    density_table,  // [["0 km", 1.0], ["10 km", 0.5]]
-    choice_list,    // ["exr", "vdb"], or one of the field's choices
-    voxels,         // [128, 128, 128]
-    seed,           // 7, or "0xffffffffffffffff"
-    frequency,      // 4, or [4, 4, 8]
-    frequencies,    // [8, 32, 56], one frequency an octave
-    gains,          // [0.625, 0.25, 0.125], one an octave
-    remap,          // [0.4, 1, 0, 1]
-    levels,         // 4, or "all", which is read as 0
-    angle,          // "30 deg"
-    angles,         // ["30 deg", "5 deg"], or one
-    angle_bounds,   // ["-10 deg", "90 deg"], the first not above the second
-    coefficient,    // "40 /km"
-    lengths,        // ["6 km", "6 km", "1.5 km"]
-    length_bounds,  // ["0 km", "3 km"], the first not above the second
-    pair,           // [0.2, 0.35]
-    bounds,         // [0.02, 0.05], the first not above the second
-    height_table,   // [[0, 0.0], [0.2, 1.0]]
-    power_of_two,   // 4
-    path_groups,    // [["a.b", "c.d"]], or one group of paths
-    swept,          // a number or a quantity, as the key that varies takes it
+    flag,            // true or false
+    integer,         // 1
+    number,          // 0.8
+    fraction,        // 0.002 or "0.2 %"
+    text,            // "earth"
+    text_list,       // ["a.toml", "b.toml"], or one text
+    choice,          // one of the field's choices
+    length,          // "8 km"
+    wavelengths,     // ["680 nm", "550 nm", "440 nm"], or one
+    coefficients,    // "4e-6 /m", or one per channel
+    fractions,       // 0.3, or one per channel
+    size,            // [256, 64]
+    density_table,   // [["0 km", 1.0], ["10 km", 0.5]]
+    choice_list,     // ["exr", "vdb"], or one of the field's choices
+    voxels,          // [128, 128, 128]
+    seed,            // 7, or "0xffffffffffffffff"
+    frequency,       // 4, or [4, 4, 8]
+    frequencies,     // [8, 32, 56], one frequency an octave
+    gains,           // [0.625, 0.25, 0.125], one an octave
+    remap,           // [0.4, 1, 0, 1]
+    levels,          // 4, or "all", which is read as 0
+    angle,           // "30 deg"
+    angles,          // ["30 deg", "5 deg"], or one
+    angle_bounds,    // ["-10 deg", "90 deg"], the first not above the second
+    coefficient,     // "40 /km"
+    lengths,         // ["6 km", "6 km", "1.5 km"]
+    length_bounds,   // ["0 km", "3 km"], the first not above the second
+    pair,            // [0.2, 0.35]
+    bounds,          // [0.02, 0.05], the first not above the second
+    height_table,    // [[0, 0.0], [0.2, 1.0]]
+    power_of_two,    // 4
+    path_groups,     // [["a.b", "c.d"]], or one group of paths
+    number_density,  // "1e8 /m3"
+    swept,           // a number or a quantity, as the key that varies takes it
 };
 
 // Angles that a list of them may have.
@@ -102,7 +103,7 @@ struct Section {
 template <class S, class... Choices>
 using Member =
     std::variant<std::monostate, bool S::*, int S::*, double S::*, std::optional<double> S::*,
-                 std::string S::*, Length S::*, InverseLength S::*, Angle S::*,
+                 std::string S::*, Length S::*, InverseLength S::*, NumberDensity S::*, Angle S::*,
                  std::array<int, 2> S::*, std::array<int, 3> S::*, std::array<double, 2> S::*,
                  std::array<double, 4> S::*, std::array<Length, 2> S::*, std::array<Length, 3> S::*,
                  std::array<Angle, 2> S::*, std::uint64_t S::*, std::vector<std::string> S::*,
@@ -125,9 +126,11 @@ using MultipleScatteringField =
     BoundField<MultipleScatteringBake, MultipleScatteringMapping, MultipleScatteringMethod,
                MultipleScatteringContent, PixelType, Compression>;
 using SceneField = BoundField<Scene>;
-using SkyViewField = BoundField<SkyViewBake, SkyOrders, PixelType, Compression>;
+using ParticlesField = BoundField<Particles, ParticleMaterial, SizeDistribution>;
+using SkyViewField = BoundField<SkyViewBake, SkyOrders, SkyMethod, PixelType, Compression>;
 using IrradianceField = BoundField<IrradianceBake, IrradianceContent, SkyOrders,
                                    MultipleScatteringMapping, PixelType, Compression>;
+using PhaseField = BoundField<PhaseBake, PhaseContent, PhaseSpacing, PixelType, Compression>;
 using NoiseField = BoundField<Noise, NoiseSampling, NoisePacking>;
 using NoiseChannelField =
     BoundField<NoiseChannel, NoiseType, NoiseFractal, WorleyFeature, WorleyValue, CurlComponent>;
@@ -145,6 +148,10 @@ using NoiseVolumeField = VolumeBakeField<NoiseVolumeBake>;
 using CloudVolumeField = VolumeBakeField<CloudVolumeBake>;
 using AerialPerspectiveField =
     VolumeBakeField<AerialPerspectiveBake, AerialContent, SliceSpacing, SkyOrders>;
+using BrunetonField =
+    VolumeBakeField<BrunetonBake, BrunetonTable, BrunetonConvention, BrunetonMethod>;
+using OpticalDepthField =
+    VolumeBakeField<OpticalDepthBake, OpticalDepthTable, BetweenCoordinates, DepthSampling>;
 using OccupancyField =
     VolumeBakeField<OccupancyBake, OccupancyFilter, OccupancyRule, std::vector<OccupancyContent>>;
 
@@ -154,9 +161,13 @@ std::span<const LayerField> layer_fields();
 std::span<const TransmittanceField> transmittance_fields();
 std::span<const MultipleScatteringField> multiple_scattering_fields();
 std::span<const SceneField> scene_fields();
+std::span<const ParticlesField> particles_fields();
 std::span<const SkyViewField> sky_view_fields();
 std::span<const AerialPerspectiveField> aerial_perspective_fields();
 std::span<const IrradianceField> irradiance_fields();
+std::span<const PhaseField> phase_fields();
+std::span<const BrunetonField> bruneton_fields();
+std::span<const OpticalDepthField> optical_depth_fields();
 std::span<const NoiseField> noise_fields();
 std::span<const NoiseChannelField> noise_channel_fields();
 std::span<const CloudField> cloud_fields();

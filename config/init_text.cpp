@@ -103,10 +103,12 @@ std::string layers_text(const Table& atmosphere) {
 std::string bakes_text(const Table& root) {
     std::string text;
     for (const Entry* entry : named_tables(root, "bake")) {
-        const Section* section = find_section("bake.*", entry->key);
-        if (!section) continue;  // presets name their sections after the asset
-        text +=
-            table_text(*section, join_path("bake", entry->key), std::get<Table>(entry->value.data));
+        const auto& table = std::get<Table>(entry->value.data);
+        const Entry* asset = find_entry(table, "asset");
+        const auto* named = asset ? std::get_if<std::string>(&asset->value.data) : nullptr;
+        const Section* section = find_section("bake.*", named ? *named : entry->key);
+        if (!section) continue;  // no preset has such
+        text += table_text(*section, join_path("bake", entry->key), table);
     }
     return text;
 }
@@ -288,6 +290,27 @@ std::string cloud_init_text(const Preset& preset) {
     text += commented_tables(*keys, path);
     text += bakes_of_cloud(name, noises.size);
     return text + sweep_text(join_path(path, "coverage"), "{ from = 0.2, to = 0.8, count = 4 }");
+}
+
+std::string particle_init_text(const Preset& preset) {
+    const std::optional<Table> keys = parse_preset(preset);
+    if (!keys) return std::string(preset.text);
+    const std::string name(preset.name);
+    const Section& bake = *find_section("bake.*", "phase");
+    std::string text = head_comment(preset.text) + note_on_comments(name);
+    text += section_from_preset(*find_section("particles.*"), join_path("particles", name), name,
+                                *keys);
+    text += table_text(bake, join_path("bake", name),
+                       {text_entry("asset", "phase"), text_entry("particles", name)});
+    text += table_text(bake, join_path("bake", name + "_sampling"),
+                       {text_entry("asset", "phase"), text_entry("content", "inverse_cumulative"),
+                        text_entry("particles", name)});
+    text += fmt::format(
+        "\n# A layer of them, in a recipe with an atmosphere:\n"
+        "#   [atmosphere.layers.{0}]\n#   profile = \"exponential\"\n#   scale_height = \"1 km\"\n"
+        "#   phase = {{ mie = \"{0}\" }}\n#   number_density = \"10 /cm3\"\n",
+        name);
+    return text + sweep_text("wavelengths", "[[\"680 nm\"], [\"550 nm\"], [\"440 nm\"]]");
 }
 
 std::string init_text(const Preset& preset) {

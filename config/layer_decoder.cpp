@@ -2,7 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+#include <utility>
+
 #include "config/key_path.h"
+#include "config/merge.h"
+#include "config/named_reference.h"
 #include "config/units.h"
 #include "config/zenith_optical_depth.h"
 
@@ -108,26 +114,81 @@ void decode_switched_off(DecodedSection& section, Decoder& decoder) {
     append_values(section, decoder);
 }
 
+// The table with `phase = { mie = NAME }` written as two keys; any other table as it is.
+Table with_phase_as_text(const Table& table) {
+    Table result = table;
+    const auto phase = std::find_if(result.begin(), result.end(),
+                                    [](const Entry& entry) { return entry.key == "phase"; });
+    const Table* inner = phase == result.end() ? nullptr : as_table(phase->value);
+    const bool is_mie = inner && inner->size() == 1 && inner->front().key == "mie";
+    if (!is_mie || find_entry(table, "particles")) return result;
+    Entry particles = inner->front();
+    phase->value.data = std::string("mie");
+    particles.key = "particles";
+    merge(result, {std::move(particles)});
+    return result;
+}
+
+bool is_of_particles(const DecodedSection& layer) {
+    const DecodedField& phase = layer.at("phase");
+    return phase.value &&
+           static_cast<Phase>(std::get<ChoiceIndex>(*phase.value).index) == Phase::mie;
+}
+
+// Coefficients follow from the particles: given besides, they would contradict them.
+void leave_coefficients_to_particles(DecodedSection& layer, Decoder& decoder) {
+    for (const std::string_view key :
+         {"scattering", "extinction", "absorption", "single_scattering_albedo"}) {
+        DecodedField& decoded = layer.at(key);
+        decoded.value.reset();
+        if (!decoded.source) continue;
+        decoder.diagnostics.error(
+            "E0139", decoded.source->place,
+            fmt::format("`{}` is given besides particles", join_path(layer.path, key)),
+            "phase = \"mie\" has it from their number and size; leave it out");
+    }
+}
+
+// A section that is whole, with what it takes from the recipe.
+Layer bind_layer(const std::string& name, const DecodedSection& section, const Parameters& recipe,
+                 Decoder& decoder) {
+    Layer layer;
+    layer.name = name;
+    bind_section(section, layer_fields(), layer);
+    if (!is_of_particles(section)) return layer;
+    const Particles* particles =
+        find_named(section, "particles", std::span<const Particles>(recipe.particles),
+                   particles_reference, decoder);
+    const DecodedField& number = section.at("number_density");
+    if (particles && number.value) {
+        layer.particles = {*particles, {std::get<double>(*number.value)}, recipe.wavelengths};
+    }
+    return layer;
+}
+
 }  // namespace
 
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
-                                  Decoder& decoder) {
+                                  const Parameters& recipe, Decoder& decoder) {
     const bool off = is_switched_off(table);
+    // Values are referred to until the layer is bound.
+    const Table keys = with_phase_as_text(table);
     DecodedSection section =
         decode_section(*find_section("atmosphere.layers.*"), join_path("atmosphere.layers", name),
-                       place, table, off ? Absent::left_out : Absent::filled_in, decoder);
+                       place, keys, off ? Absent::left_out : Absent::filled_in, decoder);
     if (off) {
         decode_switched_off(section, decoder);
         return std::nullopt;
     }
-    check_extinction(section, decoder);
+    if (is_of_particles(section)) {
+        leave_coefficients_to_particles(section, decoder);
+    } else {
+        check_extinction(section, decoder);
+        derive_extinction(section, decoder);
+    }
     check_slab(section, decoder);
-    derive_extinction(section, decoder);
     append_values(section, decoder);
-    Layer layer;
-    layer.name = name;
-    bind(section, layer_fields(), layer);
-    return layer;
+    return bind_layer(name, section, recipe, decoder);
 }
 
 void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const Table& table,

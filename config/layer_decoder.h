@@ -9,9 +9,12 @@
 
 namespace skybake::config {
 
-// None if the layer is switched off or has no usable coefficients; errors are reported.
+// Takes particles and wavelengths from the recipe. None if the layer is switched off or has no
+// usable coefficients; errors are reported.
+//
+// `phase = { mie = NAME }` says the same as phase = "mie" and particles = NAME.
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
-                                  Decoder& decoder);
+                                  const Parameters& recipe, Decoder& decoder);
 
 // Warns (W0202) of a layer that is opaque beyond reason: most often a slip of a unit.
 void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const Table& table,

@@ -18,6 +18,8 @@ struct ReferenceWords {
 };
 
 inline constexpr ReferenceWords noise_reference{"E0130", "noise", "[noise.NAME]"};
+inline constexpr ReferenceWords layer_reference{"E0138", "layer", "[atmosphere.layers.NAME]"};
+inline constexpr ReferenceWords particles_reference{"E0140", "particles", "[particles.NAME]"};
 inline constexpr ReferenceWords cloud_reference{"E0132", "cloud", "[clouds.NAME]"};
 
 // The text of a field; null if it has none.

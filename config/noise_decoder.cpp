@@ -34,7 +34,7 @@ NoiseChannel decode_channel(const std::string& name, const std::string& path, co
     channel.octaves = resolve_octaves(section, plain_octave_keys, decoder);
     channel.worley_octaves = resolve_octaves(section, worley_octave_keys, decoder);
     append_values(section, decoder);
-    bind(section, noise_channel_fields(), channel);
+    bind_section(section, noise_channel_fields(), channel);
     return channel;
 }
 
@@ -145,7 +145,7 @@ Noise decode_noise(const std::string& name, const Place& place, const Table& tab
     append_values(section, decoder);
     Noise noise;
     noise.name = name;
-    bind(section, noise_fields(), noise);
+    bind_section(section, noise_fields(), noise);
     noise.channels = decode_channels(section, table, decoder);
     return noise;
 }

@@ -52,6 +52,8 @@ Dimension wanted_dimension(Kind kind) {
         case Kind::coefficient:
         case Kind::coefficients:
             return Dimension::inverse_length;
+        case Kind::number_density:
+            return Dimension::number_density;
         case Kind::angle:
         case Kind::angles:
         case Kind::angle_bounds:

@@ -17,7 +17,36 @@
 namespace skybake::config {
 
 enum class Profile { exponential, tent, slab, tabulated };
-enum class Phase { isotropic, rayleigh, henyey_greenstein, cornette_shanks };
+enum class Phase { isotropic, rayleigh, henyey_greenstein, cornette_shanks, mie };
+
+enum class ParticleMaterial { water, constant };
+enum class SizeDistribution { monodisperse, log_normal, gamma, modified_gamma };
+
+// One [particles.NAME]: homogeneous spheres in air, and how many there are of each radius r:
+//   monodisperse    all have r = radius
+//   log_normal      n ~ 1/r exp(-ln^2(r / radius) / (2 ln^2 geometric_deviation))
+//   gamma           n ~ r^((1 - 3 v) / v) exp(-r / (effective_radius v)), v the effective variance
+//   modified_gamma  n ~ r^alpha exp(-(r / radius)^gamma)
+struct Particles {
+    std::string name;
+    ParticleMaterial material = ParticleMaterial::water;
+    double refractive_index = 1;  // constant: m = refractive_index + i absorption_index
+    double absorption_index = 0;  // constant
+    SizeDistribution sizes = SizeDistribution::gamma;
+    Length radius;                   // all but gamma
+    double geometric_deviation = 1;  // log_normal, above 1
+    Length effective_radius;         // gamma: the mean radius, weighted with the cross-section
+    double effective_variance = 0;   // gamma: relative to its square, in (0, 0.5)
+    double alpha = 0;                // modified_gamma
+    double gamma = 1;                // modified_gamma
+};
+
+// The particles of a layer whose density is 1.
+struct LayerParticles {
+    Particles particles;
+    NumberDensity number_density;
+    std::vector<Length> wavelengths;  // one per channel
+};
 
 // One entry of `table = [["0 km", 1.0], ...]`.
 struct DensityPoint {
@@ -34,10 +63,11 @@ struct Layer {
     Length center_altitude, half_width;     // tent
     Length bottom_altitude, top_altitude;   // slab
     std::vector<DensityPoint> table;        // tabulated: linear between, zero outside
-    std::vector<InverseLength> scattering;  // one per channel, at density 1
+    std::vector<InverseLength> scattering;  // one per channel, at density 1; none of mie
     std::vector<InverseLength> extinction;  // one per channel, at density 1; never below scattering
     Phase phase = Phase::isotropic;
-    double g = 0;  // henyey_greenstein, cornette_shanks
+    double g = 0;              // henyey_greenstein, cornette_shanks
+    LayerParticles particles;  // mie: scattering, extinction and phase function follow from them
 };
 
 struct Atmosphere {
@@ -88,12 +118,17 @@ struct MultipleScatteringBake {
 // Which light: all of it; scattered once, in the air; or the rest, ground in sunlight included.
 enum class SkyOrders { all, single, multiple };
 
+// How light scattered twice or more is found: all orders solved for; or the second alone, from a
+// sky of eight strips.
+enum class SkyMethod { solved, strips };
+
 struct SkyViewBake {
     std::array<int, 2> size{};  // texels along azimuth, along elevation; of one sun
     Length altitude;            // of the camera, which may be in space
     std::vector<Angle> sun_elevations;
     SkyOrders orders = SkyOrders::all;
     std::vector<std::string> layers;  // single: what scatters; empty: every layer
+    SkyMethod sky = SkyMethod::solved;
     PixelType pixel_type = PixelType::float32;
     Compression compression = Compression::zip;
 };
@@ -107,6 +142,22 @@ struct IrradianceBake {
     std::vector<std::string> layers;    // single
     double max_texel_error = 0;         // sets the quadrature's counts
     MultipleScatteringMapping mapping = MultipleScatteringMapping::twilight;
+    PixelType pixel_type = PixelType::float32;
+    Compression compression = Compression::zip;
+};
+
+enum class PhaseContent { phase, inverse_cumulative };
+enum class PhaseSpacing { best, angle, cosine, peaks };
+
+// How particles or a layer scatter by angle.
+struct PhaseBake {
+    std::string particles;            // NAME of a [particles.NAME], or
+    std::string layer;                // of a layer of the atmosphere
+    int size = 0;                     // texels
+    std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
+    PhaseContent content = PhaseContent::phase;
+    PhaseSpacing spacing = PhaseSpacing::best;  // phase
+    int degree = 0;                             // of the Legendre moments in the manifest
     PixelType pixel_type = PixelType::float32;
     Compression compression = Compression::zip;
 };
@@ -294,12 +345,51 @@ struct AerialPerspectiveBake : VolumeFiles {
     std::vector<std::string> layers;  // single
 };
 
+enum class BrunetonTable { transmittance, scattering, single_mie, higher_orders, irradiance };
+enum class BrunetonConvention { bruneton, takram };
+enum class BrunetonMethod { solved, iterated };
+
+// One table of the precomputed scattering of Bruneton & Neyret 2008, as their implementation of
+// 2017 has it.
+struct BrunetonBake : VolumeFiles {
+    BrunetonTable table = BrunetonTable::scattering;
+    // Texels along u, v, w. Tables of scattering: nu and the sun's cosine, the view's cosine,
+    // altitude; transmittance: zenith angle, altitude, 1; irradiance: the sun's cosine,
+    // altitude, 1.
+    std::array<int, 3> size{};
+    int nu_size = 0;       // tables of scattering: sub-images along u, which divide size[0]
+    bool combined = true;  // scattering: the first order of Mie layers in A, red alone
+    int orders = 0;        // of scattering; 0: all
+    BrunetonMethod method = BrunetonMethod::solved;
+    BrunetonConvention convention = BrunetonConvention::bruneton;
+    double sun_cos_zenith_min = 0;         // where the axis of the sun begins
+    std::vector<std::string> mie_layers;   // whose single scattering is kept apart
+    std::vector<double> solar_irradiance;  // one per channel, multiplies all light
+};
+
+enum class OpticalDepthTable { to_top, between, density, phase };
+enum class BetweenCoordinates { altitudes, distance };
+enum class DepthSampling { exact, equal_attenuation, uniform };
+
+// Column densities, densities and phase functions of up to four kinds of particles, one a channel,
+// after Ai et al. 2014.
+struct OpticalDepthBake : VolumeFiles {
+    OpticalDepthTable table = OpticalDepthTable::to_top;
+    std::array<int, 3> size{};  // to_top: angle, altitude, 1; between: three; else texels, 1, 1
+    std::vector<std::string> kinds;  // layers of the atmosphere
+    BetweenCoordinates coordinates = BetweenCoordinates::altitudes;
+    DepthSampling sampling = DepthSampling::exact;
+    int shells = 0;       // equal_attenuation, uniform
+    Length max_altitude;  // equal_attenuation, uniform: the air above is left out
+};
+
 // One [bake.NAME] section.
 struct Bake {
     std::string name;
     // `asset = "..."`, default NAME
     std::variant<TransmittanceBake, MultipleScatteringBake, SkyViewBake, AerialPerspectiveBake,
-                 IrradianceBake, NoiseVolumeBake, CloudVolumeBake, OccupancyBake>
+                 IrradianceBake, PhaseBake, BrunetonBake, OpticalDepthBake, NoiseVolumeBake,
+                 CloudVolumeBake, OccupancyBake>
         asset;
 };
 
@@ -307,9 +397,10 @@ struct Parameters {
     std::vector<Length> wavelengths;  // one per channel: 1 (a luminance table, Y) or 3 (R, G, B)
     Atmosphere atmosphere;            // without radii and layers in a recipe of noises alone
     std::optional<Scene> scene;
-    std::vector<Noise> noises;  // by name
-    std::vector<Cloud> clouds;  // by name
-    std::vector<Bake> bakes;    // in the order of the file
+    std::vector<Particles> particles;  // by name
+    std::vector<Noise> noises;         // by name
+    std::vector<Cloud> clouds;         // by name
+    std::vector<Bake> bakes;           // in the order of the file
 };
 
 }  // namespace skybake::config

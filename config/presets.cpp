@@ -8,6 +8,8 @@ namespace {
 constexpr std::array kinds = {
     SectionPresets{"noise", "noise", noise_presets},
     SectionPresets{"clouds", "cloud", cloud_presets},
+    SectionPresets{"particles", "particles", particle_presets},
+    SectionPresets{"atmosphere.layers", "layer", layer_presets},
 };
 
 }  // namespace
@@ -49,6 +51,10 @@ std::vector<std::string_view> preset_names() { return preset_names(presets()); }
 std::vector<std::string_view> noise_preset_names() { return preset_names(noise_presets()); }
 
 std::vector<std::string_view> cloud_preset_names() { return preset_names(cloud_presets()); }
+
+std::vector<std::string_view> particle_preset_names() { return preset_names(particle_presets()); }
+
+std::vector<std::string_view> layer_preset_names() { return preset_names(layer_presets()); }
 
 std::string preset_title(const Preset& preset) {
     std::string_view line = preset.text.substr(0, preset.text.find('\n'));

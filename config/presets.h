@@ -1,6 +1,6 @@
 // The presets that travel inside the program: the texts of config/presets/*.toml, and of the
-// folders noise/ and clouds/ beside them, put into the binary when it is built, so that an
-// installed skybake needs no data folder.
+// folders noise/, clouds/, particles/ and layers/ beside them, put into the binary when it is
+// built, so that an installed skybake needs no data folder.
 #pragma once
 
 #include <span>
@@ -18,15 +18,17 @@ struct Preset {
 // All presets of recipes, by name.
 std::span<const Preset> presets();
 
-// Those of noises and of clouds, by name; their texts are the keys of one [noise.NAME] or
-// [clouds.NAME].
+// Those of noises, of clouds, of particles and of layers, by name; their texts are the keys of one
+// [noise.NAME], [clouds.NAME], [particles.NAME] or [atmosphere.layers.NAME].
 std::span<const Preset> noise_presets();
 std::span<const Preset> cloud_presets();
+std::span<const Preset> particle_presets();
+std::span<const Preset> layer_presets();
 
 // Presets of sections that the user names.
 struct SectionPresets {
-    std::string_view section;  // "noise"
-    std::string_view noun;     // "noise", "cloud"
+    std::string_view section;  // "noise", "atmosphere.layers"
+    std::string_view noun;     // "noise", "cloud", "particles", "layer"
     std::span<const Preset> (*all)();
 };
 std::span<const SectionPresets> section_presets();
@@ -44,6 +46,8 @@ std::vector<std::string_view> preset_names(std::span<const Preset> all);
 std::vector<std::string_view> preset_names();
 std::vector<std::string_view> noise_preset_names();
 std::vector<std::string_view> cloud_preset_names();
+std::vector<std::string_view> particle_preset_names();
+std::vector<std::string_view> layer_preset_names();
 
 // The first line of the comment at the preset's head.
 std::string preset_title(const Preset& preset);

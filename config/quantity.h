@@ -15,6 +15,11 @@ struct InverseLength {
     constexpr double per_kilometer() const { return per_meter * 1000; }
 };
 
+// Particles per volume.
+struct NumberDensity {
+    double per_cubic_meter = 0;
+};
+
 struct Angle {
     double radians = 0;
 };

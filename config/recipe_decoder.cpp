@@ -9,6 +9,7 @@
 #include "config/key_path.h"
 #include "config/layer_decoder.h"
 #include "config/noise_decoder.h"
+#include "config/particle_decoder.h"
 #include "config/toml_source.h"
 #include "config/units.h"
 
@@ -28,11 +29,13 @@ void check_radii(const DecodedSection& atmosphere, Decoder& decoder) {
         fmt::format("must be above {}", spell_length(low)));
 }
 
-void decode_layers(const Table& atmosphere, Atmosphere& result, Decoder& decoder) {
+void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere& result,
+                   Decoder& decoder) {
     for (const Entry& entry : subtable(atmosphere, "layers", "atmosphere", decoder)) {
         const Table* table = named_table(entry, "atmosphere.layers", decoder);
         if (!table) continue;
-        std::optional<Layer> layer = decode_layer(entry.key, entry.key_place, *table, decoder);
+        std::optional<Layer> layer =
+            decode_layer(entry.key, entry.key_place, *table, recipe, decoder);
         if (!layer) continue;
         if (!decoder.diagnostics.has_errors()) {
             check_optical_depth(*layer, result, *table, decoder);
@@ -42,7 +45,7 @@ void decode_layers(const Table& atmosphere, Atmosphere& result, Decoder& decoder
 }
 
 // A recipe without one has an atmosphere of no size.
-Atmosphere decode_atmosphere(const Table& root, Decoder& decoder) {
+Atmosphere decode_atmosphere(const Table& root, const Parameters& recipe, Decoder& decoder) {
     Atmosphere result;
     const Entry* entry = find_entry(root, "atmosphere");
     if (!entry) return result;
@@ -53,8 +56,8 @@ Atmosphere decode_atmosphere(const Table& root, Decoder& decoder) {
                        Absent::filled_in, decoder);
     check_radii(section, decoder);
     append_values(section, decoder);
-    bind(section, atmosphere_fields(), result);
-    decode_layers(table, result, decoder);
+    bind_section(section, atmosphere_fields(), result);
+    decode_layers(table, recipe, result, decoder);
     return result;
 }
 
@@ -66,8 +69,23 @@ std::optional<Scene> decode_scene(const Table& root, Decoder& decoder) {
                                                   table, Absent::filled_in, decoder);
     append_values(section, decoder);
     Scene scene;
-    bind(section, scene_fields(), scene);
+    bind_section(section, scene_fields(), scene);
     return scene;
+}
+
+std::vector<Particles> decode_all_particles(const Table& root, std::span<const Length> wavelengths,
+                                            Decoder& decoder) {
+    std::vector<Particles> result;
+    for (const Entry& entry : subtable(root, "particles", "", decoder)) {
+        const Table* table = named_table(entry, "particles", decoder);
+        // Those that are no table are particles all the same, so that layers may name them.
+        Particles named;
+        named.name = entry.key;
+        result.push_back(
+            table ? decode_particles(entry.key, entry.key_place, *table, wavelengths, decoder)
+                  : named);
+    }
+    return result;
 }
 
 std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
@@ -101,7 +119,9 @@ bool needs_atmosphere(const Bake& bake) {
            std::holds_alternative<MultipleScatteringBake>(bake.asset) ||
            std::holds_alternative<SkyViewBake>(bake.asset) ||
            std::holds_alternative<AerialPerspectiveBake>(bake.asset) ||
-           std::holds_alternative<IrradianceBake>(bake.asset);
+           std::holds_alternative<IrradianceBake>(bake.asset) ||
+           std::holds_alternative<BrunetonBake>(bake.asset) ||
+           std::holds_alternative<OpticalDepthBake>(bake.asset);
 }
 
 // The sky's assets need an atmosphere; a recipe of nothing at all was to be one of a sky.
@@ -110,8 +130,8 @@ void check_atmosphere(const Table& root, const Parameters& parameters, const Sou
     if (find_entry(root, "atmosphere") || !decoder.complete) return;
     const bool bakes_sky =
         std::any_of(parameters.bakes.begin(), parameters.bakes.end(), needs_atmosphere);
-    const bool is_empty =
-        parameters.bakes.empty() && parameters.noises.empty() && parameters.clouds.empty();
+    const bool is_empty = parameters.bakes.empty() && parameters.noises.empty() &&
+                          parameters.clouds.empty() && parameters.particles.empty();
     if (!bakes_sky && !is_empty) return;
     decoder.diagnostics.error("E0105", {&source}, "the recipe has no [atmosphere]",
                               "start from preset = \"earth\", or see `skybake init`");
@@ -124,11 +144,12 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     const DecodedSection section =
         decode_section(*find_section(""), "", {&source}, root, Absent::filled_in, decoder);
     append_values(section, decoder);
-    bind(section, root_fields(), parameters);
+    bind_section(section, root_fields(), parameters);
     if (!parameters.wavelengths.empty()) {
         decoder.channels = static_cast<int>(parameters.wavelengths.size());
     }
-    parameters.atmosphere = decode_atmosphere(root, decoder);
+    parameters.particles = decode_all_particles(root, parameters.wavelengths, decoder);
+    parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
     parameters.scene = decode_scene(root, decoder);
     parameters.noises = decode_noises(root, decoder);
     parameters.clouds = decode_clouds(root, parameters.noises, decoder);

@@ -164,6 +164,8 @@ Json value_schema(const Field& field) {
             return list_schema(quantity_schema(Dimension::length), 2, 2);
         case Kind::coefficient:
             return quantity_schema(Dimension::inverse_length);
+        case Kind::number_density:
+            return quantity_schema(Dimension::number_density);
         case Kind::lengths:
             return list_schema(quantity_schema(Dimension::length), 3, 3);
         case Kind::pair:
@@ -315,13 +317,29 @@ Json sweep_schema() {
     return schema;
 }
 
+// The phase function is a name, or { mie = "NAME" } of particles.
+Json layer_schema() {
+    Json schema = section_schema(*find_section("atmosphere.layers.*"));
+    schema["properties"]["preset"]["examples"] = layer_preset_names();
+    Json& phase = schema["properties"]["phase"];
+    const Json named = {{"type", "object"},
+                        {"properties", {{"mie", text_schema()}}},
+                        {"required", {"mie"}},
+                        {"additionalProperties", false}};
+    phase["anyOf"] = {{{"enum", phase["enum"]}}, named};
+    phase.erase("enum");
+    return schema;
+}
+
 Json definitions() {
     Json result = Json::object();
     result["cloud"] = cloud_schema();
     result["tower"] = section_schema(*find_section("clouds.*.towers.*"));
     result["noise"] = noise_schema();
     result["noise_channel"] = section_schema(*find_section("noise.*.channels.*"));
-    result["layer"] = section_schema(*find_section("atmosphere.layers.*"));
+    result["particles"] = section_schema(*find_section("particles.*"));
+    result["particles"]["properties"]["preset"]["examples"] = particle_preset_names();
+    result["layer"] = layer_schema();
     for (const std::string_view asset : asset_names()) {
         result[std::string(asset)] = section_schema(*find_section("bake.*", asset));
     }
@@ -339,6 +357,8 @@ std::string recipe_schema() {
     atmosphere["properties"]["layers"] = named_schema("layers of the atmosphere, by name", "layer");
     schema["properties"]["atmosphere"] = atmosphere;
     schema["properties"]["scene"] = section_schema(*find_section("scene"));
+    schema["properties"]["particles"] =
+        with_bare_names(named_schema("particles, by name", "particles"));
     schema["properties"]["noise"] = with_bare_names(named_schema("noises, by name", "noise"));
     schema["properties"]["clouds"] = with_bare_names(named_schema("clouds, by name", "cloud"));
     schema["properties"]["bake"] = bakes_schema();

@@ -67,6 +67,7 @@ struct Assigner {
     void operator()(std::monostate) const {}
     void operator()(Length S::*member) const { target.*member = {std::get<double>(value)}; }
     void operator()(InverseLength S::*member) const { target.*member = {std::get<double>(value)}; }
+    void operator()(NumberDensity S::*member) const { target.*member = {std::get<double>(value)}; }
     void operator()(Angle S::*member) const { target.*member = {std::get<double>(value)}; }
     void operator()(std::array<Length, 3> S::*member) const {
         const auto& meters = std::get<std::array<double, 3>>(value);
@@ -119,7 +120,7 @@ struct Assigner {
 // Fills the members of `target` that the section has values for. `table` is the bound table that
 // the section was made from.
 template <class S, class Bound>
-void bind(const DecodedSection& section, std::span<const Bound> table, S& target) {
+void bind_section(const DecodedSection& section, std::span<const Bound> table, S& target) {
     assert(section.fields.size() == table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
         const std::optional<FieldValue>& value = section.fields[i].value;

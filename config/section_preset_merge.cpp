@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "config/key_path.h"
@@ -57,25 +59,39 @@ std::optional<Table> preset_of(const SectionPresets& kind, const Value& name,
     return keys;
 }
 
+// The presets of the sections below `path`, under the tables that lead there:
+// [atmosphere.layers.*].
+std::optional<Entry> nested(const Table& root, std::string_view path,
+                            const std::function<Table(const Table& named)>& presets) {
+    const std::size_t dot = path.find('.');
+    const Entry* entry = find_entry(root, path.substr(0, dot));
+    const Table* table = entry ? as_table(entry->value) : nullptr;
+    if (!table) return std::nullopt;
+    if (dot == path.npos)
+        return Entry{entry->key, entry->key_place, {presets(*table), entry->value.place}};
+    std::optional<Entry> inner = nested(*table, path.substr(dot + 1), presets);
+    if (!inner) return std::nullopt;
+    return Entry{entry->key, entry->key_place, {Table{std::move(*inner)}, entry->value.place}};
+}
+
 bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source>& sources,
                       DiagnosticList& diagnostics) {
-    const Entry* sections = find_entry(root, kind.section);
-    const Table* named = sections ? as_table(sections->value) : nullptr;
-    if (!named) return true;
     bool complete = true;
-    Table presets;
-    for (const Entry& entry : *named) {
-        const Table* table = as_table(entry.value);
-        const Entry* preset = table ? find_entry(*table, "preset") : nullptr;
-        if (!preset) continue;
-        std::optional<Table> keys = preset_of(kind, preset->value, sources, diagnostics);
-        complete = complete && keys;
-        if (!keys) continue;
-        presets.push_back({entry.key, entry.key_place, {std::move(*keys), entry.value.place}});
-    }
-    Table base;
-    base.push_back(
-        {sections->key, sections->key_place, {std::move(presets), sections->value.place}});
+    std::optional<Entry> sections = nested(root, kind.section, [&](const Table& named) {
+        Table presets;
+        for (const Entry& entry : named) {
+            const Table* table = as_table(entry.value);
+            const Entry* preset = table ? find_entry(*table, "preset") : nullptr;
+            if (!preset) continue;
+            std::optional<Table> keys = preset_of(kind, preset->value, sources, diagnostics);
+            complete = complete && keys;
+            if (!keys) continue;
+            presets.push_back({entry.key, entry.key_place, {std::move(*keys), entry.value.place}});
+        }
+        return presets;
+    });
+    if (!sections) return true;
+    Table base = {std::move(*sections)};
     merge(base, root);
     root = std::move(base);
     return complete;

@@ -1,4 +1,5 @@
-// Noises and clouds that start from a preset: [noise.NAME] and [clouds.NAME] with `preset = "..."`.
+// Noises, clouds, particles and layers that start from a preset: [noise.NAME] and so on with
+// `preset = "..."`.
 #pragma once
 
 #include <deque>
@@ -8,7 +9,7 @@
 
 namespace skybake::config {
 
-// Lays each noise and each cloud of the merged recipe over the preset that it names. The presets'
+// Lays each such section of the merged recipe over the preset that it names. The presets'
 // texts join the sources, which own what places point to. False if one is unknown, which is
 // reported (E0115), or is no text, so that keys may be missing for that reason.
 bool lay_sections_over_presets(Table& root, std::deque<Source>& sources,

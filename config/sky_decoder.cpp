@@ -59,10 +59,10 @@ void check_channels(const DecodedSection& bake, Decoder& decoder) {
 
 }  // namespace
 
-void check_sky_layers(const DecodedSection& bake, const Table& root, const Atmosphere& atmosphere,
-                      Decoder& decoder) {
-    const DecodedField* decoded = find_decoded(bake, "layers");
-    if (!decoded || !decoded->value || !decoder.complete) return;
+void check_layer_names(const DecodedSection& bake, std::string_view key, const Table& root,
+                       const Atmosphere& atmosphere, Decoder& decoder) {
+    const DecodedField* decoded = find_decoded(bake, key);
+    if (!decoded || !decoded->value || !decoded->source || !decoder.complete) return;
     const auto& names = std::get<Names>(*decoded->value);
     for (auto name = names.begin(); name != names.end(); ++name) {
         const bool known = std::any_of(atmosphere.layers.begin(), atmosphere.layers.end(),
@@ -71,7 +71,7 @@ void check_sky_layers(const DecodedSection& bake, const Table& root, const Atmos
         // A layer that is there and could not be read has been reported.
         const bool is_off = !known && is_in_recipe(root, *name);
         if ((known && !again) || (is_off && decoder.diagnostics.has_errors())) continue;
-        const std::string path = join_path(bake.path, "layers");
+        const std::string path = join_path(bake.path, key);
         const std::string_view problem = again    ? "names a layer twice"
                                          : is_off ? "names a layer that is switched off"
                                                   : "names no layer of the atmosphere";

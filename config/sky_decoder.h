@@ -9,9 +9,10 @@
 
 namespace skybake::config {
 
-// Names in `layers` that are none of the atmosphere's (E0138). Sections without such a key pass.
-void check_sky_layers(const DecodedSection& bake, const Table& root, const Atmosphere& atmosphere,
-                      Decoder& decoder);
+// Names in the list `key` that are none of the atmosphere's layers (E0138). Sections without such a
+// key pass.
+void check_layer_names(const DecodedSection& bake, std::string_view key, const Table& root,
+                       const Atmosphere& atmosphere, Decoder& decoder);
 
 // Fills in the distance of view and the number of `mips`; reports channels that make no picture
 // (E0129) and what any volume's files must have (volume_files_decoder.h).

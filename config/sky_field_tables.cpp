@@ -22,6 +22,11 @@ constexpr std::array sun_mapping_choices = {
     Choice{"twilight", "texels gathered at the terminator"},
 };
 
+constexpr std::array sky_method_choices = {
+    Choice{"solved", "all orders, each layer with its own phase function"},
+    Choice{"strips", "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
+};
+
 constexpr std::string_view sky[] = {"sky"};
 
 const std::array scene_table = {
@@ -65,6 +70,12 @@ const std::array sky_view_table = {
                  &SkyViewBake::sun_elevations},
     SkyViewField{orders_field, &SkyViewBake::orders},
     SkyViewField{layers_field, &SkyViewBake::layers},
+    SkyViewField{{.key = "sky",
+                  .kind = Kind::choice,
+                  .choices = sky_method_choices,
+                  .fallback = R"("solved")",
+                  .documentation = "how light scattered more than once is found"},
+                 &SkyViewBake::sky},
     SkyViewField{table_pixel_type_field, &SkyViewBake::pixel_type},
     SkyViewField{compression_field, &SkyViewBake::compression},
 };

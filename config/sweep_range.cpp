@@ -47,6 +47,7 @@ bool takes_one_number(Kind kind) {
         case Kind::fractions:
         case Kind::angle:
         case Kind::coefficient:
+        case Kind::number_density:
             return true;
         default:
             return takes_whole_numbers(kind);
@@ -59,6 +60,8 @@ std::string_view base_unit(Dimension dimension) {
             return "m";
         case Dimension::inverse_length:
             return "/m";
+        case Dimension::number_density:
+            return "/m3";
         case Dimension::angle:
             return "rad";
         case Dimension::number:

@@ -41,6 +41,12 @@ constexpr std::array units = {
     Unit{"1/km", Dimension::inverse_length, -3, alias},
     Unit{"m^-1", Dimension::inverse_length, 0, alias},
     Unit{"km^-1", Dimension::inverse_length, -3, alias},
+    Unit{"/m3", Dimension::number_density, 0},
+    Unit{"/cm3", Dimension::number_density, 6},
+    Unit{"1/m3", Dimension::number_density, 0, alias},
+    Unit{"1/cm3", Dimension::number_density, 6, alias},
+    Unit{"m^-3", Dimension::number_density, 0, alias},
+    Unit{"cm^-3", Dimension::number_density, 6, alias},
     Unit{"deg", Dimension::angle, 0, true, std::numbers::pi / 180},
     Unit{"rad", Dimension::angle, 0},
 };
@@ -225,6 +231,8 @@ std::string_view dimension_name(Dimension dimension) {
             return "a length";
         case Dimension::inverse_length:
             return "a coefficient (1/length)";
+        case Dimension::number_density:
+            return "a number of particles per volume";
         case Dimension::angle:
             return "an angle";
     }
@@ -254,6 +262,10 @@ std::string spell_length(double meters) { return spell_number(meters) + " m"; }
 std::string spell_wavelength(double meters) { return spell_shifted(meters, 9) + " nm"; }
 
 std::string spell_inverse_length(double per_meter) { return spell_number(per_meter) + " /m"; }
+
+std::string spell_number_density(double per_cubic_meter) {
+    return spell_number(per_cubic_meter) + " /m3";
+}
 
 std::string spell_angle(double radians) { return spell_number(radians) + " rad"; }
 

@@ -2,7 +2,8 @@
 //
 // Reading and spelling are independent of the locale, and exact where decimal arithmetic can be: a
 // power-of-ten unit is moved into the decimal exponent before the one rounding to double, so that
-// "8 km" is 8000 and "680 nm" is the double next to 6.8e-7. Base units: metre, 1/m, radian, 1.
+// "8 km" is 8000 and "680 nm" is the double next to 6.8e-7. Base units: metre, 1/m, 1/m3,
+// radian, 1.
 #pragma once
 
 #include <optional>
@@ -13,7 +14,7 @@
 
 namespace skybake::config {
 
-enum class Dimension { number, fraction, length, inverse_length, angle };
+enum class Dimension { number, fraction, length, inverse_length, number_density, angle };
 
 struct Quantity {
     double value = 0;                         // finite, in base units; never -0
@@ -49,10 +50,11 @@ std::vector<std::string_view> unit_spellings(Dimension dimension);
 
 // Canonical spellings: the shortest decimal that reads back as the same double, in one unit. Equal
 // values have equal spellings. Values must be finite.
-std::string spell_number(double value);              // "0.8"
-std::string spell_length(double meters);             // "8000 m"
-std::string spell_wavelength(double meters);         // "680 nm"
-std::string spell_inverse_length(double per_meter);  // "5.802e-06 /m"
-std::string spell_angle(double radians);             // "0.925 rad"
+std::string spell_number(double value);                    // "0.8"
+std::string spell_length(double meters);                   // "8000 m"
+std::string spell_wavelength(double meters);               // "680 nm"
+std::string spell_inverse_length(double per_meter);        // "5.802e-06 /m"
+std::string spell_number_density(double per_cubic_meter);  // "1e+08 /m3"
+std::string spell_angle(double radians);                   // "0.925 rad"
 
 }  // namespace skybake::config

@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 examples/install_packages.sh --tests
-cmake --preset dev >/dev/null
+cmake --preset dev -DSKYBAKE_PRECOMPILED_HEADERS=ON >/dev/null
 cmake --build --preset dev
 jobs=$(nproc)
 case "${1:-}" in

@@ -95,7 +95,8 @@ Medium make_medium(const config::Atmosphere& atmosphere) {
     for (std::size_t c = 0; c < atmosphere.ground_albedo.size(); ++c) {
         medium.ground_albedo[c] = atmosphere.ground_albedo[c];
     }
-    for (const Layer& layer : atmosphere.layers) {
+    for (const Layer& given : atmosphere.layers) {
+        const Layer layer = with_coefficients(given);
         const Spectrum extinction = per_km(layer.extinction);
         const bool opaque = std::any_of(extinction.begin(), extinction.end(),
                                         [](double value) { return value > 0; });

@@ -5,19 +5,17 @@
 #include <array>
 #include <vector>
 
+#include "bakers/phase/layer_phase.h"
 #include "config/parameters.h"
 
 namespace skybake {
-
-inline constexpr int kMaxChannels = 3;
-
-using Spectrum = std::array<double, kMaxChannels>;  // entries beyond Medium::channels are 0
 
 // Density exp(-h / scale_height), h the altitude.
 struct ExponentialLayer {
     double scale_height_km = 0;
     Spectrum scattering_per_km{};
     Spectrum extinction_per_km{};
+    bool operator==(const ExponentialLayer&) const = default;
 };
 
 // Density that is linear between two altitudes.
@@ -27,6 +25,7 @@ struct LinearPiece {
     double density_at_bottom = 0;
     double density_at_top = 0;
     double density_per_km = 0;  // slope
+    bool operator==(const LinearPiece&) const = default;
 };
 
 // The density at an altitude within the piece, measured from the end where it is smaller: a sum of
@@ -43,6 +42,7 @@ struct PiecewiseLayer {
     std::vector<LinearPiece> pieces;  // ascending, within the shell
     Spectrum scattering_per_km{};
     Spectrum extinction_per_km{};
+    bool operator==(const PiecewiseLayer&) const = default;
 };
 
 // Layers without extinction have no effect and are left out, so they cost nothing.
@@ -55,8 +55,10 @@ struct Medium {
     std::vector<PiecewiseLayer> piecewise_layers;
 
     double top_radius_km() const { return ground_radius_km + thickness_km; }
+    bool operator==(const Medium&) const = default;
 };
 
+// Coefficients of layers of particles are found on the way.
 Medium make_medium(const config::Atmosphere& atmosphere);
 
 struct Coefficients {

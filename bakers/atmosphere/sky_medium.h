@@ -2,23 +2,34 @@
 // not.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "bakers/atmosphere/medium.h"
-#include "bakers/phase/phase_function.h"
+#include "bakers/phase/layer_phase.h"
 
 namespace skybake {
 
 struct SkyLayer {
+    std::string name;
     Medium alone;  // the planet with this layer only
-    PhaseFunction phase;
+    LayerPhase phase;
     bool scatters = false;
+    // Of light scattered for the first time, where that is another one than `phase`: times
+    // first_factor (forward_peak.h).
+    LayerPhase first_phase;
+    Spectrum first_factor{1, 1, 1};
+    bool operator==(const SkyLayer&) const = default;
 };
+
+// How the layer scatters light for the first time, per channel.
+Spectrum first_phase_values(const SkyLayer& layer, double one_minus_cosine, double one_plus_cosine);
 
 // Layers without extinction are left out.
 struct SkyMedium {
     Medium air;  // all layers together
     std::vector<SkyLayer> layers;
+    bool operator==(const SkyMedium&) const = default;
 };
 
 SkyMedium make_sky_medium(const config::Atmosphere& atmosphere);

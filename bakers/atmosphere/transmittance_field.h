@@ -18,6 +18,7 @@ class TransmittanceField {
     struct Size {
         int columns = 0;  // a multiple of 8
         int rows = 0;     // of a field in one block; each block has at least kLeastRows
+        bool operator==(const Size&) const = default;
     };
     static constexpr int kLeastRows = 13;
 

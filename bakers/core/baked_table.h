@@ -26,8 +26,8 @@ struct ErrorFigures {
     double rms = 0;
 };
 
-// Of a table that stands for an approximation: radiance of the sky made with it, |value / reference -
-// 1| over sky directions.
+// Of a table that stands for an approximation: radiance of the sky made with it, |value / reference
+// - 1| over sky directions.
 struct SkyError {
     double median = 0;
     double ninth_decile = 0;  // nine in ten are below

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "bakers/core/bilinear.h"
 #include "bakers/core/error_statistics.h"
@@ -72,7 +73,13 @@ int ReferencePoints::count() const {
 
 ReferencePoints reference_points(const TableModel& model, PointCounts counts,
                                  const BakeOptions& options) {
-    return with_reference(model, low_discrepancy_points(counts.rows, counts.per_row), options);
+    std::vector<PointRow> rows = low_discrepancy_points(counts.rows, counts.per_row);
+    if (model.x_of_point) {
+        for (PointRow& row : rows) {
+            for (double& x : row.x) x = model.x_of_point(x);
+        }
+    }
+    return with_reference(model, std::move(rows), options);
 }
 
 ReferencePoints reference_texels(const TableModel& model, std::array<int, 2> size,

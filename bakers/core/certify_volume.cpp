@@ -69,13 +69,23 @@ std::vector<double> look_up(const StoredVoxels& voxels, const VolumeLevel& level
     return result;
 }
 
+std::vector<double> shares_of_range(const VolumeLevel& level, const std::vector<double>& found,
+                                    const std::vector<double>& wanted) {
+    std::vector<double> errors;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+        const double range = level.statistics[c].max - level.statistics[c].min;
+        // A channel that has one value everywhere is compared as it is.
+        errors.push_back((found[c] - wanted[c]) / (range > 0 ? range : 1));
+    }
+    return errors;
+}
+
 // Compares lookups with the reference at places, in tiles.
 VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
                      const VolumeReference& reference, const std::vector<Place>& places,
-                     const BakeOptions& options) {
+                     const VolumeComparison& comparison, const BakeOptions& options) {
     const StoredVoxels voxels(level, type);
-    const std::size_t channels = voxels.channels();
-    std::vector<double> errors(places.size() * channels);
+    std::vector<std::vector<double>> errors(places.size());
     constexpr int kTile = 32;
     const auto count = static_cast<int>(places.size());
     for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
@@ -84,19 +94,18 @@ VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
             const auto at = static_cast<std::size_t>(i);
             const std::vector<double> found = look_up(voxels, level, places[at]);
             const std::vector<double> wanted = reference(places[at]);
-            for (std::size_t c = 0; c < channels; ++c) {
-                const double range = level.statistics[c].max - level.statistics[c].min;
-                // A channel that has one value everywhere is compared as it is.
-                errors[at * channels + c] = (found[c] - wanted[c]) / (range > 0 ? range : 1);
-            }
+            errors[at] = comparison.errors ? comparison.errors(places[at], found, wanted)
+                                           : shares_of_range(level, found, wanted);
         }
     });
     VolumeErrors result;
     result.points = count;
     ErrorStatistics statistics;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        if (std::fabs(errors[i]) > statistics.max()) result.worst = places[i / channels];
-        statistics.add(errors[i]);
+        for (const double error : errors[i]) {
+            if (std::fabs(error) > statistics.max()) result.worst = places[i];
+            statistics.add(error);
+        }
     }
     result.figures = statistics.figures();
     return result;
@@ -104,9 +113,14 @@ VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
 
 }  // namespace
 
+std::vector<double> look_up(const VolumeLevel& level, config::PixelType type,
+                            const std::array<double, 3>& uvw) {
+    return look_up(StoredVoxels(level, type), level, uvw);
+}
+
 VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
                              const VolumeReference& reference, int count,
-                             const BakeOptions& options) {
+                             const BakeOptions& options, const VolumeComparison& comparison) {
     std::vector<Place> places;
     for (int i = 0; i < count; ++i) {
         Place place = low_discrepancy_point(i);
@@ -114,14 +128,14 @@ VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
             // Along an axis of one voxel there is nothing to look up between.
             if (level.size[axis] == 1) place[axis] = 0.5;
         }
-        places.push_back(place);
+        places.push_back(comparison.lookup_place ? comparison.lookup_place(place) : place);
     }
-    return measure(level, type, reference, places, options);
+    return measure(level, type, reference, places, comparison, options);
 }
 
 VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
-                            const VolumeReference& reference, int count,
-                            const BakeOptions& options) {
+                            const VolumeReference& reference, int count, const BakeOptions& options,
+                            const VolumeComparison& comparison) {
     std::vector<Place> places;
     for (int i = 0; i < count; ++i) {
         Place place = low_discrepancy_point(i);
@@ -130,7 +144,7 @@ VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
         }
         places.push_back(place);
     }
-    return measure(level, type, reference, places, options);
+    return measure(level, type, reference, places, comparison, options);
 }
 
 std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::PixelType type) {

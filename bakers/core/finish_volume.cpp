@@ -33,17 +33,19 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, BakedVolume
     const int points = options.certification == Certification::full ? kFullPoints : quick_points;
     const auto voxels =
         static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
-    const VolumeErrors texel =
-        measure_voxels(level, volume.pixel_type, finish.reference, voxels, options);
-    const VolumeErrors lookup =
-        measure_lookups(level, volume.pixel_type, finish.reference, points, options);
+    const VolumeErrors texel = measure_voxels(level, volume.pixel_type, finish.reference, voxels,
+                                              options, finish.comparison);
+    const VolumeErrors lookup = measure_lookups(level, volume.pixel_type, finish.reference, points,
+                                                options, finish.comparison);
     Certificate& certificate = volume.certificate;
     certificate.texel = texel.figures;
     certificate.texel_points = texel.points;
     certificate.lookup = lookup.figures;
     certificate.lookup_points = lookup.points;
     certificate.reference = finish.reference_name;
-    certificate.scale = "share of the channel's value range, max - min";
+    certificate.scale = finish.comparison.scale.empty()
+                            ? "share of the channel's value range, max - min"
+                            : finish.comparison.scale;
     certificate.worst = place_text(lookup.worst);
     volume.certified = true;
 }
@@ -91,8 +93,13 @@ config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinis
         if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
         volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
     }
-    if (finish.reference && options.certification != Certification::off) {
-        certify(finish, options, volume);
+    if (options.certification != Certification::off) {
+        if (finish.measure) {
+            volume.certificate = finish.measure(volume, options);
+            volume.certified = true;
+        } else if (finish.reference) {
+            certify(finish, options, volume);
+        }
     }
     if (cancelled(options)) return outcome;
     outcome.value = std::move(volume);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct VolumeFinish {
     VolumeReference reference;                            // none: no certificate
     std::string reference_name;
     bool dear = false;  // the reference: then --certify=quick takes fewer points
+    VolumeComparison comparison = {};
+    // In place of the reference: for volumes that a runtime looks up in another way than between
+    // the eight nearest voxels.
+    std::function<Certificate(const BakedVolume& volume, const BakeOptions& options)> measure = {};
 };
 
 // Surveys all levels, makes their probes, and measures level 0 against the reference unless

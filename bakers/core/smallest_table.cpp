@@ -13,6 +13,18 @@ namespace {
 
 constexpr std::array<int, 19> kSizes = {4,   6,   8,   12,  16,  24,  32,   48,   64,  96,
                                         128, 192, 256, 384, 512, 768, 1024, 1536, 2048};
+constexpr std::array<int, 6> kLongRows = {3072, 4096, 6144, 8192, 12288, 16384};
+
+std::vector<int> widths(const TableModel& model) {
+    std::vector<int> sizes(kSizes.begin(), kSizes.end());
+    if (model.one_row) sizes.insert(sizes.end(), kLongRows.begin(), kLongRows.end());
+    return sizes;
+}
+
+std::vector<int> heights(const TableModel& model) {
+    if (model.one_row) return {1};
+    return {kSizes.begin(), kSizes.end()};
+}
 
 struct Candidate {
     std::array<int, 2> size;
@@ -23,8 +35,8 @@ struct Candidate {
 std::vector<Candidate> candidates(const TableModel& model) {
     std::vector<Candidate> all;
     for (std::size_t level = 0; level < model.cost_per_texel.size(); ++level) {
-        for (const int width : kSizes) {
-            for (const int height : kSizes) {
+        for (const int width : widths(model)) {
+            for (const int height : heights(model)) {
                 all.push_back({{width, height},
                                static_cast<int>(level),
                                static_cast<double>(width) * height * model.cost_per_texel[level]});
@@ -131,7 +143,7 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
         }
     }
     // None holds: say what the largest table at the finest level reaches.
-    const Candidate largest_table = {{kSizes.back(), kSizes.back()}, levels - 1, 0};
+    const Candidate largest_table = {{widths(model).back(), heights(model).back()}, levels - 1, 0};
     search.best = {largest_table.size, largest_table.level, 0};
     for (const PointIndex& index : order) {
         const double error = lookup_error(model, largest_table, type, points, index);

@@ -18,10 +18,10 @@ struct TableSearch {
     TableChoice best;  // the least error that was reached, where none is found
 };
 
-// Tries tables of the sizes {4, 6, 8, 12, 16, ... 2048} on each axis and all levels in the order of
-// their cost, texels * cost_per_texel (then narrower), and takes the first whose
-// stored lookups are within `max_error` at every point. The cost is fixed, so the choice is a pure
-// function of the parameters.
+// Tries tables of the sizes {4, 6, 8, 12, 16, ... 2048} on each axis, up to 16384 where there is
+// but one row, and all levels in the order of their cost, texels * cost_per_texel (then narrower),
+// and takes the first whose stored lookups are within `max_error` at every point. The cost is
+// fixed, so the choice is a pure function of the parameters.
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
                            const ReferencePoints& points, const BakeOptions& options);
 

@@ -21,6 +21,12 @@ struct TableModel {
     // convention says; else empty.
     std::function<double(double y, int rows)> v_of = {};
 
+    // A table over x alone has one row whatever is asked of its accuracy.
+    bool one_row = false;
+
+    // The x of points at which lookups are measured, from uniform ones; empty: these themselves.
+    std::function<double(double x)> x_of_point = {};
+
     // Quadrature levels, cheapest first, by their cost in evaluations per texel.
     std::vector<double> cost_per_texel;
 

@@ -10,6 +10,13 @@ double arc_cosine(double x);       // x in [-1, 1]
 double cosine_of_pi(double x);     // cos(pi x), x in [0, 1]
 double cosine_of_turns(double n);  // cos(2 pi n), any finite n
 
+// sin x and cos x within 3e-16 absolute, |x| <= 1e6.
+struct SineCosine {
+    double sine = 0;
+    double cosine = 1;
+};
+SineCosine sine_and_cosine(double x);
+
 // Replaces each of `count` values by its exponential, vector by vector: the same bits as one by
 // one.
 void exponentials(double* values, int count);

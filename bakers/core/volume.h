@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -64,6 +65,12 @@ struct VolumeLevel {
 // lookups are clamped along z; none of any other.
 std::array<bool, 3> repeating_axes(std::string_view mapping);
 
+// A text that readers of the volume's files want beside them.
+struct CompanionFile {
+    std::string format;  // "json": the end of its name too
+    std::string text;
+};
+
 struct BakedVolume {
     std::string name;     // NAME of [bake.NAME]
     std::string kind;     // "noise_volume"
@@ -77,6 +84,8 @@ struct BakedVolume {
     std::vector<config::VolumeFormat> formats;
     config::VolumeLayout layout = config::VolumeLayout::stack;  // of EXR
     int columns = 0;                                            // of an atlas; 0: to be chosen
+    bool flipped = false;                                       // EXR: the whole image upside down
+    std::optional<CompanionFile> companion;                     // NAME.json
     config::Compression compression = config::Compression::zip;
     config::VdbCompression vdb_compression = config::VdbCompression::blosc;
     std::array<double, 3> voxel_size_m{};  // VDB: edges of a voxel of level 0

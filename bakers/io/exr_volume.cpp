@@ -27,6 +27,13 @@ namespace {
 
 using config::PixelType;
 
+SliceLayout layout_of(const BakedVolume& volume, int level) {
+    SliceLayout layout = volume_layout(volume.levels[static_cast<std::size_t>(level)].size,
+                                       volume.layout, volume.columns);
+    layout.flipped = volume.flipped;
+    return layout;
+}
+
 class OutputStream : public Imf::OStream {
   public:
     explicit OutputStream(FileOutput& file) : Imf::OStream("file"), file_(file) {}
@@ -70,7 +77,7 @@ class VolumeWriter {
         : level_(volume.levels[static_cast<std::size_t>(level)]),
           channels_(volume.channel_names),
           type_(volume.pixel_type),
-          layout_(volume_layout(level_.size, volume.layout, volume.columns)),
+          layout_(layout_of(volume, level)),
           boxes_(level_.size, static_cast<int>(channels_.size()), layout_.columns),
           threads_(thread_count(threads)),
           progress_(progress) {}
@@ -83,13 +90,13 @@ class VolumeWriter {
         ordered_pipeline(
             boxes_.count(), threads_, static_cast<int>(slots.size()),
             [&](int i, int slot) {
-                if (!cancelled()) make(boxes_[i], slots[static_cast<std::size_t>(slot)]);
+                if (!cancelled()) make(box_at(i), slots[static_cast<std::size_t>(slot)]);
             },
             [&](int i, int slot) {
                 complete = !cancelled();
                 if (!complete) return false;
                 try {
-                    put(boxes_[i], slots[static_cast<std::size_t>(slot)], file);
+                    put(box_at(i), slots[static_cast<std::size_t>(slot)], file);
                 } catch (...) {
                     failure = std::current_exception();
                     return false;
@@ -105,6 +112,9 @@ class VolumeWriter {
 
   private:
     bool cancelled() const { return progress_ != nullptr && progress_->cancelled(); }
+
+    // Boxes in the order of the file's rows.
+    VoxelBox box_at(int i) const { return boxes_[layout_.flipped ? boxes_.count() - 1 - i : i]; }
 
     std::size_t bytes_per_value() const { return type_ == PixelType::half ? 2 : 4; }
     std::size_t width() const {
@@ -123,7 +133,7 @@ class VolumeWriter {
         for (std::size_t c = 0; c < channels_.size(); ++c)
             planes.push_back(&slot.values[c * count]);
         level_.voxels->fill(box, planes);
-        if (layout_.columns == 1 && type_ == PixelType::float32) {
+        if (layout_.columns == 1 && type_ == PixelType::float32 && !layout_.flipped) {
             slot.first_row = reinterpret_cast<const char*>(slot.values.data());
             return;
         }
@@ -132,6 +142,14 @@ class VolumeWriter {
         slot.first_row = slot.rows.data();
         for (std::size_t c = 0; c < channels_.size(); ++c) {
             arrange(box, planes[c], &slot.rows[c * plane]);
+            if (layout_.flipped) turn_over(&slot.rows[c * plane], height_of(box));
+        }
+    }
+
+    void turn_over(char* rows, std::size_t count) const {
+        const std::size_t row = width() * bytes_per_value();
+        for (std::size_t y = 0; y < count / 2; ++y) {
+            std::swap_ranges(rows + y * row, rows + (y + 1) * row, rows + (count - 1 - y) * row);
         }
     }
 
@@ -162,8 +180,10 @@ class VolumeWriter {
     void put(const VoxelBox& box, const Slot& slot, Imf::OutputFile& file) const {
         const std::size_t height = height_of(box);
         const std::size_t plane = width() * height * bytes_per_value();
-        const Imath::V2i origin(0,
-                                box.origin[2] / layout_.columns * level_.size[1] + box.origin[1]);
+        const int first = box.origin[2] / layout_.columns * level_.size[1] + box.origin[1];
+        const int image_height = layout_.rows * level_.size[1];
+        const Imath::V2i origin(
+            0, layout_.flipped ? image_height - first - static_cast<int>(height) : first);
         Imf::FrameBuffer buffer;
         for (std::size_t c = 0; c < channels_.size(); ++c) {
             buffer.insert(channels_[c],
@@ -192,12 +212,27 @@ config::Outcome<bool> contradiction(const std::string& path, const std::string& 
 
 // --- Reading ------------------------------------------------------------------------------------
 
+// Rows of an image as they would stand if it were not upside down.
+std::optional<config::Diagnostic> read_rows(ExrRows& image, const SliceLayout& layout, int first,
+                                            int count, float* texels) {
+    if (!layout.flipped) return image.read(first, count, texels);
+    if (auto problem = image.read(image.height() - first - count, count, texels)) return problem;
+    const std::size_t row = static_cast<std::size_t>(image.width()) * image.channel_names().size();
+    for (int y = 0; y < count / 2; ++y) {
+        float* upper = texels + static_cast<std::size_t>(y) * row;
+        std::swap_ranges(upper, upper + row,
+                         texels + static_cast<std::size_t>(count - 1 - y) * row);
+    }
+    return std::nullopt;
+}
+
 // Reads whole slices from one row of an atlas' cells; an image's rows are read again for each piece
 // of them, since a cell row may be larger than memory.
 class AtlasReader {
   public:
     AtlasReader(ExrRows& image, const std::array<int, 3>& size, const SliceLayout& layout)
         : image_(image),
+          layout_(layout),
           columns_(layout.columns),
           voxel_(image.channel_names().size()),
           row_(static_cast<std::size_t>(size[0]) * voxel_),
@@ -212,7 +247,9 @@ class AtlasReader {
         int step = image_.rows_per_piece();
         for (int y = 0; y < static_cast<int>(height_); y += step) {
             step = std::min(step, static_cast<int>(height_) - y);
-            if (auto problem = image_.read(first_row + y, step, piece_.data())) return problem;
+            if (auto problem = read_rows(image_, layout_, first_row + y, step, piece_.data())) {
+                return problem;
+            }
             copy(y, step, first_column, count, out);
         }
         return std::nullopt;
@@ -234,6 +271,7 @@ class AtlasReader {
     }
 
     ExrRows& image_;
+    const SliceLayout layout_;
     const int columns_;
     const std::size_t voxel_;
     const std::size_t row_;
@@ -259,13 +297,16 @@ config::Outcome<bool> read_atlas(ExrRows& image, const std::array<int, 3>& size,
     return {true, {}};
 }
 
-config::Outcome<bool> read_stack(ExrRows& image, const VoxelVisitor& visit) {
+config::Outcome<bool> read_stack(ExrRows& image, const SliceLayout& layout,
+                                 const VoxelVisitor& visit) {
     int step = image.rows_per_piece();
     const std::size_t row = static_cast<std::size_t>(image.width()) * image.channel_names().size();
     std::vector<float> values(static_cast<std::size_t>(step) * row);
     for (int y = 0; y < image.height(); y += step) {
         step = std::min(step, image.height() - y);
-        if (auto problem = image.read(y, step, values.data())) return {{}, {*problem}};
+        if (auto problem = read_rows(image, layout, y, step, values.data())) {
+            return {{}, {*problem}};
+        }
         const std::int64_t width = image.width();
         if (!visit(y * width, step * width, values.data())) return {false, {}};
     }
@@ -281,8 +322,7 @@ config::Outcome<bool> write_exr_volume(const BakedVolume& volume, int level,
         return contradiction(path.string(), "EXR files hold float and half");
     }
     const std::array<int, 3>& size = volume.levels[static_cast<std::size_t>(level)].size;
-    const auto [width, height] =
-        image_size(size, volume_layout(size, volume.layout, volume.columns));
+    const auto [width, height] = image_size(size, layout_of(volume, level));
     constexpr std::int64_t largest = std::numeric_limits<int>::max();
     if (width > largest || height > largest) {
         return contradiction(path.string(),
@@ -317,7 +357,7 @@ config::Outcome<bool> write_exr_volume(const BakedVolume& volume, int level,
 
 config::Outcome<bool> read_exr_volume(ExrRows& image, const std::array<int, 3>& size,
                                       const SliceLayout& layout, const VoxelVisitor& visit) {
-    if (layout.columns == 1) return read_stack(image, visit);
+    if (layout.columns == 1) return read_stack(image, layout, visit);
     return read_atlas(image, size, layout, visit);
 }
 

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 #include "bakers/io/spelling.h"
+#include "config/bruneton_companion.h"
 #include "config/volume_files.h"
 
 namespace skybake {
@@ -14,6 +17,10 @@ std::string volume_file_name(const std::string& name, config::VolumeFormat forma
     return fmt::format("{}.mip{}.{}", name, level, spell(format));
 }
 
+std::string companion_file_name(const std::string& name, const std::string& format) {
+    return fmt::format("{}.{}", name, format);
+}
+
 std::vector<std::string> file_names(const config::Bake& bake) {
     const config::VolumeFiles* volume = config::volume_files(bake);
     if (volume == nullptr) return {table_file_name(bake.name)};
@@ -22,6 +29,10 @@ std::vector<std::string> file_names(const config::Bake& bake) {
         for (int level = 0; level < volume->mips; ++level) {
             names.push_back(volume_file_name(bake.name, format, level));
         }
+    }
+    const auto* bruneton = std::get_if<config::BrunetonBake>(&bake.asset);
+    if (bruneton && config::has_companion(*bruneton)) {
+        names.push_back(companion_file_name(bake.name, "json"));
     }
     return names;
 }

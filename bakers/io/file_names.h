@@ -15,6 +15,9 @@ std::string table_file_name(const std::string& name);
 // "NAME.exr", "NAME.vdb", "NAME.bin"; "NAME.mip1.exr" and so on for further levels of detail.
 std::string volume_file_name(const std::string& name, config::VolumeFormat format, int level);
 
+// "NAME.json": a text beside the files of a volume.
+std::string companion_file_name(const std::string& name, const std::string& format);
+
 // All files of a [bake.NAME].
 std::vector<std::string> file_names(const config::Bake& bake);
 

@@ -45,6 +45,10 @@ class Node {
         if (!json_->is_string()) fail("a text is wanted");
         return json_->get<std::string>();
     }
+    bool flag() const {
+        if (!json_->is_boolean()) fail("true or false is wanted");
+        return json_->get<bool>();
+    }
     double number() const {
         if (!json_->is_number()) fail("a number is wanted");
         return json_->get<double>();
@@ -126,14 +130,16 @@ int extent(const Node& node) {
 SliceLayout read_layout(const Node& node) {
     const auto kind = volume_layout_of(node["kind"].text());
     if (!kind) node["kind"].fail("no such layout");
-    return {*kind, extent(node["columns"]), extent(node["rows"])};
+    return {*kind, extent(node["columns"]), extent(node["rows"]),
+            node.has("flipped") && node["flipped"].flag()};
 }
 
 ManifestFile read_file_entry(const Node& node, bool of_volume) {
     ManifestFile file;
     file.path = path_within_folder(node["path"]);
     file.format = node["format"].text();
-    if (!volume_format_of(file.format)) node["format"].fail("no such format");
+    const bool is_companion = of_volume && file.format == "json";
+    if (!is_companion && !volume_format_of(file.format)) node["format"].fail("no such format");
     const auto type = pixel_type_of(node["pixel_type"].text());
     if (!type) node["pixel_type"].fail("no such pixel type");
     file.pixel_type = *type;
@@ -165,9 +171,9 @@ std::optional<Certificate> read_certificate(const Node& node) {
     certificate.advice = node["advice"].text();
     if (node.has("sky")) {
         const Node sky = node["sky"];
-        certificate.sky = SkyError{sky["median"].number(), sky["ninth_decile"].number(),
-                                   sky["max"].number(), sky["points"].integer<int>(0),
-                                   sky["reference"].text()};
+        certificate.sky =
+            SkyError{sky["median"].number(), sky["ninth_decile"].number(), sky["max"].number(),
+                     sky["points"].integer<int>(0), sky["reference"].text()};
     }
     return certificate;
 }

@@ -28,6 +28,7 @@ Json to_json(const ManifestFile& file, bool of_volume) {
         json["layout"] = {{"kind", spell(file.layout->kind)},
                           {"columns", file.layout->columns},
                           {"rows", file.layout->rows}};
+        if (file.layout->flipped) json["layout"]["flipped"] = true;
     }
     if (!file.grids.empty()) json["grids"] = file.grids;
     return json;

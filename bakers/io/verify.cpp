@@ -90,6 +90,7 @@ void check_file(VerifyReport& report, const std::filesystem::path& folder,
     if (!examination.expect_read(found, "file")) return;
     examination.expect_equal(found.value->bytes, file.bytes, "bytes", "the number of bytes");
     examination.expect_equal(found.value->xxh3, file.xxh3, "xxh3", "the hash of the file");
+    if (file.format == "json") return;  // a text, told by its hash
     if (asset.is_volume()) {
         check_volume_file(examination, path, asset, file);
     } else {

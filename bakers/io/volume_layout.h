@@ -13,7 +13,8 @@ namespace skybake {
 struct SliceLayout {
     config::VolumeLayout kind = config::VolumeLayout::stack;
     int columns = 1;
-    int rows = 1;  // of cells
+    int rows = 1;          // of cells
+    bool flipped = false;  // then the image is upside down as a whole: its last row is stored first
 };
 
 // For a volume of `size` voxels. `columns` is an atlas' own, or 0: the fewest that make the image

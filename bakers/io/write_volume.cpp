@@ -9,6 +9,7 @@
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/io/file_input.h"
 #include "bakers/io/file_names.h"
+#include "bakers/io/file_output.h"
 #include "bakers/io/metadata.h"
 #include "bakers/io/spelling.h"
 #include "bakers/io/stopwatch.h"
@@ -34,8 +35,17 @@ ManifestFile make_file(const BakedVolume& volume, VolumeFormat format, int level
         file.compression = spell(volume.compression);
         file.layout = volume_layout(volume.levels[static_cast<std::size_t>(level)].size,
                                     volume.layout, volume.columns);
+        file.layout->flipped = volume.flipped;
     }
     return file;
+}
+
+config::Outcome<bool> write_companion(const CompanionFile& companion,
+                                      const std::filesystem::path& path) {
+    FileOutput output(path);
+    output.write(companion.text);
+    if (!output.finish()) return {{}, {output.diagnostic()}};
+    return {true, {}};
 }
 
 // Stages one file and takes down its length and hash.
@@ -63,6 +73,9 @@ config::Outcome<bool> write_volume_file(const BakedVolume& volume, const Manifes
     if (file.format == spell(VolumeFormat::bin)) {
         return write_bin_volume(volume, file.level, threads, progress, temporary);
     }
+    if (volume.companion && file.format == volume.companion->format) {
+        return write_companion(*volume.companion, temporary);
+    }
     const Attributes attributes = volume_attributes(asset, file);
     if (file.format == spell(VolumeFormat::vdb)) {
         return write_vdb(volume, file.level, attributes, threads, progress, temporary);
@@ -76,6 +89,14 @@ ManifestAsset describe_with_files(const BakedVolume& volume) {
         for (std::size_t level = 0; level < volume.levels.size(); ++level) {
             asset.files.push_back(make_file(volume, format, static_cast<int>(level)));
         }
+    }
+    if (volume.companion) {
+        ManifestFile file;
+        file.path = companion_file_name(volume.name, volume.companion->format);
+        file.format = volume.companion->format;
+        file.pixel_type = volume.pixel_type;
+        file.compression = "none";
+        asset.files.push_back(std::move(file));
     }
     return asset;
 }

@@ -6,6 +6,7 @@
 namespace skybake {
 
 std::vector<double> legendre_moments(const PhaseFunction& phase, int degree) {
+    if (phase.table) return tabulated_moments(*phase.table, degree);
     const double g = phase.g;
     // g^l of degrees up to degree + 2.
     std::vector<double> powers = {1};

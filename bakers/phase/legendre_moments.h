@@ -12,7 +12,7 @@
 
 namespace skybake {
 
-// chi_0 .. chi_degree, in closed form.
+// chi_0 .. chi_degree, in closed form or of a table.
 //
 // Henyey-Greenstein's are g^l. The forms of phase_function.h are Henyey-Greenstein's times
 // (a + b nu^2), and nu^2 P_l is a sum of P_(l+2), P_l and P_(l-2).

@@ -1,4 +1,4 @@
-// How layers scatter by angle, in one form that all of the recipe's phase functions have:
+// How layers scatter by angle, in one form that all of the recipe's closed phase functions have:
 //
 //   p(nu) = (a + b nu^2) / (1 + g^2 - 2 g nu)^(3/2)     [1/sr], the integral over directions is 1
 //
@@ -10,19 +10,25 @@
 //   Cornette-Shanks      a = b = 3 (1 - g^2) / (8 pi (2 + g^2))            Cornette & Shanks 1992
 //
 // The denominator is (1 - |g|)^2 + 2 |g| (1 -+ nu): the sum 1 + g^2 - 2 g nu loses all digits where
-// g is near 1 and the light goes on almost straight.
+// g is near 1 and the light goes on almost straight. Spheres have a table in its place.
 #pragma once
 
+#include <memory>
+
+#include "bakers/phase/tabulated_phase.h"
 #include "config/parameters.h"
 
 namespace skybake {
 
 struct PhaseFunction {
-    double constant = 0;   // a
-    double quadratic = 0;  // b
-    double g = 0;          // in (-1, 1)
+    double constant = 0;                                    // a
+    double quadratic = 0;                                   // b
+    double g = 0;                                           // in (-1, 1)
+    std::shared_ptr<const TabulatedPhase> table = nullptr;  // if there is one, the rest is unused
+    bool operator==(const PhaseFunction&) const = default;
 };
 
+// Of a closed form: not of mie.
 PhaseFunction make_phase_function(config::Phase phase, double g);
 
 // p at nu = cosine, told by 1 - nu and 1 + nu.

@@ -45,6 +45,22 @@ struct Reduce {
         table.size = {std::min(table.size[0], 32), std::min(table.size[1], 16)};
         table.max_texel_error = std::max(table.max_texel_error, 0.02);
     }
+    void operator()(config::PhaseBake&) const {}
+    void operator()(config::BrunetonBake& volume) const {
+        // The sub-images along u stay whole.
+        if (volume.table == config::BrunetonTable::transmittance ||
+            volume.table == config::BrunetonTable::irradiance) {
+            return;
+        }
+        const int suns = volume.size[0] / volume.nu_size;
+        volume.size = {volume.nu_size * std::min(suns, 16), std::min(volume.size[1], 64),
+                       std::min(volume.size[2], 16)};
+        volume.mips = 1;
+    }
+    void operator()(config::OpticalDepthBake& volume) const {
+        for (int& edge : volume.size) edge = std::min(edge, volume.size[2] > 1 ? 32 : 256);
+        volume.mips = 1;
+    }
     void operator()(config::AerialPerspectiveBake& volume) const {
         for (int& edge : volume.size) edge = std::min(edge, 16);
         volume.mips = 1;

@@ -138,10 +138,12 @@ std::optional<ManifestAsset> entry_of(const ExrRows& image) {
     file.format = spell(config::VolumeFormat::exr);
     file.pixel_type = image.pixel_type();
     if (size) {
-        const bool stack = attribute(attributes, "layout").starts_with("stack");
+        const std::string layout_text(attribute(attributes, "layout"));
+        const bool stack = layout_text.starts_with("stack");
         const int columns = stack ? 1 : image.width() / (*size)[0];
         file.layout = volume_layout(
             *size, stack ? config::VolumeLayout::stack : config::VolumeLayout::atlas, columns);
+        file.layout->flipped = layout_text.find("upside down") != std::string::npos;
         asset->size.assign(size->begin(), size->end());
         add_level(attributes, *size, *asset);
     } else {

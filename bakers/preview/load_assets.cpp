@@ -11,6 +11,7 @@
 #include "bakers/io/manifest.h"
 #include "bakers/io/read_volume.h"
 #include "bakers/io/recorded_recipe.h"
+#include "bakers/io/spelling.h"
 #include "bakers/preview/file_metadata.h"
 #include "bakers/preview/report_plots.h"
 #include "bakers/registry.h"
@@ -59,7 +60,8 @@ Outcome<PreviewAsset> load_volume(const fs::path& path, const ManifestAsset& ent
 const ManifestFile* file_of_level(const ManifestAsset& entry, std::size_t level) {
     const ManifestFile* found = nullptr;
     for (const ManifestFile& file : entry.files) {
-        if (file.level != static_cast<int>(level)) continue;
+        const bool has_voxels = volume_format_of(file.format).has_value();
+        if (file.level != static_cast<int>(level) || !has_voxels) continue;
         if (found == nullptr || found->format == "vdb") found = &file;
     }
     return found;

@@ -9,6 +9,7 @@
 #include "bakers/preview/cloud_input.h"
 #include "bakers/preview/cloud_pictures.h"
 #include "bakers/preview/noise_pictures.h"
+#include "bakers/preview/phase_pictures.h"
 #include "bakers/preview/sky_asset_pictures.h"
 #include "bakers/preview/sky_pictures.h"
 #include "bakers/preview/table_pictures.h"
@@ -101,6 +102,7 @@ class Preview {
         }
         return encoder_.encode(key_of(asset), [&] {
             if (asset.entry.kind == "aerial_perspective") return aerial_pictures(asset);
+            if (asset.entry.kind == "phase") return phase_pictures(asset);
             return asset.entry.is_volume() ? noise_pictures(asset) : table_pictures(asset);
         });
     }

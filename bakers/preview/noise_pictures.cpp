@@ -59,6 +59,11 @@ class NoisePictures {
           scale_(scale_of(asset.voxels)) {}
 
     std::vector<PreviewPicture> make() {
+        const bool is_curve = volume_.size[1] == 1 && volume_.size[2] == 1;
+        if (entry_.kind == "optical_depth") {
+            is_curve ? add_curves() : add_slices();
+            return std::move(pictures_);
+        }
         add_slices();
         add_tiles();
         add_histogram();
@@ -94,20 +99,40 @@ class NoisePictures {
     int middle(int axis) const { return volume_.size[static_cast<std::size_t>(axis)] / 2; }
 
     void add_slices() {
+        const bool is_flat = entry_.kind == "optical_depth" && volume_.size[2] == 1;
         std::vector<Picture> slices;
         std::vector<std::string> captions;
         for (int channel = 0; channel < volume_.channels; ++channel) {
-            for (int axis = 0; axis < 3; ++axis) {
+            for (int axis = is_flat ? 2 : 0; axis < 3; ++axis) {
                 const Image2<float> plane = slice(volume_, channel, axis, middle(axis));
                 slices.push_back(grey(fitted(plane, smallest_tile, largest_tile), scale_));
                 captions.push_back(plane_words(channel, axis, middle(axis)));
             }
         }
-        add("slices", "slices",
-            "Each channel (rows) in the middle planes across x, y and z. z is up in the first two, "
-            "y in the last. " +
-                scale_words(),
-            contact_sheet(slices, captions, 3));
+        const std::string planes =
+            is_flat ? "Each channel, y up. "
+                    : "Each channel (rows) in the middle planes across x, y and z. z is up in the "
+                      "first two, y in the last. ";
+        add("slices", "slices", planes + scale_words(),
+            contact_sheet(slices, captions, is_flat ? 2 : 3));
+    }
+
+    // Of a table with one axis, by its texture coordinate.
+    void add_curves() {
+        std::vector<ChartLine> lines;
+        for (int channel = 0; channel < volume_.channels; ++channel) {
+            const std::string& name = entry_.channels[static_cast<std::size_t>(channel)];
+            const Image2<float> texels = slice(volume_, channel, 2, 0);
+            ChartLine line{name, line_colour(name), {}, {}};
+            for (int i = 0; i < texels.width; ++i) {
+                line.x.push_back((i + 0.5) / texels.width);
+                line.y.push_back(*texels.texel(i, 0));
+            }
+            lines.push_back(std::move(line));
+        }
+        const bool over_decades = entry_.mapping == "phase_functions";
+        add("curves", "curves", entry_.content,
+            line_chart(lines, entry_.name, "u", "value", false, over_decades));
     }
 
     void add_tiles() {

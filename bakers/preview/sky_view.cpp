@@ -23,6 +23,16 @@ std::array<float, 3> floats(const Spectrum& values) {
             static_cast<float>(values[2])};
 }
 
+// What the march can do: of spheres Henyey-Greenstein's with their mean cosine, that of all
+// channels.
+PhaseFunction closed_form(const LayerPhase& phase) {
+    if (!phase.functions.front().table) return phase.functions.front();
+    double sum = 0;
+    for (const PhaseFunction& function : phase.functions) sum += function.g;
+    return make_phase_function(config::Phase::henyey_greenstein,
+                               sum / static_cast<double>(phase.functions.size()));
+}
+
 MarchLayer march_layer(const SkyLayer& layer) {
     MarchLayer result;
     if (!layer.alone.exponential_layers.empty()) {
@@ -42,9 +52,10 @@ MarchLayer march_layer(const SkyLayer& layer) {
         result.extinction_per_km = floats(air.extinction_per_km);
     }
     result.scatters = layer.scatters;
-    result.phase_constant = static_cast<float>(layer.phase.constant);
-    result.phase_quadratic = static_cast<float>(layer.phase.quadratic);
-    result.phase_g = static_cast<float>(layer.phase.g);
+    const PhaseFunction phase = closed_form(layer.phase);
+    result.phase_constant = static_cast<float>(phase.constant);
+    result.phase_quadratic = static_cast<float>(phase.quadratic);
+    result.phase_g = static_cast<float>(phase.g);
     return result;
 }
 

@@ -29,7 +29,7 @@ double depth_of_share(double y) {
 }
 
 // The angle between two unit vectors.
-ScatteringCosine angle_between(const Vector3& a, const Vector3& b) {
+ScatteringAngle angle_between(const Vector3& a, const Vector3& b) {
     const Vector3 apart = a - b;
     const Vector3 together = a + b;
     return {0.5 * dot(apart, apart), 0.5 * dot(together, together)};
@@ -171,12 +171,19 @@ PathWalker::Here PathWalker::look_around(const State& state) const {
 }
 
 // Sum of sigma_s p over layers.
-Channels PathWalker::towards(const Here& here, const ScatteringCosine& angle) const {
+Channels PathWalker::towards(const Here& here, const ScatteringAngle& angle) const {
     Channels sum(0.0);
     for (std::size_t k = 0; k < scatterers_.size(); ++k) {
-        const double value = here.densities()[k] *
-                             phase_value(scatterers_[k].phase, angle.one_minus, angle.one_plus);
-        sum = sum + value * scatterers_[k].scattering_per_km;
+        const LayerPhase& phase = scatterers_[k].phase;
+        const double density = here.densities()[k];
+        if (phase.is_alike()) {
+            const double value =
+                density * phase_value(phase.functions.front(), angle.one_minus, angle.one_plus);
+            sum = sum + value * scatterers_[k].scattering_per_km;
+        } else {
+            const Channels values(phase_values(phase, angle.one_minus, angle.one_plus));
+            sum = sum + density * values * scatterers_[k].scattering_per_km;
+        }
     }
     return sum;
 }
@@ -227,7 +234,7 @@ bool PathWalker::collide(const Flight& flight, const PathSource& source, bool co
     }
     if (!(here.scattering[h] > 0)) return false;
     const std::size_t chosen = choose_scatterer(here, h, random);
-    const ScatteringCosine angle = sample_phase(scatterers_[chosen].phase, random);
+    const ScatteringAngle angle = sample_phase(scatterers_[chosen].phase.of(h), random);
     const Channels value = towards(here, angle);
     const double inverse = here.scattering[h] / value[h];
     state.weight = inverse * state.weight * value;

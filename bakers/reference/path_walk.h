@@ -90,7 +90,7 @@ class PathWalker {
     State begin(const PathStart& start) const;
     Channels move(const Flight& flight, double depth, State& state) const;
     Here look_around(const State& state) const;
-    Channels towards(const Here& here, const ScatteringCosine& angle) const;
+    Channels towards(const Here& here, const ScatteringAngle& angle) const;
     std::size_t choose_scatterer(const Here& here, std::size_t hero, RandomStream& random) const;
     void arrive_in_air(const Flight& flight, State& state, RandomStream& random) const;
     bool collide(const Flight& flight, const PathSource& source, bool counts, State& state,
@@ -101,7 +101,7 @@ class PathWalker {
 
     struct Scatterer {
         int layer;
-        PhaseFunction phase;
+        LayerPhase phase;
         Channels scattering_per_km;  // at density 1
     };
 

@@ -6,7 +6,7 @@ namespace skybake {
 
 namespace {
 
-ScatteringCosine sample_henyey_greenstein(double g, double uniform) {
+ScatteringAngle sample_henyey_greenstein(double g, double uniform) {
     const double one_minus_s = 2 * (1 - uniform);
     const double one_plus_s = 2 * uniform;
     // 1 + g s from the end where it is smaller.
@@ -36,9 +36,10 @@ CirclePoint sample_circle(RandomStream& random) {
 
 }  // namespace
 
-ScatteringCosine sample_phase(const PhaseFunction& phase, RandomStream& random) {
+ScatteringAngle sample_phase(const PhaseFunction& phase, RandomStream& random) {
+    if (phase.table) return sample_tabulated_phase(*phase.table, random.next());
     for (;;) {
-        const ScatteringCosine cosine = sample_henyey_greenstein(phase.g, random.next());
+        const ScatteringAngle cosine = sample_henyey_greenstein(phase.g, random.next());
         if (phase.quadratic == 0) return cosine;
         const double nu = 0.5 * (cosine.one_plus - cosine.one_minus);
         const double accepted = phase.constant + phase.quadratic * nu * nu;
@@ -46,7 +47,7 @@ ScatteringCosine sample_phase(const PhaseFunction& phase, RandomStream& random) 
     }
 }
 
-Vector3 scatter(const Vector3& direction, const ScatteringCosine& cosine, RandomStream& random) {
+Vector3 scatter(const Vector3& direction, const ScatteringAngle& cosine, RandomStream& random) {
     // An orthonormal basis without a branch on small components: Duff et al. 2017.
     const double sign = std::copysign(1.0, direction.z);
     const double a = -1 / (sign + direction.z);

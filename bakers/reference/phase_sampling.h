@@ -7,12 +7,6 @@
 
 namespace skybake {
 
-// The cosine nu of a scattering angle by 1 - nu and 1 + nu, without cancellation.
-struct ScatteringCosine {
-    double one_minus = 0;
-    double one_plus = 0;
-};
-
 // nu with density 2 pi p(nu).
 //
 // Henyey-Greenstein's distribution is inverted: with s uniform in (-1, 1) and D = 1 + g^2 - 2 g nu,
@@ -20,10 +14,11 @@ struct ScatteringCosine {
 //   1 - nu = (D - (1 - g)^2) / 2 g = (1 - g)^2 (1 - s) (2 + g (1 + s)) / (2 (1 + g s)^2)
 //   1 + nu = ((1 + g)^2 - D) / 2 g = (1 + g)^2 (1 + s) (2 - g (1 - s)) / (2 (1 + g s)^2),
 // sums of terms of one sign for any g. The factor a + b nu^2 of phase_function.h follows by
-// rejection; a <= a + b nu^2 <= a + b, so that at least half of all trials pass where a = b.
-ScatteringCosine sample_phase(const PhaseFunction& phase, RandomStream& random);
+// rejection; a <= a + b nu^2 <= a + b, so that at least half of all trials pass where a = b. Tables
+// are inverted cell by cell (tabulated_phase.h).
+ScatteringAngle sample_phase(const PhaseFunction& phase, RandomStream& random);
 
 // The direction at that angle to `direction`, the azimuth about it uniform.
-Vector3 scatter(const Vector3& direction, const ScatteringCosine& cosine, RandomStream& random);
+Vector3 scatter(const Vector3& direction, const ScatteringAngle& cosine, RandomStream& random);
 
 }  // namespace skybake

@@ -125,14 +125,15 @@ Outcome<Written> write_to_memory(const BakedVolume& volume, int repetitions,
 class VolumeMeasurement {
   public:
     VolumeMeasurement(const VolumeSweep& sweep, const BakedVolume& baked,
-                      const ReferenceOfSize& reference, int points, int write_repetitions,
-                      const ReportOptions& options)
+                      const ReferenceOfSize& reference, const ComparisonOfSize& comparison,
+                      int points, int write_repetitions, const ReportOptions& options)
         : sweep_(sweep),
           baked_(baked),
           points_(points),
           write_repetitions_(write_repetitions),
           options_(options),
           reference_(reference),
+          comparison_(comparison),
           rows_(sweep.variants.size()) {
         notes_ = sweep.notes;
         for (const ValueStatistics& channel : baked.levels.front().statistics) {
@@ -193,6 +194,8 @@ class VolumeMeasurement {
         VolumeLevel scaled = level;
         scaled.statistics = baked_.levels.front().statistics;
         const VolumeReference reference = reference_(voxels.size);
+        const VolumeComparison comparison =
+            comparison_ ? comparison_(voxels.size) : VolumeComparison{};
         const auto centres =
             static_cast<int>(std::min<std::int64_t>(points_, VoxelBox{{}, voxels.size}.count()));
         ReportRow row;
@@ -200,8 +203,8 @@ class VolumeMeasurement {
         row.size.assign(voxels.size.begin(), voxels.size.end());
         row.pixel_type = type;
         row.time_ms = milliseconds(voxels.seconds);
-        row.texel = measure_voxels(scaled, type, reference, centres, quiet).figures;
-        row.lookup = measure_lookups(scaled, type, reference, points_, quiet).figures;
+        row.texel = measure_voxels(scaled, type, reference, centres, quiet, comparison).figures;
+        row.lookup = measure_lookups(scaled, type, reference, points_, quiet, comparison).figures;
         for (const std::size_t i : variants) {
             if (!measure_file(sweep_.variants[i], volume, row, rows_[i])) return false;
         }
@@ -239,6 +242,7 @@ class VolumeMeasurement {
     const int write_repetitions_;
     const ReportOptions& options_;
     const ReferenceOfSize& reference_;
+    const ComparisonOfSize& comparison_;
     std::vector<std::array<double, 2>> histogram_ranges_;
     std::vector<std::optional<ReportRow>> rows_;  // in the order of the sweep
     std::vector<std::string> notes_;
@@ -282,12 +286,14 @@ std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep,
                                                   const BakedVolume& baked,
                                                   const ReferenceOfSize& reference, int points,
                                                   const VolumeRepetitions& repetitions,
-                                                  const ReportOptions& options) {
+                                                  const ReportOptions& options,
+                                                  const ComparisonOfSize& comparison) {
     std::vector<SharedVoxels> all = voxels_of(sweep);
     if (!time_voxels(all, baked.channel_names.size(), repetitions.voxels, options)) {
         return std::nullopt;
     }
-    VolumeMeasurement measurement(sweep, baked, reference, points, repetitions.writes, options);
+    VolumeMeasurement measurement(sweep, baked, reference, comparison, points, repetitions.writes,
+                                  options);
     for (const SharedVoxels& voxels : all) {
         if (!measurement.measure(voxels)) return std::nullopt;
     }

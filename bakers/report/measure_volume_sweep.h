@@ -23,6 +23,9 @@ struct VolumeRepetitions {
 // The reference of a volume of some size.
 using ReferenceOfSize = std::function<VolumeReference(const std::array<int, 3>& size)>;
 
+// How its errors are measured; empty: in shares of value ranges.
+using ComparisonOfSize = std::function<VolumeComparison(const std::array<int, 3>& size)>;
+
 // A definition at places that many variants are compared at: computed once. Any thread may ask.
 class RememberedReference {
   public:
@@ -43,6 +46,7 @@ std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep,
                                                   const BakedVolume& baked,
                                                   const ReferenceOfSize& reference, int points,
                                                   const VolumeRepetitions& repetitions,
-                                                  const ReportOptions& options);
+                                                  const ReportOptions& options,
+                                                  const ComparisonOfSize& comparison = {});
 
 }  // namespace skybake

@@ -13,10 +13,12 @@
 #include "bakers/atmosphere/medium.h"
 #include "bakers/registry.h"
 #include "bakers/report/cloud_volume_report.h"
+#include "bakers/report/column_volume_report.h"
 #include "bakers/report/measure_sweep.h"
 #include "bakers/report/multiple_scattering_sweep.h"
 #include "bakers/report/noise_volume_report.h"
 #include "bakers/report/occupancy_report.h"
+#include "bakers/report/phase_sweep.h"
 #include "bakers/report/transmittance_sweep.h"
 
 namespace skybake {
@@ -100,7 +102,13 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     const Medium medium = make_medium(recipe.parameters.atmosphere);
     const std::optional<int> level =
         holds ? std::optional(chosen_level(*baked.value)) : std::nullopt;
-    const Sweep sweep = sweep_of(bake, medium, *baked.value, level, options);
+    std::optional<PhaseSource> phases;
+    if (const auto* phase = std::get_if<config::PhaseBake>(&bake.asset)) {
+        phases = phase_source(recipe.parameters, *phase, options.threads);
+    }
+    const Sweep sweep = phases ? phase_sweep(*phases, std::get<config::PhaseBake>(bake.asset),
+                                             *baked.value, options.quick)
+                               : sweep_of(bake, medium, *baked.value, level, options);
     report.timing = sweep.timing;
     report.texel_points = sweep.texels.rows * sweep.texels.per_row;
     report.lookup_points = sweep.lookups.rows * sweep.lookups.per_row;
@@ -135,8 +143,10 @@ Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake
     if (std::holds_alternative<config::OccupancyBake>(bake.asset)) {
         return report_occupancy(recipe, bake, options);
     }
+    if (is_of_columns(bake)) return report_column_volume(recipe, bake, options);
     if (std::holds_alternative<TransmittanceBake>(bake.asset) ||
-        std::holds_alternative<MultipleScatteringBake>(bake.asset)) {
+        std::holds_alternative<MultipleScatteringBake>(bake.asset) ||
+        std::holds_alternative<config::PhaseBake>(bake.asset)) {
         return report_table_asset(recipe, bake, options);
     }
     return nothing_to_compare(bake);

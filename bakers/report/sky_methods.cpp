@@ -14,6 +14,7 @@
 #include "bakers/sky/fitted_radiance.h"
 #include "bakers/sky/isotropic_orders.h"
 #include "bakers/sky/solved_orders.h"
+#include "bakers/sky/strip_orders.h"
 
 namespace skybake {
 
@@ -150,6 +151,9 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
     if (!quick) shapes.push_back(kTwilight);
     std::vector<SkyMethod> methods;
     methods.push_back({"single", "single scattering", "alone", "", nullptr});
+    methods.push_back({"strips", "eight strips", "second order", "after Ai et al. 2014", [&medium] {
+                           return std::make_unique<StripOrders>(medium, BakeOptions{.threads = 1});
+                       }});
     methods.push_back({key_of("as_in_paper", kClassic), "as in the paper", name_of(kClassic),
                        "Hillaire 2020 (64 directions, 20 steps)", [&medium] {
                            return closure(medium.air, kClassic,

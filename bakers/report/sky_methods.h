@@ -26,6 +26,7 @@ struct SkyMethod {
 // of 64x32. `medium` must outlive what they make.
 //
 //   single scattering
+//   eight strips       the second order alone (sky/strip_orders.h)
 //   as in the paper    64 directions x 20 steps, 32x32
 //   converged          the same closure by the baker's quadrature (level 9), 32x32, 64x32 twilight
 //   mean radiance      of the solution, all orders with their phases, in the same tables

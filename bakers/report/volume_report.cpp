@@ -58,9 +58,9 @@ Outcome<AssetReport> report_volume(const config::Recipe& recipe, const VolumeRep
     if (!baked.value) return outcome;
     const auto& volume = std::get<BakedVolume>(*baked.value);
     AssetReport report = describe(volume, subject, options.quick);
-    auto measured =
-        measure_volume_sweep(subject.sweep, volume, subject.reference, report.lookup_points,
-                             options.quick ? kQuickRepetitions : kRepetitions, options);
+    auto measured = measure_volume_sweep(
+        subject.sweep, volume, subject.reference, report.lookup_points,
+        options.quick ? kQuickRepetitions : kRepetitions, options, subject.comparison);
     if (!measured) return {};
     report.rows = std::move(measured->rows);
     report.notes.insert(report.notes.end(), measured->notes.begin(), measured->notes.end());

@@ -17,6 +17,7 @@ struct VolumeReportSubject {
     int asked_mips = 1;
     const VolumeSweep& sweep;
     const ReferenceOfSize& reference;
+    ComparisonOfSize comparison = {};
 };
 
 // Bakes the subject and measures its sweep. As report_asset.

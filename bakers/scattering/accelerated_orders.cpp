@@ -321,4 +321,20 @@ OrderSum sum_of_orders(const LightField& first, const NextOrder& next, const Sum
     return sum;
 }
 
+OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
+                             Progress* progress) {
+    OrderSum sum;
+    sum.light = first;
+    LightField before = first;
+    LightField added(first.levels, first.suns, first.degree);
+    for (int order = 2; order <= orders && !(progress && progress->cancelled()); ++order) {
+        next(before, added);
+        ++sum.applications;
+        add(added, kOne, sum.light);
+        std::swap(before, added);
+    }
+    drop_less_than_nothing(sum.light);
+    return sum;
+}
+
 }  // namespace skybake

@@ -37,4 +37,8 @@ struct SumSettings {
 OrderSum sum_of_orders(const LightField& first, const NextOrder& next, const SumSettings& settings,
                        Progress* progress);
 
+// The first `orders` of them, at least one, and nothing of the rest.
+OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
+                             Progress* progress);
+
 }  // namespace skybake

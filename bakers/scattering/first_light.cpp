@@ -17,14 +17,28 @@ namespace skybake {
 namespace HWY_NAMESPACE {
 
 // A forward peak of half width 1 - |g| needs azimuths to match.
-inline int first_azimuths(const SkyMedium& medium) {
+inline int first_azimuths(const std::vector<SplitPhase>& phases) {
     double peak = 0;
-    for (const SkyLayer& layer : medium.layers) peak = std::max(peak, std::fabs(layer.phase.g));
+    for (const SplitPhase& layer : phases) {
+        for (const PhaseFunction& phase : layer.wide.phase.functions) {
+            peak = std::max(peak, phase.table ? 1.0 : std::fabs(phase.g));
+        }
+    }
     return peak < 0.5 ? 8 : peak < 0.85 ? 16 : 32;
 }
 
 // phase_function.h, for many cosines.
 HWY_INLINE Lanes phase_lanes(const PhaseFunction& phase, Lanes one_minus, Lanes one_plus) {
+    if (phase.table) {
+        double minus[Lanes::kCount];
+        double plus[Lanes::kCount];
+        one_minus.store(minus);
+        one_plus.store(plus);
+        for (std::size_t i = 0; i < Lanes::kCount; ++i) {
+            minus[i] = tabulated_phase_value(*phase.table, minus[i], plus[i]);
+        }
+        return Lanes::load(minus);
+    }
     const double g = std::fabs(phase.g);
     const Lanes apart = phase.g < 0 ? one_plus : one_minus;
     const Lanes denominator = Lanes((1 - g) * (1 - g)) + Lanes(2 * g) * apart;
@@ -36,15 +50,16 @@ HWY_INLINE Lanes phase_lanes(const PhaseFunction& phase, Lanes one_minus, Lanes 
 // What gather_first_light works with for one level.
 class FirstLightPass {
   public:
-    FirstLightPass(const SkyMedium& medium, const TransmittanceField& sunlight, const SunAxis& suns,
-                   int degree)
+    FirstLightPass(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
+                   const TransmittanceField& sunlight, const SunAxis& suns, int degree)
         : medium_(medium),
+          phases_(phases),
           field_(sunlight),
           axis_(suns),
           degree_(degree),
           suns_(static_cast<std::size_t>(suns.count())),
           layers_(medium.layers.size()),
-          azimuths_(first_azimuths(medium)),
+          azimuths_(first_azimuths(phases)),
           row_(static_cast<std::size_t>(sunlight.row_size())),
           sines_(suns_),
           before_(static_cast<std::size_t>(azimuths_) * 4 * suns_),
@@ -98,6 +113,7 @@ class FirstLightPass {
     }
 
     const SkyMedium& medium_;
+    const std::vector<SplitPhase>& phases_;
     const TransmittanceField& field_;
     const SunAxis& axis_;
     int degree_;
@@ -225,9 +241,14 @@ void FirstLightPass::add_moments(const FanRay& ray) {
             }
             for (std::size_t k = 0; k < layers_; ++k) {
                 if (!medium_.layers[k].scatters) continue;
-                const Lanes phase = phase_lanes(medium_.layers[k].phase, one_minus, one_plus);
+                const SplitPhase& layer = phases_[k];
+                Lanes phase[kMaxChannels];
                 for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    light[c] = light[c] + phase * Lanes::load(sums(j, k, c) + i);
+                    const bool is_new = c == 0 || c < layer.wide.phase.functions.size();
+                    phase[c] = is_new ? Lanes(layer.wide.share[c]) *
+                                            phase_lanes(layer.wide.phase.of(c), one_minus, one_plus)
+                                      : phase[0];
+                    light[c] = light[c] + phase[c] * Lanes::load(sums(j, k, c) + i);
                 }
             }
             for (std::size_t m = 0; m <= static_cast<std::size_t>(degree_); ++m) {
@@ -313,10 +334,10 @@ void FirstLightPass::gather(const RayFan& fan, double* out, double* sky_irradian
     }
 }
 
-void GatherFirstLight(const SkyMedium& medium, const RayFan& fan,
-                      const TransmittanceField& sunlight, const SunAxis& suns, int degree,
-                      double* out, double* sky_irradiance) {
-    FirstLightPass(medium, sunlight, suns, degree).gather(fan, out, sky_irradiance);
+void GatherFirstLight(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
+                      const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
+                      int degree, double* out, double* sky_irradiance) {
+    FirstLightPass(medium, phases, sunlight, suns, degree).gather(fan, out, sky_irradiance);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -328,11 +349,12 @@ namespace skybake {
 
 HWY_EXPORT(GatherFirstLight);
 
-void gather_first_light(const SkyMedium& medium, const RayFan& fan,
-                        const TransmittanceField& sunlight, const SunAxis& suns, int degree,
-                        double* out, double* sky_irradiance) {
+void gather_first_light(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
+                        const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
+                        int degree, double* out, double* sky_irradiance) {
     HWY_DYNAMIC_DISPATCH(GatherFirstLight)
-    (medium, fan, sunlight, suns, degree, out, sky_irradiance);
+    (medium, phases, fan, sunlight, suns, degree, out, sky_irradiance);
+    add_forward_peaks(medium, phases, fan.altitude_km, suns, degree, out, sky_irradiance);
 }
 
 }  // namespace skybake

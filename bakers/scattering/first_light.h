@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bakers/atmosphere/transmittance_field.h"
+#include "bakers/scattering/forward_peak_light.h"
 #include "bakers/scattering/light_field.h"
 #include "bakers/scattering/ray_fan.h"
 #include "bakers/scattering/sun_axis.h"
@@ -18,8 +19,8 @@ namespace skybake {
 // The moments at the fan's level into `out` (one level of a LightField of this degree), and for
 // the ground, where `sky_irradiance` is not null, the sky's irradiance. The same bits for any
 // vector width.
-void gather_first_light(const SkyMedium& medium, const RayFan& fan,
-                        const TransmittanceField& sunlight, const SunAxis& suns, int degree,
-                        double* out, double* sky_irradiance);
+void gather_first_light(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
+                        const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
+                        int degree, double* out, double* sky_irradiance);
 
 }  // namespace skybake

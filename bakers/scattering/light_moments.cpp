@@ -4,10 +4,11 @@
 
 namespace skybake {
 
-void zenith_harmonics(int degree, double mu, double* values) {
+namespace {
+
+void harmonics(int degree, double mu, double sine, double* values) {
     // Of the associated Legendre functions' recursions those that are stable for rising l, with
     // norms (2 - delta_m0) (2 l + 1) / 4pi (l - m)! / (l + m)!.
-    const double sine = std::sqrt(std::fmax(0.0, (1 - mu) * (1 + mu)));
     double sectoral = std::sqrt(0.25 / std::numbers::pi);  // l = m, normed as for m = 0
     for (int m = 0; m <= degree; ++m) {
         if (m > 0) sectoral *= sine * std::sqrt((2.0 * m + 1) / (2.0 * m));
@@ -25,6 +26,16 @@ void zenith_harmonics(int degree, double mu, double* values) {
             last = next;
         }
     }
+}
+
+}  // namespace
+
+void zenith_harmonics(int degree, double mu, double* values) {
+    harmonics(degree, mu, std::sqrt(std::fmax(0.0, (1 - mu) * (1 + mu))), values);
+}
+
+void harmonics_over_sines(int degree, double mu, double* values) {
+    harmonics(degree, mu, 1, values);
 }
 
 double harmonic_norm(int l, int m) {

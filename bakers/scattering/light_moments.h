@@ -27,6 +27,9 @@ inline int moment_index(int l, int m) { return l * (l + 1) / 2 + m; }
 // `values` has room for moment_count(degree).
 void zenith_harmonics(int degree, double mu, double* values);
 
+// The same over sin^m of the zenith angle: smooth in the vertical.
+void harmonics_over_sines(int degree, double mu, double* values);
+
 // n_lm = sqrt((2 - [m = 0]) (2 l + 1) / 4pi (l - m)! / (l + m)!).
 double harmonic_norm(int l, int m);
 

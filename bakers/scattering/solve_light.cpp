@@ -72,12 +72,13 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
     const TransmittanceField sunlight(medium.air, solved.altitudes_km, settings.sunlight, threads);
 
     LightField first(levels, settings.suns, settings.degree);
+    const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
     std::vector<LevelTransport> transports(static_cast<std::size_t>(levels));
     parallel_for(levels, threads, [&](int level) {
         const RayFan fan = make_ray_fan(medium, solved.altitudes_km, level, settings.zenith_nodes,
                                         settings.ray_tolerance);
-        gather_first_light(medium, fan, sunlight, solved.suns, settings.degree, first.at(level, 0),
-                           level == 0 ? first.sky_irradiance.data() : nullptr);
+        gather_first_light(medium, phases, fan, sunlight, solved.suns, settings.degree,
+                           first.at(level, 0), level == 0 ? first.sky_irradiance.data() : nullptr);
         transports[static_cast<std::size_t>(level)] =
             make_level_transport(medium, fan, settings.degree);
     });
@@ -89,6 +90,12 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
                             level == 0 ? image.sky_irradiance.data() : nullptr);
         });
     };
+    if (settings.orders > 0) {
+        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
+        solved.light = std::move(sum.light);
+        solved.applications = sum.applications;
+        return solved;
+    }
     OrderSum sum = sum_of_orders(first, next,
                                  {slowest_ratio(medium.air), settings.tolerance,
                                   settings.plain_orders, settings.most_applications},

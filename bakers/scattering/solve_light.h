@@ -21,6 +21,8 @@ struct SolverSettings {
     double tolerance = 1e-3;  // of what is left out, as a share of the light
     int plain_orders = 12;    // summed one by one before their sum is solved for
     int most_applications = 200;
+    int orders = 0;  // of the light, summed up to that one and no further; 0: all
+    bool operator==(const SolverSettings&) const = default;
 };
 
 // Finer in altitudes, directions and rays, to be measured against: the sun's angle matters least.

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "bakers/phase/legendre_moments.h"
-
 namespace skybake {
 
 namespace {
@@ -29,7 +27,7 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
     const double dip_sine = horizon_distance_km(shell, shell.thickness_km) /
                             (shell.ground_radius_km + shell.thickness_km);
     const std::size_t layers = medium.layers.size();
-    std::vector<std::vector<double>> phases;
+    std::vector<std::vector<Spectrum>> phases;
     for (const SkyLayer& layer : medium.layers) {
         phases.push_back(legendre_moments(layer.phase, degree));
     }
@@ -73,7 +71,7 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
                 Spectrum once{};
                 for (std::size_t i = 0; i < layers; ++i) {
                     for (std::size_t c = 0; c < once.size(); ++c) {
-                        once[c] += scattered[i][c] * phases[i][static_cast<std::size_t>(l)];
+                        once[c] += scattered[i][c] * phases[i][static_cast<std::size_t>(l)][c];
                     }
                 }
                 for (int m = 0; m <= l; ++m) {

@@ -8,7 +8,6 @@
 #include "bakers/atmosphere/optical_depth.h"
 #include "bakers/atmosphere/view_ray.h"
 #include "bakers/core/transcendental.h"
-#include "bakers/phase/legendre_moments.h"
 #include "bakers/sky/sky_radiance.h"
 #include "bakers/sky/solved_source.h"
 
@@ -75,7 +74,7 @@ std::vector<Node> nodes_along(const SkyMedium& medium, const SolvedLight& light,
         }
     }
     refine_view_ray(medium.air, whole, kRayTolerance, ray);
-    std::vector<std::vector<double>> phase_moments;
+    std::vector<std::vector<Spectrum>> phase_moments;
     for (const SkyLayer& layer : medium.layers) {
         phase_moments.push_back(legendre_moments(layer.phase, light.degree()));
     }
@@ -136,11 +135,11 @@ std::vector<Spectrum> single_scattering(const SkyMedium& medium, const std::vect
                                         const std::vector<SkyRay>& rays) {
     const auto channels = static_cast<std::size_t>(medium.air.channels);
     const std::size_t count = rays.size();
-    std::vector<double> phases(medium.layers.size() * count);
+    std::vector<Spectrum> phases(medium.layers.size() * count);
     for (std::size_t k = 0; k < medium.layers.size(); ++k) {
         for (std::size_t i = 0; i < count; ++i) {
-            phases[k * count + i] = phase_value(medium.layers[k].phase, rays[i].one_minus_cosine,
-                                                rays[i].one_plus_cosine);
+            phases[k * count + i] = first_phase_values(medium.layers[k], rays[i].one_minus_cosine,
+                                                       rays[i].one_plus_cosine);
         }
     }
     std::vector<Spectrum> sums(count);
@@ -163,7 +162,7 @@ std::vector<Spectrum> single_scattering(const SkyMedium& medium, const std::vect
             for (std::size_t c = 0; c < channels; ++c) {
                 double phase = 0;
                 for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-                    phase += node.shares[k][c] * phases[k * count + i];
+                    phase += node.shares[k][c] * phases[k * count + i][c];
                 }
                 sums[i][c] += node.weight[c] * phase * sunlight[c * count + i];
             }

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "bakers/core/texel_axis.h"
 #include "bakers/core/relative_error.h"
+#include "bakers/core/texel_axis.h"
 
 namespace skybake {
 

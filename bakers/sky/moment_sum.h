@@ -20,7 +20,7 @@ struct WeightedMoment {
 template <class Moment>
 Spectrum moment_sum(int degree, double azimuth_cosine,
                     const std::vector<Spectrum>& scattering_per_km,
-                    const std::vector<std::vector<double>>& phase_moments, const Moment& moment) {
+                    const std::vector<std::vector<Spectrum>>& phase_moments, const Moment& moment) {
     Spectrum sum{};
     for (int l = 0; l <= degree; ++l) {
         Spectrum of_degree{};
@@ -36,9 +36,9 @@ Spectrum moment_sum(int degree, double azimuth_cosine,
             last = next;
         }
         for (std::size_t k = 0; k < scattering_per_km.size(); ++k) {
-            const double chi = phase_moments[k][static_cast<std::size_t>(l)];
+            const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
             for (std::size_t c = 0; c < sum.size(); ++c) {
-                sum[c] += scattering_per_km[k][c] * chi * of_degree[c];
+                sum[c] += scattering_per_km[k][c] * chi[c] * of_degree[c];
             }
         }
     }

@@ -36,13 +36,15 @@ void add_gathered(double from, double to, int nodes, std::vector<WeightedAngle>&
 SunZenith sun_of_cosine(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
 
 // Over zenith angles and azimuths, both sides of the sun.
-Spectrum integrate(const SkyLight& light, const HigherOrders* higher_orders, double altitude_km,
-                   const SunZenith& sun, const std::vector<WeightedAngle>& zenith_angles,
+Spectrum integrate(const SkyLight& light, const SkyMedium& medium,
+                   const HigherOrders* higher_orders, double altitude_km, const SunZenith& sun,
+                   const std::vector<WeightedAngle>& zenith_angles,
                    const std::vector<WeightedAngle>& azimuths, Spectrum SkyRadiance::*part) {
     std::vector<double> azimuth_cosines;
     for (const WeightedAngle& azimuth : azimuths) {
         azimuth_cosines.push_back(std::clamp(cosine_of(azimuth.angle), -1.0, 1.0));
     }
+    const SkyIntegrator integrator(medium, higher_orders);
     Spectrum sum{};
     for (const WeightedAngle& zenith : zenith_angles) {
         const double mu = std::clamp(cosine_of(zenith.angle), 0.0, 1.0);
@@ -51,7 +53,7 @@ Spectrum integrate(const SkyLight& light, const HigherOrders* higher_orders, dou
             return sky_ray(light.shell(), altitude_km, sun,
                            sky_direction(sun, mu, sine, azimuth_cosine));
         };
-        const SkyRow row(light.integrator(), light.medium(), higher_orders, ray_at(1));
+        const SkyRow row(integrator, medium, higher_orders, ray_at(1));
         const std::vector<SkyRadiance> radiance = row.radiance(ray_at, azimuth_cosines);
         for (std::size_t i = 0; i < azimuths.size(); ++i) {
             const double weight = 2 * zenith.weight * azimuths[i].weight * sine * mu;
@@ -71,8 +73,22 @@ Spectrum single_irradiance(const SkyLight& light, double altitude_km, const SunZ
     add_gathered(from, kPi / 2, nodes, zenith_angles);
     std::vector<WeightedAngle> azimuths;
     add_gathered(0, kPi, nodes, azimuths);
-    return integrate(light, nullptr, altitude_km, sun, zenith_angles, azimuths,
+    SkyMedium medium = light.medium();
+    for (SkyLayer& layer : medium.layers) layer.first_phase = {};
+    return integrate(light, medium, nullptr, altitude_km, sun, zenith_angles, azimuths,
                      &SkyRadiance::single);
+}
+
+// What the peaks of spheres send on from next to the sun: sunlight that would not have come without
+// them. No nodes would find it.
+void add_aureole(const SkyLight& light, double altitude_km, const SunZenith& sun, Spectrum& sum) {
+    if (sun.cosine <= 0) return;
+    const double s_km = (light.shell().ground_radius_km + altitude_km) * sun.cosine;
+    const Spectrum with_peaks = light.integrator().sunlight(altitude_km, s_km);
+    const Spectrum without = light.sun_transmittance(altitude_km, s_km);
+    for (std::size_t c = 0; c < sum.size(); ++c) {
+        sum[c] += sun.cosine * (with_peaks[c] - without[c]);
+    }
 }
 
 // Gauss' rule for the integral over azimuths of a polynomial in their cosine: evenly spaced ones.
@@ -84,8 +100,8 @@ Spectrum multiple_irradiance(const SkyLight& light, double altitude_km, const Su
     for (int i = 0; i < nodes.azimuths; ++i) {
         azimuths.push_back({kPi * (i + 0.5) / nodes.azimuths, kPi / nodes.azimuths});
     }
-    return integrate(light, light.higher_orders(), altitude_km, sun, zenith_angles, azimuths,
-                     &SkyRadiance::multiple);
+    return integrate(light, light.medium(), light.higher_orders(), altitude_km, sun, zenith_angles,
+                     azimuths, &SkyRadiance::multiple);
 }
 
 }  // namespace
@@ -96,6 +112,7 @@ Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_co
     Spectrum sum{};
     if (light.orders() != config::SkyOrders::multiple) {
         sum = single_irradiance(light, altitude_km, sun, nodes.single);
+        if (light.has_peaks()) add_aureole(light, altitude_km, sun, sum);
     }
     if (light.higher_orders() != nullptr && light.orders() != config::SkyOrders::single) {
         const Spectrum rest = not_negative(multiple_irradiance(light, altitude_km, sun, nodes));
@@ -107,7 +124,7 @@ Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_co
 Spectrum sun_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith) {
     if (sun_cos_zenith <= 0) return {};
     const double r = light.shell().ground_radius_km + altitude_km;
-    Spectrum value = light.integrator().sunlight(altitude_km, r * sun_cos_zenith);
+    Spectrum value = light.sun_transmittance(altitude_km, r * sun_cos_zenith);
     for (double& channel : value) channel *= sun_cos_zenith;
     return value;
 }

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "bakers/scattering/solve_light.h"
+#include "bakers/atmosphere/forward_peak.h"
+#include "bakers/atmosphere/optical_depth.h"
+#include "bakers/core/transcendental.h"
+#include "bakers/scattering/solved_light_memory.h"
 #include "bakers/sky/check_light.h"
 #include "bakers/sky/solved_orders.h"
 
@@ -16,46 +19,57 @@ using config::SkyOrders;
 
 namespace {
 
-// Of the moments by which light is scattered once more: what haze scatters forward and again is
-// within 0.15 % of path tracing in the median of Earth's sky.
-constexpr int kDegree = 8;
-
-SolvedLight solve_unless_single(const SkyMedium& medium, SkyOrders orders,
-                                const BakeOptions& options) {
-    if (orders == SkyOrders::single) return {};
+std::shared_ptr<const SolvedLight> solve_unless_single(const SkyMedium& medium, SkyOrders orders,
+                                                       const BakeOptions& options) {
+    if (orders == SkyOrders::single) return nullptr;
     SolverSettings settings;
-    settings.degree = kDegree;
-    return solve_light(medium, settings, options.threads, options.progress);
+    settings.degree = kSkyDegree;
+    return remembered_light(medium, settings, options.threads, options.progress);
 }
 
 std::unique_ptr<const HigherOrders> solved_orders(const SkyMedium& medium, SkyOrders orders,
-                                                  const SolvedLight& light) {
+                                                  const SolvedLight* light) {
     if (orders == SkyOrders::single) return nullptr;
-    return std::make_unique<SolvedOrders>(medium, light, kDegree);
+    return std::make_unique<SolvedOrders>(medium, *light, kSkyDegree);
 }
 
 }  // namespace
 
 SkyLight::SkyLight(const config::Atmosphere& atmosphere, SkyOrders orders,
                    const std::vector<std::string>& layers, const BakeOptions& options)
-    : medium_(make_sky_medium(scattering_only(atmosphere, layers))),
+    : medium_(without_forward_peaks(make_sky_medium(scattering_only(atmosphere, layers)))),
+      whole_air_(make_medium(atmosphere)),
       shell_(shell_of(medium_.air)),
       orders_(orders),
       solved_(solve_unless_single(medium_, orders, options)),
-      higher_orders_(solved_orders(medium_, orders, solved_)),
+      higher_orders_(solved_orders(medium_, orders, solved_.get())),
       integrator_(medium_, higher_orders_.get()) {}
 
 SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,
                    std::unique_ptr<const HigherOrders> higher_orders)
     : medium_(std::move(medium)),
+      whole_air_(medium_.air),
       shell_(shell_of(medium_.air)),
       orders_(orders),
       higher_orders_(std::move(higher_orders)),
       integrator_(medium_, higher_orders_.get()) {}
 
 std::optional<config::Diagnostic> SkyLight::problem(const std::string& name) const {
-    if (solved_.altitudes_km.empty()) return std::nullopt;
-    return check_light(energy_balance(medium_, solved_), solved_, name);
+    if (!solved_) return std::nullopt;
+    return check_light(energy_balance(medium_, *solved_), *solved_, name);
+}
+
+Spectrum SkyLight::sun_transmittance(double altitude_km, double s_km) const {
+    if (!has_peaks()) return integrator_.sunlight(altitude_km, s_km);
+    if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
+    Spectrum value = optical_depth_to_top(whole_air_, altitude_km, s_km);
+    for (double& channel : value) channel = exponential(-channel);
+    return value;
+}
+
+bool SkyLight::has_peaks() const {
+    return std::any_of(medium_.layers.begin(), medium_.layers.end(),
+                       [](const SkyLayer& layer) { return !layer.first_phase.functions.empty(); });
 }
 
 Spectrum SkyLight::wanted(const SkyRadiance& radiance) const {
@@ -79,7 +93,7 @@ config::Atmosphere scattering_only(config::Atmosphere atmosphere,
     if (layers.empty()) return atmosphere;
     for (config::Layer& layer : atmosphere.layers) {
         if (std::find(layers.begin(), layers.end(), layer.name) != layers.end()) continue;
-        for (config::InverseLength& scattering : layer.scattering) scattering = {};
+        layer = without_scattering(std::move(layer));
     }
     return atmosphere;
 }

@@ -98,15 +98,15 @@ std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
     return cuts;
 }
 
-std::vector<double> SkyIntegrator::phases(const SkyRay& ray) const {
-    std::vector<double> values;
+std::vector<Spectrum> SkyIntegrator::phases(const SkyRay& ray) const {
+    std::vector<Spectrum> values;
     for (const SkyLayer& layer : medium_.layers) {
-        values.push_back(phase_value(layer.phase, ray.one_minus_cosine, ray.one_plus_cosine));
+        values.push_back(first_phase_values(layer, ray.one_minus_cosine, ray.one_plus_cosine));
     }
     return values;
 }
 
-void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<double>& phases,
+void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& phases,
                               const Piece& piece, int halvings, SkyRadiance& sum) const {
     const auto channels = static_cast<std::size_t>(medium_.air.channels);
     bool lit = false;
@@ -140,7 +140,7 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<double>& phas
             if (!medium_.layers[k].scatters) continue;
             scattering[k] = scattering_at(medium_.layers[k].alone, altitude);
             for (std::size_t c = 0; c < channels; ++c) {
-                towards_eye[c] += scattering[k][c] * phases[k];
+                towards_eye[c] += scattering[k][c] * phases[k][c];
             }
         }
         Spectrum again{};
@@ -187,7 +187,7 @@ std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
     std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{0};
     cuts.insert(cuts.end(), distances_km.begin(), distances_km.end());
     std::sort(cuts.begin(), cuts.end());
-    const std::vector<double> phase_values = phases(ray);
+    const std::vector<Spectrum> of_layers = phases(ray);
     std::vector<SkyRadiance> result;
     SkyRadiance sum;
     Spectrum depth{};
@@ -196,7 +196,7 @@ std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
         for (; cuts[cut] < distance; ++cut) {
             if (!(cuts[cut] < cuts[cut + 1])) continue;
             const Spectrum next = depth_km(ray, cuts[cut + 1]);
-            add_piece(ray, phase_values, {cuts[cut], cuts[cut + 1], depth, next}, 0, sum);
+            add_piece(ray, of_layers, {cuts[cut], cuts[cut + 1], depth, next}, 0, sum);
             depth = next;
         }
         for (std::size_t c = 0; c < channels; ++c) sum.transmittance[c] = exponential(-depth[c]);
@@ -211,13 +211,13 @@ SkyRadiance SkyIntegrator::between(const SkyRay& ray, double from_km, double to_
         if (cut > from_km && cut < to_km) cuts.push_back(cut);
     }
     cuts.push_back(to_km);
-    const std::vector<double> phase_values = phases(ray);
+    const std::vector<Spectrum> of_layers = phases(ray);
     SkyRadiance sum;
     Spectrum depth = depth_km(ray, from_km);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         if (!(cuts[i] < cuts[i + 1])) continue;
         const Spectrum next = depth_km(ray, cuts[i + 1]);
-        add_piece(ray, phase_values, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
+        add_piece(ray, of_layers, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
         depth = next;
     }
     return sum;

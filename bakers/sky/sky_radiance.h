@@ -65,8 +65,8 @@ class SkyIntegrator {
     struct Piece;
     std::vector<double> cuts_km(const SkyRay& ray) const;
     Spectrum depth_km(const SkyRay& ray, double distance_km) const;
-    std::vector<double> phases(const SkyRay& ray) const;
-    void add_piece(const SkyRay& ray, const std::vector<double>& phases, const Piece& piece,
+    std::vector<Spectrum> phases(const SkyRay& ray) const;
+    void add_piece(const SkyRay& ray, const std::vector<Spectrum>& phases, const Piece& piece,
                    int halvings, SkyRadiance& sum) const;
 
     const SkyMedium& medium_;

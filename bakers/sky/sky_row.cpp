@@ -130,11 +130,11 @@ void SkyRow::add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& r
 void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const {
     const auto channels = static_cast<std::size_t>(medium_.air.channels);
     const std::size_t count = rays.size();
-    std::vector<double> phases(medium_.layers.size() * count);
+    std::vector<Spectrum> phases(medium_.layers.size() * count);
     for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
         for (std::size_t i = 0; i < count; ++i) {
-            phases[k * count + i] = phase_value(medium_.layers[k].phase, rays[i].one_minus_cosine,
-                                                rays[i].one_plus_cosine);
+            phases[k * count + i] = first_phase_values(medium_.layers[k], rays[i].one_minus_cosine,
+                                                       rays[i].one_plus_cosine);
         }
     }
     std::vector<double> s(count);
@@ -185,7 +185,7 @@ void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance
                     if (is_hidden[i]) continue;
                     double towards_eye = 0;
                     for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-                        towards_eye += node.scattering[k][c] * phases[k * count + i];
+                        towards_eye += node.scattering[k][c] * phases[k * count + i][c];
                     }
                     sums[i].single[c] += node.weight[c] * towards_eye * sun[c * count + i];
                 }

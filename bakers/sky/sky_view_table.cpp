@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "bakers/core/finish_table.h"
+#include "bakers/core/relative_error.h"
 #include "bakers/core/stack_tables.h"
 #include "bakers/core/transcendental.h"
-#include "bakers/core/relative_error.h"
 #include "bakers/sky/sky_row.h"
 
 namespace skybake {
@@ -26,10 +26,15 @@ constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 void describe(const SkyViewBake& bake, const SkyViewCamera& camera, BakedTable& table) {
     const std::size_t suns = bake.sun_elevations.size();
     table.kind = "sky_view";
+    const bool from_strips =
+        bake.sky == config::SkyMethod::strips && bake.orders != config::SkyOrders::single;
     table.content = fmt::format(
         "radiance of the sky and, below the horizon, of the ground (1/sr) for a solar irradiance "
-        "of 1, without the sun's disc: {}",
-        light_text(bake.orders, bake.layers));
+        "of 1, without the sun's disc: {}{}",
+        light_text(bake.orders, bake.layers),
+        from_strips ? "; of the orders from the second on the second alone, lit by eight strips of "
+                      "sky"
+                    : "");
     table.mapping = "hillaire";
     table.axes[0] = {"azimuth_deg", "x = azimuth from the sun / 180 degrees",
                      "end points on texel centres", 0, 180};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "bakers/phase/legendre_moments.h"
 #include "bakers/sky/moment_sum.h"
 
 namespace skybake {

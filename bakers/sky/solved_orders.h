@@ -21,7 +21,7 @@ class SolvedOrders : public HigherOrders {
   private:
     const SolvedLight& light_;
     int degree_;
-    std::vector<std::vector<double>> phase_moments_;  // of each layer
+    std::vector<std::vector<Spectrum>> phase_moments_;  // of each layer
 };
 
 }  // namespace skybake

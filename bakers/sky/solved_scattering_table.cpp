@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "bakers/core/finish_table.h"
+#include "bakers/core/relative_error.h"
 #include "bakers/core/stack_tables.h"
 #include "bakers/reference/path_tracer.h"
 #include "bakers/scattering/energy_balance.h"
 #include "bakers/scattering/solve_light.h"
 #include "bakers/sky/check_light.h"
 #include "bakers/sky/fitted_table.h"
-#include "bakers/core/relative_error.h"
 #include "bakers/sky/sky_error.h"
 #include "bakers/sky/solved_orders.h"
 #include "bakers/sky/table_orders.h"

@@ -11,7 +11,7 @@ namespace {
 // Sum over layers of scattering and phase moment, times the view's harmonic: [lm].
 std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
                                    const std::vector<Spectrum>& scattering,
-                                   const std::vector<std::vector<double>>& phase_moments) {
+                                   const std::vector<std::vector<Spectrum>>& phase_moments) {
     const auto count = static_cast<std::size_t>(moment_count(degree));
     std::vector<double> harmonics(count);
     zenith_harmonics(degree, view_cos_zenith, harmonics.data());
@@ -20,9 +20,9 @@ std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
         for (int m = 0; m <= l; ++m) {
             const auto lm = static_cast<std::size_t>(moment_index(l, m));
             for (std::size_t k = 0; k < scattering.size(); ++k) {
-                const double chi = phase_moments[k][static_cast<std::size_t>(l)];
+                const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
                 for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    factors[lm][c] += scattering[k][c] * chi * harmonics[lm];
+                    factors[lm][c] += scattering[k][c] * chi[c] * harmonics[lm];
                 }
             }
         }
@@ -34,7 +34,7 @@ std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
 
 SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
                            const std::vector<Spectrum>& scattering,
-                           const std::vector<std::vector<double>>& phase_moments)
+                           const std::vector<std::vector<Spectrum>>& phase_moments)
     : light_(light) {
     const int degree = light.degree();
     const auto orders = static_cast<std::size_t>(degree) + 1;

@@ -15,7 +15,7 @@ class SolvedSource {
     // degree. The light must outlive it.
     SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
                  const std::vector<Spectrum>& scattering,
-                 const std::vector<std::vector<double>>& phase_moments);
+                 const std::vector<std::vector<Spectrum>>& phase_moments);
 
     // As SolvedOrders::scattered, to rounding.
     Spectrum scattered(double sun_cos_zenith, double azimuth_cosine) const;

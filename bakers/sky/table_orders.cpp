@@ -5,7 +5,6 @@
 
 #include "bakers/core/bilinear.h"
 #include "bakers/core/texel_axis.h"
-#include "bakers/phase/legendre_moments.h"
 #include "bakers/sky/moment_sum.h"
 
 namespace skybake {

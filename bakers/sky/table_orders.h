@@ -37,7 +37,7 @@ class TableOrders : public HigherOrders {
     const Image2<float>& table_;
     int degree_;
     PlaceInTable place_;
-    std::vector<std::vector<double>> phase_moments_;  // of each layer
+    std::vector<std::vector<Spectrum>> phase_moments_;  // of each layer
     IsotropicOrders mean_;
 };
 

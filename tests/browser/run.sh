@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Drives the pages of a skybake program through Chromium.
-#   tests/browser/run.sh build/dev/cli/skybake build/dev/tests/browser
+# Drives a skybake program through Chromium by a script of this folder.
+#   tests/browser/run.sh preview_page.js build/dev/cli/skybake build/dev/tests/browser
 # Ends with 77 where that cannot be done here.
 set -euo pipefail
-program=$(realpath "$1")
-mkdir -p "$2"
-folder=$(realpath "$2")
+script=$1
+program=$(realpath "$2")
+mkdir -p "$3"
+folder=$(realpath "$3")
 here=$(realpath "$(dirname "$0")")
 
 skip() { echo "skipped: $1"; exit 77; }
@@ -13,10 +14,12 @@ skip() { echo "skipped: $1"; exit 77; }
 command -v node >/dev/null || skip "there is no node"
 command -v npm >/dev/null || skip "there is no npm"
 
-# Once for each version that package-lock.json names.
+# Once for each version that package-lock.json names. What three-atmosphere's parts for React would
+# have besides is left out (--legacy-peer-deps).
 if ! cmp -s "$here/package-lock.json" "$folder/installed.json"; then
     cp "$here/package.json" "$here/package-lock.json" "$folder"
-    (cd "$folder" && npm ci --no-audit --no-fund --loglevel=error --fetch-retries=0 --fetch-timeout=30000) || skip "npm cannot install playwright-core"
+    (cd "$folder" && npm ci --legacy-peer-deps --no-audit --no-fund --loglevel=error --fetch-retries=0 --fetch-timeout=30000) ||
+        skip "npm cannot install the packages"
     cp "$here/package-lock.json" "$folder/installed.json"
 fi
-NODE_PATH="$folder/node_modules" exec node "$here/preview_page.js" "$program" "$folder"
+NODE_PATH="$folder/node_modules" exec node "$here/$script" "$program" "$folder"

@@ -12,9 +12,9 @@ recipes=(earth tiny_planet dense_earth)
 bake() {
     local folder=$1 recipe
     shift
-    for recipe in "${recipes[@]}" noise clouds sky; do
+    for recipe in "${recipes[@]}" noise clouds sky particles; do
         mkdir -p "$folder"
-        if [[ $recipe == noise || $recipe == clouds || $recipe == sky ]]; then
+        if [[ " ${recipes[*]} " != *" $recipe "* ]]; then
             "${recipe}_recipe" >"$folder/$recipe.toml"
         else
             printf 'preset = "%s"\n[bake.transmittance]\nsize = [64, 16]\n[bake.depth]\nasset = "transmittance"\ncontent = "optical_depth"\nsize = [33, 9]\n[bake.multiple_scattering]\nsize = [16, 8]\nmapping = "twilight"\nmax_texel_error = "2 %%"\n' \
@@ -40,6 +40,61 @@ size = [16, 8]
 size = [11, 9]
 sun_elevations = ["2 deg"]
 orders = "single"
+[bake.scattering]
+asset = "bruneton"
+size = [32, 10, 6]
+nu_size = 4
+formats = ["exr", "bin"]
+[bake.irradiance]
+asset = "bruneton"
+table = "irradiance"
+size = [12, 5, 1]
+pixel_type = "float"
+TOML
+}
+
+# Spheres, phase functions, columns.
+particles_recipe() {
+    cat <<'TOML'
+preset = "earth"
+[particles.haze]
+preset = "haze"
+[particles.drops]
+material = "water"
+sizes = "monodisperse"
+radius = "3 um"
+[atmosphere.layers.haze]
+profile = "exponential"
+scale_height = "1 km"
+phase = { mie = "haze" }
+number_density = "5e3 /cm3"
+[bake.haze]
+asset = "phase"
+particles = "haze"
+max_error = "1 %"
+[bake.drops]
+asset = "phase"
+particles = "drops"
+content = "inverse_cumulative"
+pixel_type = "half"
+[bake.transmittance]
+size = [64, 16]
+[bake.sky_view]
+size = [11, 9]
+sun_elevations = ["40 deg"]
+orders = "single"
+[bake.to_top]
+asset = "optical_depth"
+size = [40, 12, 1]
+[bake.between]
+asset = "optical_depth"
+table = "between"
+size = [12, 10, 9]
+formats = ["bin"]
+[bake.shells]
+asset = "optical_depth"
+size = [16, 8, 1]
+sampling = "equal_attenuation"
 TOML
 }
 

@@ -69,9 +69,20 @@ TEST(InitCommand, ListsThePresetsOfEachKind) {
     for (const config::Preset& preset : config::cloud_presets()) {
         EXPECT_NE(result.out.find(title_of(preset), clouds), std::string::npos) << preset.name;
     }
-    const std::size_t titles =
-        config::presets().size() + config::noise_presets().size() + config::cloud_presets().size();
-    EXPECT_EQ(count_lines(result.out), static_cast<long>(titles + 5));
+    const std::size_t layers = result.out.find("\nlayers: ");
+    ASSERT_NE(layers, std::string::npos);
+    for (const config::Preset& preset : config::layer_presets()) {
+        EXPECT_NE(result.out.find(title_of(preset), layers), std::string::npos) << preset.name;
+    }
+    const std::size_t particles = result.out.find("\nparticles: ");
+    ASSERT_NE(particles, std::string::npos);
+    for (const config::Preset& preset : config::particle_presets()) {
+        EXPECT_NE(result.out.find(title_of(preset), particles), std::string::npos) << preset.name;
+    }
+    const std::size_t titles = config::presets().size() + config::noise_presets().size() +
+                               config::layer_presets().size() + config::cloud_presets().size() +
+                               config::particle_presets().size();
+    EXPECT_EQ(count_lines(result.out), static_cast<long>(titles + 9));
 }
 
 TEST(InitCommand, WritesARecipeOfANoise) {

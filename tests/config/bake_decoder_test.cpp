@@ -39,9 +39,12 @@ TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
         if (asset == "cloud_volume") keys = "cloud = 'c'\nsize = [16, 16, 16]\n";
         if (asset == "occupancy") keys = "of = 'v'\n";
         if (asset == "sky_view") keys = "sun_elevations = '30 deg'\n";
+        if (asset == "phase") keys = "particles = 'p'\n";
         if (asset == "aerial_perspective") keys = "sun_elevation = '30 deg'\n";
         const Recipe recipe = bake(
-            "[noise.n.channels.Y]\ntype = 'perlin'\n[clouds.c]\nnoise = 'n'\n"
+            "[atmosphere.layers.air]\nprofile = 'exponential'\nscale_height = '8 km'\n"
+            "[particles.p]\npreset = 'fog'\n[noise.n.channels.Y]\ntype = "
+            "'perlin'\n[clouds.c]\nnoise = 'n'\n"
             "extent = ['1 m', '1 m', '1 m']\n[bake.v]\nasset = 'cloud_volume'\n"
             "cloud = 'c'\nsize = [16, 16, 16]\n[bake." +
             std::string(asset) + "]\n" + keys);
@@ -88,7 +91,7 @@ TEST(BakeDecoder, RefusesUnknownAssets) {
     EXPECT_EQ(diagnostics[1].code, "E0118");
     EXPECT_EQ(diagnostics[1].label,
               "`asset` is one of transmittance, multiple_scattering, sky_view, aerial_perspective, "
-              "irradiance, noise_volume, cloud_volume, occupancy");
+              "irradiance, phase, bruneton, optical_depth, noise_volume, cloud_volume, occupancy");
     EXPECT_EQ(diagnostics[1].where.line, 4);
     EXPECT_EQ(diagnostics[2].code, "E0103");
 }

@@ -24,14 +24,15 @@ using Values = std::vector<double>;
 TEST(Presets, AreThoseOfTheIssue) {
     EXPECT_EQ(preset_names(),
               (std::vector<std::string_view>{"dense_earth", "earth", "earth_bruneton", "mars",
-                                             "tiny_planet", "vacuum"}));
+                                             "takram", "tiny_planet", "vacuum"}));
     EXPECT_EQ(find_preset("moon"), nullptr);
 }
 
 TEST(Presets, AreValidRecipesWithATitleAndTwoBakes) {
     for (const Preset& entry : presets()) {
         const Recipe recipe = valid(std::string(entry.text));
-        EXPECT_EQ(recipe.parameters.bakes.size(), 2u) << entry.name;
+        // takram's are the three textures that its loader wants.
+        EXPECT_EQ(recipe.parameters.bakes.size(), entry.name == "takram" ? 3u : 2u) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
         EXPECT_FALSE(preset_title(entry).empty()) << entry.name;
         EXPECT_LE(preset_title(entry).size(), 80u) << entry.name;
@@ -60,6 +61,29 @@ TEST(Presets, OfCloudsAreThoseOfTheIssue) {
         EXPECT_FALSE(preset_title(entry).empty()) << entry.name;
         EXPECT_LE(preset_title(entry).size(), 100u) << entry.name;
     }
+}
+
+TEST(Presets, OfLayersAreLayersOfAnAtmosphere) {
+    EXPECT_EQ(layer_preset_names(), (std::vector<std::string_view>{"dust", "fog", "rain", "snow"}));
+    for (const Preset& entry : layer_presets()) {
+        const std::string name(entry.name);
+        const Recipe recipe = valid("preset = 'earth'\n[atmosphere.layers.weather]\npreset = '" +
+                                    name + "'\ng = 0.5\n");
+        const Layer& layer = recipe.parameters.atmosphere.layers.back();
+        EXPECT_EQ(layer.name, "weather");
+        EXPECT_GT(layer.extinction.at(0).per_meter, 1e-4) << name;
+        EXPECT_EQ(layer.g, 0.5) << name;  // the recipe's own keys lie over the preset's
+        EXPECT_TRUE(entry.text.starts_with("# ")) << name;
+        EXPECT_LE(preset_title(entry).size(), 100u) << name;
+    }
+    EXPECT_EQ(valid("preset = 'earth'\n").parameters.atmosphere.layers.size() + 1,
+              valid("preset = 'earth'\n[atmosphere.layers.fog]\npreset = 'fog'\n")
+                  .parameters.atmosphere.layers.size());
+    const auto unknown =
+        parse_recipe("preset = 'earth'\n[atmosphere.layers.fog]\npreset = 'fogg'\n", "test.toml");
+    ASSERT_FALSE(unknown.diagnostics.empty());
+    EXPECT_EQ(unknown.diagnostics.front().code, "E0115");
+    EXPECT_NE(unknown.diagnostics.front().label.find("fog"), std::string::npos);
 }
 
 // Its towers by their variances, as they are printed.

@@ -20,6 +20,8 @@ using testing::TemporaryFolder;
 using testing::valid;
 
 // A recipe with one fault, and what is said about it.
+const std::string fog = "preset = \"vacuum\"\n[particles.fog]\npreset = \"fog\"\n";
+
 struct Fault {
     std::string code;
     std::string text;
@@ -107,6 +109,16 @@ const std::vector<Fault> faults = {
      "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
      "orders = \"single\"\nlayers = [\"mei\"]",
      5, 10, 7, "did you mean `mie`?"},
+    {"E0139",
+     fog + "[atmosphere.layers.fog]\nprofile = \"exponential\"\nscale_height = \"0.2 km\"\n"
+           "phase = { mie = \"fog\" }\nnumber_density = \"15 /cm3\"\nabsorption = \"1e-6 /m\"",
+     9, 14, 9, "phase = \"mie\" has it from their number and size; leave it out"},
+    {"E0140", fog + "[bake.phase]\nparticles = \"frog\"", 5, 13, 6, "did you mean `fog`?"},
+    {"E0141", fog + "[bake.phase]\nsize = 64", 4, 7, 5, "give `particles` or `layer`, a name"},
+    {"E0142", vacuum + "[bake.bruneton]\nsize = [256, 128, 32]\nnu_size = 7", 3, 8, 14,
+     "two sub-images or more, of two texels or more"},
+    {"E0144", fog + "material = \"constant\"\nrefractive_index = 1", 5, 20, 1,
+     "another refractive_index than 1, or an absorption_index above 0"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 
@@ -134,6 +146,7 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
     std::set<std::string> tested = {"E0116", "E0120", "E0122", "E0123", "E0125"};
     for (const Fault& fault : faults) tested.insert(fault.code);
     tested.insert("E0124");  // said by `bake`, which alone needs something to bake
+    tested.insert("E0143");  // said by the baker
     for (const DiagnosticCode& code : diagnostic_codes()) {
         if (code.code.starts_with("E01")) {
             EXPECT_TRUE(tested.contains(std::string(code.code))) << code.code;

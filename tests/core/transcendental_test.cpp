@@ -75,6 +75,24 @@ TEST(Transcendental, CosinesAreExactToTheLastBitsOfOne) {
     EXPECT_NEAR(arc_cosine(-1), 3.14159265358979, 1e-14);
 }
 
+TEST(Transcendental, SinesAreExactToTheLastBitsOfOneForLargeArguments) {
+    double worst = 0;
+    const auto compare = [&](double x) {
+        const auto [sine, cosine] = sine_and_cosine(x);
+        worst = std::max({worst, std::fabs(static_cast<double>(Quad(sine) - sin(Quad(x)))),
+                          std::fabs(static_cast<double>(Quad(cosine) - cos(Quad(x))))});
+    };
+    for (const double end : {1.0, 1e3, 1e6}) {
+        for (const double x : samples(-end, end, 20000)) compare(x);
+    }
+    // The doubles about multiples of pi / 2, of which little is left.
+    for (int n = 1; n < 600000; n += 997) compare(n * 1.5707963267948966);
+    EXPECT_LT(worst, 3e-16);
+    EXPECT_EQ(sine_and_cosine(0).sine, 0);
+    EXPECT_EQ(sine_and_cosine(0).cosine, 1);
+    EXPECT_EQ(sine_and_cosine(1e-300).sine, 1e-300);
+}
+
 TEST(Transcendental, ManyAtOnceHaveTheSameBits) {
     std::vector<double> values = samples(-800, 720, 1003);
     std::vector<double> one_by_one = values;

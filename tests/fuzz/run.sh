@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 fuzzers=(recipe units setting)
 seconds=$((${1:-60} / ${#fuzzers[@]}))
 examples/install_packages.sh --tests
-cmake --preset fuzz >/dev/null
+cmake --preset fuzz -DSKYBAKE_PRECOMPILED_HEADERS=ON >/dev/null
 cmake --build --preset fuzz --target "${fuzzers[@]/%/_fuzzer}"
 for fuzzer in "${fuzzers[@]}"; do
     found=build/fuzz/found/$fuzzer

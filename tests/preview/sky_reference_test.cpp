@@ -52,10 +52,10 @@ Spectrum adaptive_single_scattering(const SkyMedium& medium, const SkyView& view
             optical_depth_along(medium.air, view.camera_altitude_km, direction.mu, x);
         for (const SkyLayer& layer : medium.layers) {
             const Spectrum scattering = scattering_at(layer.alone, altitude);
-            const double phase =
-                phase_value(layer.phase, direction.one_minus_cosine, direction.one_plus_cosine);
+            const Spectrum phase =
+                phase_values(layer.phase, direction.one_minus_cosine, direction.one_plus_cosine);
             for (std::size_t c = 0; c < value.size(); ++c) {
-                value[c] += scattering[c] * phase * std::exp(-to_sun[c] - to_eye[c]);
+                value[c] += scattering[c] * phase[c] * std::exp(-to_sun[c] - to_eye[c]);
             }
         }
         return value;

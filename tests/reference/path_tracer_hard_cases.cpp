@@ -108,6 +108,21 @@ TEST(PathTracerHardCase, Case08ExtremePhaseFunctions) {
     hold("8 g = 0.999, the view into the sun", "finite and not negative (count)", bad, 0);
 }
 
+// Each channel has a phase function of its own, and any of them leads the path.
+TEST(PathTracerHardCase, Case08Spheres) {
+    const SkyMedium spheres = make_sky_medium(
+        test::recipe_of("preset = 'earth'\n[particles.dust]\nmaterial = 'constant'\n"
+                        "refractive_index = 1.5\neffective_radius = '1 um'\n"
+                        "[atmosphere.layers.dust]\nprofile = 'exponential'\n"
+                        "scale_height = '2 km'\nphase = { mie = 'dust' }\n"
+                        "number_density = '30 /cm3'\n",
+                        {"atmosphere.layers.mie.enabled=false",
+                         "atmosphere.layers.ozone.enabled=false", "atmosphere.ground_albedo=1"})
+            .parameters.atmosphere);
+    hold("8 spheres that do not absorb, paths", "white furnace, standard errors",
+         worst_furnace(spheres, 5000), 4);
+}
+
 TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
     const SkyMedium vacuum = sky_medium("vacuum", {"atmosphere.ground_albedo=0.7"});
     const PathTracer tracer(vacuum);

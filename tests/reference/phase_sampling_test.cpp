@@ -44,7 +44,7 @@ TEST_P(PhaseSampling, HasTheMoments) {
     std::array<double, kDegree + 1> squares{};
     RandomStream random(5, 1, 2);
     for (int i = 0; i < kSamples; ++i) {
-        const ScatteringCosine cosine = sample_phase(phase, random);
+        const ScatteringAngle cosine = sample_phase(phase, random);
         ASSERT_GE(cosine.one_minus, 0);
         ASSERT_GE(cosine.one_plus, 0);
         ASSERT_NEAR(cosine.one_minus + cosine.one_plus, 2, 1e-13);

@@ -87,6 +87,21 @@ TEST(ScatteringHardCase, Case08Peaks) {
     }
 }
 
+TEST(ScatteringHardCase, Case08Spheres) {
+    for (const char* kind : {"haze", "fog", "cloud"}) {
+        const std::string particles = std::string("[particles.drops]\npreset = '") + kind + "'\n";
+        const std::string number = kind == std::string("haze") ? "5e4 /cm3" : "2 /cm3";
+        const SkyMedium medium =
+            make_sky_medium(test::recipe_of("preset = 'earth'\n" + particles +
+                                            "[atmosphere.layers.drops]\nprofile = 'exponential'\n"
+                                            "scale_height = '1 km'\nphase = { mie = 'drops' }\n"
+                                            "number_density = '" +
+                                            number + "'\n")
+                                .parameters.atmosphere);
+        hold_energy(std::string("8 spheres of ") + kind, medium, 1e-2);
+    }
+}
+
 TEST(ScatteringHardCase, Case09And10NothingAndThinLayers) {
     const SkyMedium nothing = preset("vacuum");
     hold("9 no layers at all", "finite and not negative (count)",

@@ -11,7 +11,6 @@
 
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/core/gauss_legendre.h"
-#include "bakers/phase/legendre_moments.h"
 #include "bakers/scattering/solve_light.h"
 #include "bakers/sky/positive_least_squares.h"
 #include "bakers/sky/solved_orders.h"
@@ -324,7 +323,7 @@ TEST(SolvedSource, IsWhatSolvedOrdersScatter) {
     const SkyMedium medium = make_sky_medium(preset_atmosphere("earth"));
     const SolvedLight light = solved(medium, 6, 32);
     const SolvedOrders orders(medium, light, 6);
-    std::vector<std::vector<double>> moments;
+    std::vector<std::vector<Spectrum>> moments;
     for (const SkyLayer& layer : medium.layers) moments.push_back(legendre_moments(layer.phase, 6));
     EXPECT_TRUE(rc::check("the same as point by point", [&] {
         ScatteringPoint point;

@@ -1,0 +1,102 @@
+#include "bakers/bruneton/bruneton_volume.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "bakers/atmosphere/forward_peak.h"
+#include "bakers/bruneton/flat_tables.h"
+#include "bakers/bruneton/iterated_scattering.h"
+#include "bakers/bruneton/scattering_volume.h"
+#include "bakers/bruneton/takram_parameters.h"
+#include "bakers/core/finish_volume.h"
+#include "bakers/scattering/solved_light_memory.h"
+#include "bakers/sky/check_light.h"
+#include "bakers/sky/sky_light.h"
+#include "bakers/sky/solved_orders.h"
+#include "config/bruneton_companion.h"
+
+namespace skybake {
+
+using config::BrunetonBake;
+using config::BrunetonConvention;
+using config::BrunetonTable;
+using config::Outcome;
+
+namespace {
+
+bool has_higher_orders(const BrunetonBake& bake) {
+    return bake.orders != 1 && bake.table != BrunetonTable::single_mie &&
+           bake.table != BrunetonTable::transmittance;
+}
+
+// The light that is scattered once more to make orders 2 and up. Null: there is none.
+std::shared_ptr<const SolvedLight> light_of(const SkyMedium& medium, const BrunetonBake& bake,
+                                            const BakeOptions& options) {
+    if (!has_higher_orders(bake)) return nullptr;
+    SolverSettings settings;
+    settings.degree = kSkyDegree;
+    settings.orders = bake.orders > 0 ? bake.orders - 1 : 0;
+    return remembered_light(medium, settings, options.threads, options.progress);
+}
+
+std::vector<std::string> channel_names(const SkyMedium& medium, const BrunetonBake& bake) {
+    std::vector<std::string> names = {"R", "G", "B"};
+    if (medium.air.channels == 1) names = {"Y"};
+    const bool combined = bake.table == BrunetonTable::scattering && bake.combined;
+    if (combined || bake.convention == BrunetonConvention::takram) names.emplace_back("A");
+    return names;
+}
+
+Outcome<BakedVolume> bake_irradiance(SkyMedium medium, const SolvedLight* light,
+                                     const BrunetonBake& bake, const BakeOptions& options,
+                                     BakedVolume volume) {
+    const SkyMedium of_orders = medium;
+    std::unique_ptr<const HigherOrders> higher;
+    if (light != nullptr) {
+        higher = std::make_unique<SolvedOrders>(of_orders, *light, light->degree());
+    }
+    const auto orders = light != nullptr ? config::SkyOrders::all : config::SkyOrders::single;
+    const SkyLight sky(std::move(medium), orders, std::move(higher));
+    return bake_bruneton_irradiance(sky, bake, options, std::move(volume));
+}
+
+}  // namespace
+
+Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& asked,
+                                   const BakeOptions& options, BakedVolume volume) {
+    BrunetonBake bake = asked;
+    const bool iterated = bake.method == config::BrunetonMethod::iterated;
+    if (iterated && bake.orders == 0) bake.orders = kIteratedOrders;
+    const SkyMedium air = make_sky_medium(atmosphere);
+    SkyMedium medium = without_forward_peaks(air);
+    volume.kind = "bruneton";
+    volume.channel_names = channel_names(medium, bake);
+    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
+    volume.up_axis = "+z";
+    set_files(bake, volume);
+    volume.flipped = bake.convention == BrunetonConvention::takram;
+    if (config::has_companion(bake)) {
+        volume.companion = CompanionFile{"json", takram_parameters(atmosphere, bake)};
+    }
+    if (bake.table == BrunetonTable::transmittance) {
+        return bake_bruneton_transmittance(air.air, bake, options, std::move(volume));
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const std::shared_ptr<const SolvedLight> light = light_of(medium, bake, options);
+    if (options.cancelled()) return {};
+    if (light && bake.orders == 0) {
+        if (const auto problem = check_light(energy_balance(medium, *light), *light, volume.name)) {
+            return {{}, {*problem}};
+        }
+    }
+    volume.bake_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (bake.table == BrunetonTable::irradiance) {
+        return bake_irradiance(std::move(medium), light.get(), bake, options, std::move(volume));
+    }
+    return bake_scattering(medium, light, bake, options, std::move(volume));
+}
+
+}  // namespace skybake

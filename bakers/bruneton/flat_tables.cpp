@@ -1,0 +1,149 @@
+#include "bakers/bruneton/flat_tables.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bakers/atmosphere/transmittance_table.h"
+#include "bakers/bruneton/held_voxels.h"
+#include "bakers/core/finish_volume.h"
+#include "bakers/core/texel_axis.h"
+#include "bakers/core/tiles.h"
+#include "bakers/scattering/sun_axis.h"
+#include "bakers/sky/sky_irradiance.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+constexpr const char* kConventionText = "end points on texel centres; clamps";
+
+// Directions that sky irradiance is integrated over: those of `asset = "irradiance"` with an error
+// of texels below 1e-3 on Earth, and of its reference.
+constexpr IrradianceNodes kNodes = {8};
+constexpr IrradianceNodes kReferenceNodes = {28, 12, 6};
+// Of a sun axis that is made for its ends alone.
+constexpr int kFewestColumns = 8;
+
+// Values of a row of coordinates x at y, colours interleaved.
+using Row = std::function<void(double y, const std::vector<double>& x, double* values)>;
+
+// x of a texture coordinate: lookups beyond the outer texels' centres are clamped.
+double coordinate_of(double u, int count) {
+    return std::clamp((u * count - 0.5) / (count - 1), 0.0, 1.0);
+}
+
+config::Outcome<BakedVolume> bake_flat(const Row& row, const Row& reference, std::size_t colours,
+                                       const config::BrunetonBake& bake, const BakeOptions& options,
+                                       BakedVolume volume) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::array<int, 3>& size = bake.size;
+    const std::size_t channels = volume.channel_names.size();
+    const auto texels = std::make_shared<HeldVoxels>(size, channels);
+    std::vector<double> x;
+    for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kConvention, u, size[0]));
+    for_each_tile(size[1], options, "texels", [&](int v) {
+        std::vector<double> values(x.size() * colours);
+        row(texel_coordinate(kConvention, v, size[1]), x, values.data());
+        for (std::size_t c = 0; c < channels; ++c) {
+            float* to = texels->channel(c).data() + texels->offset(0, v, 0);
+            for (std::size_t u = 0; u < x.size(); ++u) {
+                to[u] = c < colours ? static_cast<float>(values[u * colours + c]) : 1.0f;
+            }
+        }
+    });
+    volume.bake_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    VolumeFinish finish;
+    finish.reference_name = volume.certificate.reference;
+    finish.dear = bake.table == config::BrunetonTable::irradiance;
+    finish.reference = [&reference, &size, colours, channels](const std::array<double, 3>& uvw) {
+        std::vector<double> values(channels, 1);
+        std::vector<double> found(colours);
+        reference(coordinate_of(uvw[1], size[1]), {coordinate_of(uvw[0], size[0])}, found.data());
+        std::copy(found.begin(), found.end(), values.begin());
+        return values;
+    };
+    for (std::size_t c = 0; c < channels; ++c) {
+        const double largest = texels->largest(c);
+        finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
+    }
+    VolumeLevel level;
+    level.size = size;
+    level.repeats = repeating_axes(volume.mapping);
+    level.voxels = texels;
+    volume.levels.push_back(std::move(level));
+    add_mip_levels(bake.mips, options, volume);
+    return finish_volume(std::move(volume), finish, options);
+}
+
+}  // namespace
+
+config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
+                                                         const config::BrunetonBake& bake,
+                                                         const BakeOptions& options,
+                                                         BakedVolume volume) {
+    volume.content = "transmittance from a point to the top of the atmosphere (dimensionless)";
+    volume.mapping = "bruneton_transmittance";
+    volume.axes = {{{"distance_to_top_km",
+                     "x = (d - d_min) / (d_max - d_min), d_min = R_top - r, d_max = rho + H; "
+                     "0 straight up, 1 the horizon",
+                     kConventionText, 0, 1},
+                    {"altitude_km",
+                     "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)",
+                     kConventionText, 0, medium.thickness_km},
+                    {"none", "one texel", kConventionText, 0, 0}}};
+    volume.certificate.reference =
+        "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
+    const TableModel model = transmittance_model(medium, {});
+    const Row row = [&model](double y, const std::vector<double>& x, double* values) {
+        model.row(0, y, x, values);
+    };
+    return bake_flat(row, model.reference, static_cast<std::size_t>(medium.channels), bake, options,
+                     std::move(volume));
+}
+
+config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
+                                                      const config::BrunetonBake& bake,
+                                                      const BakeOptions& options,
+                                                      BakedVolume volume) {
+    const double thickness_km = light.shell().thickness_km;
+    const auto colours = static_cast<std::size_t>(light.medium().air.channels);
+    volume.content =
+        "irradiance of a level surface that faces up, by the sky without the sun, in units of the "
+        "solar irradiance";
+    volume.mapping = "bruneton_irradiance";
+    volume.axes = {{{"sun_cos_zenith", "x = (mu_s + 1) / 2", kConventionText, -1, 1},
+                    {"altitude_km", "x = (r - R_ground) / (R_top - R_ground)", kConventionText, 0,
+                     thickness_km},
+                    {"none", "one texel", kConventionText, 0, 0}}};
+    volume.certificate.reference = "the same integral over more directions";
+    // Darker suns are the darkest to higher orders too (sun_axis.h), and nothing of the air is lit.
+    const double darkest = make_sun_axis(light.shell(), kFewestColumns).darkest;
+    const auto row_of = [&, darkest](const IrradianceNodes& nodes) -> Row {
+        return [&light, &bake, nodes, colours, thickness_km, darkest](
+                   double y, const std::vector<double>& x, double* values) {
+            Spectrum irradiance{};
+            double last_sun = 2;  // none
+            for (const double at : x) {
+                const double sun = std::max(2 * at - 1, darkest);
+                if (sun != last_sun) {
+                    irradiance = sky_irradiance(light, y * thickness_km, sun, nodes);
+                }
+                last_sun = sun;
+                for (std::size_t c = 0; c < colours; ++c) {
+                    *values++ = irradiance[c] * bake.solar_irradiance[c];
+                }
+            }
+        };
+    };
+    return bake_flat(row_of(kNodes), row_of(kReferenceNodes), colours, bake, options,
+                     std::move(volume));
+}
+
+}  // namespace skybake

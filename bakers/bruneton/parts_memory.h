@@ -1,0 +1,38 @@
+// The parts of all texels of a size, made once in a run: the table of scattering, that of single
+// Mie scattering and that of higher orders ask for the same ones.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "bakers/atmosphere/sky_medium.h"
+#include "bakers/bruneton/scattering_content.h"
+#include "bakers/bruneton/scattering_mapping.h"
+#include "bakers/core/bake_options.h"
+#include "bakers/scattering/solved_light.h"
+
+namespace skybake {
+
+using StoredSpectrum = std::array<float, kMaxChannels>;
+
+// Of texels, u fastest; as ScatteringParts has them.
+struct FirstOrderParts {
+    std::vector<StoredSpectrum> air;
+    std::vector<StoredSpectrum> mie;
+};
+using HigherOrderParts = std::vector<StoredSpectrum>;
+
+struct TableParts {
+    std::shared_ptr<const FirstOrderParts> first;    // null: not wanted
+    std::shared_ptr<const HigherOrderParts> higher;  // the same
+};
+
+// Without `light` there are no higher orders. The last ones made are kept: 36 bytes a texel. After
+// an interruption they are not to be used, and are not kept.
+TableParts remembered_parts(const SkyMedium& medium,
+                            const std::shared_ptr<const SolvedLight>& light,
+                            const ScatteringContent& content, const ScatteringMapping& mapping,
+                            bool wants_first, bool wants_higher, const BakeOptions& options);
+
+}  // namespace skybake

@@ -1,0 +1,139 @@
+#include "bakers/bruneton/scattering_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/bruneton/iterated_scattering.h"
+#include "bakers/bruneton/lookup_fit.h"
+#include "bakers/bruneton/scattering_error.h"
+#include "bakers/bruneton/scattering_table.h"
+#include "bakers/core/finish_volume.h"
+#include "bakers/sky/solved_orders.h"
+
+namespace skybake {
+
+using config::BrunetonBake;
+using config::BrunetonTable;
+
+namespace {
+
+constexpr const char* kConvention = "end points on texel centres; clamps";
+
+std::string content_text(const BrunetonBake& bake, const ScatteringContent& content) {
+    const std::string single = "single scattering by all other layers";
+    const std::string higher = bake.orders == 0 ? std::string("all higher orders")
+                                                : fmt::format("orders 2 to {}", bake.orders);
+    const std::string over = "over Rayleigh's phase function, in units of the solar irradiance";
+    if (bake.table == BrunetonTable::single_mie) {
+        return "single scattering by the Mie layers over their phase function, in units of the "
+               "solar irradiance";
+    }
+    if (bake.table == BrunetonTable::higher_orders) return fmt::format("{} {}", higher, over);
+    const std::string light =
+        bake.orders == 1 ? single + " " + over : fmt::format("{} and {} {}", single, higher, over);
+    if (!content.has_alpha()) return light;
+    return fmt::format(
+        "colours: {}; A: single scattering by the Mie layers over their phase "
+        "function, of the first colour",
+        light);
+}
+
+std::shared_ptr<const HigherOrderParts> iterated_over_rayleigh(const SkyMedium& medium,
+                                                               const ScatteringMapping& mapping,
+                                                               int orders,
+                                                               const BakeOptions& options) {
+    const std::vector<Spectrum> light = iterated_scattering(medium, mapping, orders, options);
+    auto parts = std::make_shared<HigherOrderParts>(light.size());
+    const auto width = static_cast<std::size_t>(mapping.size()[0]);
+    const auto height = static_cast<std::size_t>(mapping.size()[1]);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const auto u = static_cast<int>(i % width);
+        const ScatteringView view = mapping.view_of_texel(static_cast<int>(i / width % height),
+                                                          static_cast<int>(i / width / height));
+        const double mu = std::clamp(
+            view.s_km / (mapping.shell().ground_radius_km + view.altitude_km), -1.0, 1.0);
+        const FeasibleCosines feasible = feasible_cosines(mu, mapping.sun_of_texel(u));
+        const double nu = std::clamp(mapping.nu_of_texel(u), feasible.low, feasible.high);
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            (*parts)[i][c] = static_cast<float>(light[i][c] / rayleigh_phase(nu));
+        }
+    }
+    return parts;
+}
+
+void describe(const BrunetonBake& bake, const ScatteringContent& content, double thickness_km,
+              BakedVolume& volume) {
+    volume.content = content_text(bake, content);
+    volume.mapping = "bruneton_scattering";
+    volume.axes = {
+        {{"nu_and_sun_cos_zenith",
+          fmt::format("{} sub-images side by side, nu = -1 ... 1, blended linearly by hand; in "
+                      "each x = (1 - a / A) / (1 + a), a = (D - D(1)) / (D(0) - D(1)), D(mu_s) the "
+                      "distance from the ground to the top, A = a({:.9g})",
+                      bake.nu_size, bake.sun_cos_zenith_min),
+          kConvention, bake.sun_cos_zenith_min, 1},
+         {"view_distance_km",
+          "lower half: rays to the ground, x = 1 - (d - d_min) / (d_max - d_min), d_min = r - "
+          "R_ground, d_max = rho; upper half: rays to the top, x = (d - d_min) / (d_max - d_min), "
+          "d_min = R_top - r, d_max = rho + H",
+          kConvention, 0, 1},
+         {"altitude_km",
+          "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)", kConvention,
+          0, thickness_km}}};
+    volume.details.emplace_back("nu_size", std::to_string(bake.nu_size));
+    volume.details.emplace_back("sun_cos_zenith_min",
+                                fmt::format("{:.17g}", bake.sun_cos_zenith_min));
+}
+
+}  // namespace
+
+config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
+                                             const std::shared_ptr<const SolvedLight>& light,
+                                             const BrunetonBake& bake, const BakeOptions& options,
+                                             BakedVolume volume) {
+    const ScatteringContent content(medium, bake);
+    const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
+                                    bake.sun_cos_zenith_min);
+    describe(bake, content, medium.air.thickness_km, volume);
+    const auto start = std::chrono::steady_clock::now();
+    const SolvedLight* wanted = content.wants_higher() ? light.get() : nullptr;
+    const bool iterated = wanted != nullptr && bake.method == config::BrunetonMethod::iterated;
+    TableParts parts = remembered_parts(medium, light, content, mapping, content.wants_single(),
+                                        wanted != nullptr && !iterated, options);
+    if (iterated) parts.higher = iterated_over_rayleigh(medium, mapping, bake.orders, options);
+    if (options.cancelled()) return {};
+    const auto table = std::make_shared<HeldVoxels>(scattering_texels(content, mapping, parts));
+    // The baseline's texels stay as they are.
+    if (!iterated) fit_lookups(mapping, content.measured_channels(), options, *table);
+    volume.bake_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::unique_ptr<const SolvedOrders> higher;
+    if (wanted != nullptr) {
+        higher = std::make_unique<SolvedOrders>(medium, *wanted, wanted->degree());
+    }
+    const ScatteringReference reference(medium, content, higher.get());
+    VolumeFinish finish;
+    for (std::size_t c = 0; c < content.channels(); ++c) {
+        const double largest = table->largest(c);
+        finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
+    }
+    finish.measure = [&](const BakedVolume& baked, const BakeOptions& how) {
+        return measure_scattering(*table, mapping, content, reference, baked.pixel_type, how);
+    };
+    VolumeLevel level;
+    level.size = bake.size;
+    level.repeats = repeating_axes(volume.mapping);
+    level.voxels = table;
+    volume.levels.push_back(std::move(level));
+    add_mip_levels(bake.mips, options, volume);
+    return finish_volume(std::move(volume), finish, options);
+}
+
+}  // namespace skybake

@@ -1,0 +1,82 @@
+#include "bakers/phase/phase_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "bakers/phase/particle_scattering.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr double kAccuracy = 3e-3;
+constexpr double kTableAccuracy = 1e-6;
+
+template <class T>
+const T* find_named(const std::vector<T>& things, const std::string& name) {
+    const auto found = std::find_if(things.begin(), things.end(),
+                                    [&](const T& thing) { return thing.name == name; });
+    return found == things.end() ? nullptr : &*found;
+}
+
+PhaseSource source_of_particles(const config::Particles& particles,
+                                const std::vector<config::Length>& wavelengths, int threads) {
+    PhaseSource source;
+    for (const config::Length wavelength : wavelengths) {
+        const auto scattering =
+            remembered_particle_scattering(particles, wavelength, kAccuracy, threads);
+        PhaseFunction function;
+        function.g = scattering->mean_cosine;
+        function.table = {scattering, &scattering->phase};
+        source.tables.push_back(function.table);
+        source.functions.push_back(std::move(function));
+        source.error = std::max(source.error, scattering->error);
+        const std::string at = fmt::format("_{:.6g}_nm", wavelength.meters * 1e9);
+        const auto add = [&](const char* name, double value) {
+            source.facts.emplace_back(name + at, fmt::format("{:.9g}", value));
+        };
+        add("extinction_cross_section_um2", scattering->extinction_cross_section_m2 * 1e12);
+        add("single_scattering_albedo",
+            scattering->scattering_cross_section_m2 / scattering->extinction_cross_section_m2);
+    }
+    return source;
+}
+
+PhaseSource source_of_closed_form(const PhaseFunction& function, std::size_t channels) {
+    const auto values = [&](const std::vector<ScatteringAngle>& angles) {
+        std::vector<double> result;
+        for (const ScatteringAngle& angle : angles) {
+            result.push_back(phase_value(function, angle.one_minus, angle.one_plus));
+        }
+        return result;
+    };
+    PhaseSource source;
+    source.functions.assign(channels, function);
+    source.tables.assign(channels, std::make_shared<const TabulatedPhase>(
+                                       make_tabulated_phase(values, kTableAccuracy).phase));
+    return source;
+}
+
+}  // namespace
+
+PhaseSource phase_source(const config::Parameters& parameters, const config::PhaseBake& bake,
+                         int threads) {
+    PhaseSource source;
+    if (!bake.particles.empty()) {
+        source = source_of_particles(*find_named(parameters.particles, bake.particles),
+                                     parameters.wavelengths, threads);
+        source.text = "particles " + bake.particles;
+        return source;
+    }
+    const config::Layer& layer = *find_named(parameters.atmosphere.layers, bake.layer);
+    source = layer.phase == config::Phase::mie
+                 ? source_of_particles(layer.particles.particles, parameters.wavelengths, threads)
+                 : source_of_closed_form(make_phase_function(layer.phase, layer.g),
+                                         parameters.wavelengths.size());
+    source.text = "layer " + bake.layer;
+    return source;
+}
+
+}  // namespace skybake

@@ -1,0 +1,19 @@
+// The report of a table of columns: exact quadrature beside sums over shells, of one thickness and
+// of equal attenuation, more and more of them.
+#pragma once
+
+#include "bakers/report/report.h"
+#include "config/diagnostic.h"
+#include "config/recipe.h"
+
+namespace skybake {
+
+// Whether a section bakes columns of paths: densities and phase functions have nothing to sum.
+bool is_of_columns(const config::Bake& bake);
+
+// As report_asset.
+config::Outcome<AssetReport> report_column_volume(const config::Recipe& recipe,
+                                                  const config::Bake& bake,
+                                                  const ReportOptions& options);
+
+}  // namespace skybake

@@ -1,0 +1,72 @@
+// Columns and strips as recipes ask for them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "bakers/registry.h"
+#include "bakers/report/report.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake::test {
+namespace {
+
+TEST(ColumnRecipes, ReportsCompareShellsWithTheExactIntegral) {
+    const config::Recipe recipe = recipe_of(
+        "preset = 'earth'\n[bake.air]\nasset = 'optical_depth'\nkinds = ['rayleigh']\n"
+        "size = [16, 8, 1]\n");
+    const auto bake = std::find_if(recipe.parameters.bakes.begin(), recipe.parameters.bakes.end(),
+                                   [](const config::Bake& one) { return one.name == "air"; });
+    ASSERT_NE(bake, recipe.parameters.bakes.end());
+    const auto report = report_asset(recipe, *bake, {.threads = 1, .quick = true});
+    ASSERT_TRUE(report.value.has_value());
+    ASSERT_EQ(report.value->rows.size(), 9u);
+    const ReportRow& exact = report.value->rows.front();
+    EXPECT_EQ(exact.family, "exact");
+    EXPECT_TRUE(exact.of_recipe);
+    EXPECT_LE(exact.texel.max, 1e-6);
+    for (std::size_t i = 1; i < report.value->rows.size(); ++i) {
+        EXPECT_GT(report.value->rows[i].texel.rms, 1e-4) << report.value->rows[i].variant;
+        EXPECT_FALSE(report.value->rows[i].of_recipe);
+    }
+    // More shells of equal attenuation are closer; uniform ones are held back by the air above.
+    EXPECT_LT(report.value->rows[4].texel.rms, report.value->rows[1].texel.rms);
+}
+
+TEST(ColumnRecipes, RefuseTooFewTexelsForTheCourses) {
+    for (const char* section :
+         {"size = [3, 8, 1]\n", "table = 'between'\nsize = [3, 8, 8]\n",
+          "table = 'between'\ncoordinates = 'distance'\nsize = [7, 8, 8]\n"}) {
+        const auto outcome = config::parse_recipe(
+            std::string("preset = 'earth'\n[bake.optical_depth]\n") + section, "test.toml");
+        ASSERT_EQ(outcome.diagnostics.size(), 1u) << section;
+        EXPECT_EQ(outcome.diagnostics.front().code, "E0142");
+    }
+}
+
+TEST(ColumnRecipes, SkiesFromStripsAreDarkerThanAllOrders) {
+    const config::Recipe recipe = recipe_of(
+        "preset = 'earth'\n[bake.solved]\nasset = 'sky_view'\nsize = [8, 8]\naltitude = '500 m'\n"
+        "sun_elevations = ['30 deg']\n[bake.strips]\nasset = 'sky_view'\nsky = 'strips'\n"
+        "size = [8, 8]\naltitude = '500 m'\nsun_elevations = ['30 deg']\n");
+    std::vector<BakedTable> tables;
+    for (const config::Bake& bake : recipe.parameters.bakes) {
+        if (bake.name != "solved" && bake.name != "strips") continue;
+        auto baked = bake_table(recipe, bake, {.threads = 2, .certification = Certification::off});
+        ASSERT_TRUE(baked.value.has_value());
+        tables.push_back(std::move(*baked.value));
+    }
+    ASSERT_EQ(tables.size(), 2u);
+    EXPECT_EQ(tables[0].content.find("strips"), std::string::npos);
+    EXPECT_NE(tables[1].content.find("strips"), std::string::npos);
+    double solved = 0;
+    double strips = 0;
+    for (std::size_t i = 0; i < tables[0].image.texels.size(); ++i) {
+        solved += double{tables[0].image.texels[i]};
+        strips += double{tables[1].image.texels[i]};
+    }
+    EXPECT_LT(strips, solved);
+    EXPECT_GT(strips, 0.5 * solved);
+}
+
+}  // namespace
+}  // namespace skybake::test

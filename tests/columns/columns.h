@@ -1,0 +1,99 @@
+// What the tests of columns share: the Earth with its presets of layers, and random atmospheres.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bakers/columns/column_kinds.h"
+#include "bakers/columns/column_table.h"
+#include "bakers/columns/column_volume.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake::test {
+
+inline const std::vector<std::string>& earth_kinds() {
+    static const std::vector<std::string> names = {"rayleigh", "dust", "fog", "rain"};
+    return names;
+}
+
+inline config::Atmosphere earth_with_presets() {
+    return recipe_of(
+               "preset = 'earth'\n"
+               "[atmosphere.layers.dust]\npreset = 'dust'\n"
+               "[atmosphere.layers.fog]\npreset = 'fog'\n"
+               "[atmosphere.layers.rain]\npreset = 'rain'\n"
+               "[atmosphere.layers.snow]\npreset = 'snow'\n")
+        .parameters.atmosphere;
+}
+
+inline config::OpticalDepthBake bake_of(config::OpticalDepthTable table, std::array<int, 3> size,
+                                        std::vector<std::string> kinds = earth_kinds()) {
+    config::OpticalDepthBake bake;
+    bake.table = table;
+    bake.size = size;
+    bake.kinds = std::move(kinds);
+    bake.pixel_type = config::PixelType::float32;
+    bake.formats = {config::VolumeFormat::bin};
+    bake.compression = config::Compression::none;
+    bake.shells = 32;
+    bake.max_altitude = {35e3};
+    return bake;
+}
+
+inline double uniform(double from, double to) {
+    return from + (to - from) * *rc::gen::inRange(0, 1 << 30) / static_cast<double>(1 << 30);
+}
+
+inline double log_uniform(double from, double to) {
+    return std::exp(uniform(std::log(from), std::log(to)));
+}
+
+// Planets from 50 km to 1e5 km, one to four layers: exponential, slab or tent.
+inline config::Atmosphere random_atmosphere() {
+    const double radius = log_uniform(5e4, 1e8);
+    const double thickness = radius * log_uniform(1e-3, 0.3);
+    config::Atmosphere atmosphere;
+    atmosphere.ground_radius = {radius};
+    atmosphere.top_radius = {radius + thickness};
+    atmosphere.ground_albedo = {0, 0, 0};
+    const int layers = *rc::gen::inRange(1, 5);
+    for (int i = 0; i < layers; ++i) {
+        config::Layer layer;
+        layer.name = std::string(1, static_cast<char>('a' + i));
+        layer.profile = static_cast<config::Profile>(*rc::gen::inRange(0, 3));
+        layer.scale_height = {thickness * log_uniform(1e-3, 1)};
+        layer.center_altitude = {thickness * uniform(0.1, 0.6)};
+        layer.half_width = {thickness * uniform(0.01, 0.4)};
+        layer.bottom_altitude = {thickness * uniform(0, 0.5)};
+        layer.top_altitude = {layer.bottom_altitude.meters + thickness * uniform(0.01, 0.5)};
+        for (int c = 0; c < 3; ++c) {
+            layer.scattering.push_back({1 / thickness});
+            layer.extinction.push_back({1 / thickness});
+        }
+        atmosphere.layers.push_back(layer);
+    }
+    return atmosphere;
+}
+
+inline std::vector<std::string> names_of(const config::Atmosphere& atmosphere) {
+    std::vector<std::string> names;
+    for (const config::Layer& layer : atmosphere.layers) names.push_back(layer.name);
+    return names;
+}
+
+// The three tables of paths.
+inline std::vector<config::OpticalDepthBake> path_bakes(std::array<int, 3> top,
+                                                        std::array<int, 3> between,
+                                                        const std::vector<std::string>& kinds) {
+    std::vector<config::OpticalDepthBake> bakes = {
+        bake_of(config::OpticalDepthTable::to_top, top, kinds),
+        bake_of(config::OpticalDepthTable::between, between, kinds),
+        bake_of(config::OpticalDepthTable::between, between, kinds)};
+    bakes[2].coordinates = config::BetweenCoordinates::distance;
+    return bakes;
+}
+
+}  // namespace skybake::test

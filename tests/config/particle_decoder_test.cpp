@@ -1,0 +1,119 @@
+#include "config/particle_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "config/init_text.h"
+#include "config/presets.h"
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::codes_and_places;
+using testing::find_layer;
+using testing::has_value;
+using testing::parse;
+using testing::valid;
+using testing::value_at;
+using Codes = std::vector<std::string>;
+
+const std::string fog =
+    "preset = 'earth'\n[particles.drops]\npreset = 'fog'\n[atmosphere.layers.fog]\n"
+    "profile = 'slab'\nbottom_altitude = '0 m'\ntop_altitude = '200 m'\n"
+    "number_density = '15 /cm3'\n";
+
+Codes faults(const std::string& text) { return codes_and_places(parse(text).diagnostics); }
+
+TEST(ParticleDecoder, EveryPresetIsParticles) {
+    for (const Preset& preset : particle_presets()) {
+        const Recipe recipe = valid("preset = 'vacuum'\n[particles.p]\npreset = '" +
+                                    std::string(preset.name) + "'\n");
+        ASSERT_EQ(recipe.parameters.particles.size(), 1u) << preset.name;
+        EXPECT_EQ(recipe.parameters.particles[0].name, "p");
+    }
+}
+
+TEST(ParticleDecoder, WhatInitWritesBakesThem) {
+    for (const Preset& preset : particle_presets()) {
+        const Recipe recipe = valid(particle_init_text(preset));
+        ASSERT_EQ(recipe.parameters.bakes.size(), 2u) << preset.name;
+        const auto& sampling = std::get<PhaseBake>(recipe.parameters.bakes[1].asset);
+        EXPECT_EQ(sampling.content, PhaseContent::inverse_cumulative);
+        EXPECT_EQ(sampling.particles, preset.name);
+    }
+}
+
+TEST(ParticleDecoder, EachDistributionHasItsOwnKeys) {
+    const std::string vacuum = "preset = 'vacuum'\n[particles.p]\n";
+    const Particles gamma =
+        valid(vacuum + "effective_radius = '10 um'\n").parameters.particles.at(0);
+    EXPECT_EQ(gamma.sizes, SizeDistribution::gamma);
+    EXPECT_EQ(gamma.effective_radius.meters, 10e-6);
+    EXPECT_EQ(gamma.effective_variance, 0.1);
+    const Particles log_normal =
+        valid(vacuum + "sizes = 'log_normal'\nradius = '0.2 um'\ngeometric_deviation = 2\n")
+            .parameters.particles.at(0);
+    EXPECT_EQ(log_normal.radius.meters, 0.2e-6);
+    EXPECT_EQ(log_normal.geometric_deviation, 2);
+    EXPECT_EQ(faults(vacuum), Codes{"E0105 2:12"});
+    EXPECT_EQ(faults(vacuum + "effective_radius = '10 um'\nradius = '1 um'\n"), Codes{"E0111 4:1"});
+    EXPECT_EQ(faults(vacuum + "effective_radius = '10 um'\neffective_variance = 0.5\n"),
+              Codes{"E0110 4:22"});
+    EXPECT_EQ(faults(vacuum + "effective_radius = '10 um'\nabsorption_index = 0.1\n"),
+              Codes{"E0111 4:1"});
+}
+
+TEST(ParticleDecoder, LayersOfParticlesAreNamedInTwoWays) {
+    const Recipe table = valid(fog + "phase = { mie = 'drops' }\n");
+    const Recipe keys = valid(fog + "phase = 'mie'\nparticles = 'drops'\n");
+    const Recipe path = valid(fog, {"atmosphere.layers.fog.phase.mie=\"drops\""});
+    EXPECT_EQ(testing::all_parameters(table), testing::all_parameters(keys));
+    EXPECT_EQ(testing::all_parameters(table), testing::all_parameters(path));
+    const Layer* layer = find_layer(table.parameters, "fog");
+    ASSERT_TRUE(layer);
+    EXPECT_EQ(layer->phase, Phase::mie);
+    EXPECT_EQ(layer->particles.particles.name, "drops");
+    EXPECT_EQ(layer->particles.number_density.per_cubic_meter, 15e6);
+    EXPECT_EQ(layer->particles.wavelengths.size(), 3u);
+    EXPECT_TRUE(layer->scattering.empty());
+    EXPECT_FALSE(has_value(table, "atmosphere.layers.fog.scattering"));
+    EXPECT_EQ(value_at(table, "atmosphere.layers.fog.particles").canonical, "\"drops\"");
+    EXPECT_EQ(value_at(table, "atmosphere.layers.fog.number_density").canonical,
+              "\"15000000 /m3\"");
+}
+
+TEST(ParticleDecoder, TheirParametersAreARecipe) {
+    const Recipe recipe = valid(fog +
+                                "phase = { mie = 'drops' }\n[bake.p]\nasset = 'phase'\n"
+                                "particles = 'drops'\n");
+    const std::string text = testing::all_parameters(recipe);
+    EXPECT_EQ(testing::all_parameters(valid(text)), text);
+}
+
+TEST(ParticleDecoder, RefusesWhatCannotBe) {
+    EXPECT_EQ(faults(fog + "phase = { mie = 'drips' }\n"), Codes{"E0140 9:17"});
+    EXPECT_EQ(faults(fog + "phase = { mie = 'drops', g = 0.8 }\n"), Codes{"E0103 9:9"});
+    EXPECT_EQ(faults(fog + "phase = 'rayleigh'\n"), Codes{"E0111 8:1"});
+    EXPECT_EQ(faults("wavelengths = '5 um'\npreset = 'vacuum'\n[particles.p]\npreset = 'fog'\n"),
+              Codes{"E0144 3:12"});
+}
+
+TEST(PhaseDecoder, NamesParticlesOrALayer) {
+    const std::string bake = fog + "phase = 'mie'\nparticles = 'drops'\n[bake.phase]\n";
+    const Recipe recipe = valid(bake + "particles = 'drops'\n");
+    const auto& phase = std::get<PhaseBake>(recipe.parameters.bakes.back().asset);
+    EXPECT_EQ(phase.particles, "drops");
+    EXPECT_EQ(phase.size, 1024);
+    EXPECT_EQ(phase.spacing, PhaseSpacing::best);
+    EXPECT_TRUE(parse(bake + "layer = 'mie'\n").value);
+    EXPECT_EQ(faults(bake + "layer = 'drops'\n"), Codes{"E0138 12:9"});
+    EXPECT_EQ(faults(bake + "layer = 'mie'\nparticles = 'drops'\n"), Codes{"E0109 13:1"});
+    EXPECT_EQ(faults(bake + "layer = 'mie'\ncontent = 'inverse_cumulative'\nspacing = 'angle'\n"),
+              Codes{"E0111 14:1"});
+}
+
+}  // namespace
+}  // namespace skybake::config

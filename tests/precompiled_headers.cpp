@@ -1,0 +1,1 @@
+// Nothing but what tests/precompiled_headers.cmake puts before it.
