@@ -16,7 +16,7 @@
 #include "bakers/named_parameters.h"
 #include "bakers/noise/noise_volume.h"
 #include "bakers/occupancy/occupancy_grid.h"
-#include "bakers/phase/check_particle_sizes.h"
+#include "bakers/phase/check_particles.h"
 #include "bakers/phase/phase_table.h"
 #include "bakers/sky/aerial_perspective_volume.h"
 #include "bakers/sky/irradiance_table.h"
@@ -363,7 +363,7 @@ std::string asset_parameters(const config::Recipe& recipe, const Bake& bake) {
 
 Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const Bake& bake,
                                const BakeOptions& options) {
-    std::vector<config::Diagnostic> problems = check_particle_sizes(recipe.parameters);
+    std::vector<config::Diagnostic> problems = check_particles(recipe.parameters);
     if (!problems.empty()) return {{}, std::move(problems)};
     const Baker& baker = baker_of(bake);
     AssetLabel label;

@@ -55,10 +55,10 @@ Outcome<int> jobs_of(const Invocation& invocation) {
     if (!invocation.has("jobs")) return {0, {}};
     const auto threads = thread_count_of(invocation.value("jobs"));
     if (threads) return {*threads, {}};
-    return {{},
-            {usage_error(
-                fmt::format("-j: `{}` is not a number of threads", invocation.value("jobs")),
-                "1 to 1024")}};
+    return {
+        {},
+        {usage_error(fmt::format("-j: `{}` is not a number of threads", invocation.value("jobs")),
+                     "1 to 1024")}};
 }
 
 Outcome<BakeSelection> select_bakes(const Invocation& invocation) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "bakers/phase/check_particle_sizes.h"
+#include "bakers/phase/check_particles.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -35,8 +35,8 @@ ExitCode run(const Invocation& invocation, Console& console) {
     const auto outcome = config::load_recipe(file, invocation.values("set"));
     const ExitCode code = console.report_results(outcome.diagnostics);
     if (!outcome.value) return code;
-    const auto too_large = check_particle_sizes(outcome.value->parameters);
-    if (!too_large.empty()) return console.report_results(too_large);
+    const auto problems = check_particles(outcome.value->parameters);
+    if (!problems.empty()) return console.report_results(problems);
     console.note(fmt::format("{}: no errors; {}\n", file, contents(outcome.value->parameters)));
     return code;
 }

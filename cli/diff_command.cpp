@@ -85,9 +85,11 @@ void compare_bytes(const fs::path& first, const fs::path& second, Comparison& co
 
 bool is_image(const fs::path& path) { return path.extension() == ".exr"; }
 
-// A volume in another format than EXR.
+// A volume in another format than EXR, or what stands beside one. Not the manifest, which says of
+// each file what it was made of and how long that took.
 bool is_other_volume(const fs::path& path) {
-    return path.extension() == ".vdb" || path.extension() == ".bin";
+    return path.extension() == ".vdb" || path.extension() == ".bin" ||
+           (path.extension() == ".json" && path.filename() != "manifest.json");
 }
 
 void compare_files(const fs::path& first, const fs::path& second, Comparison& comparison) {

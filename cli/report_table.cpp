@@ -143,8 +143,8 @@ std::string asset_text(const AssetReport& asset) {
         "{}"
         "  front: no variant is closer in as little time (within 5 %), in lookups or in texels at "
         "one size{}\n\n",
-        title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points, asset.timing,
-        asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
+        title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points,
+        asset.timing, asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
         asset.volume ? "; errors to two digits; bytes: none is closer in as few" : "");
     text += rows_text(asset);
     return text + notes_text(asset);

@@ -17,7 +17,7 @@ std::string percent(double share) {
 }
 
 std::string time_text(const SkyErrorRow& row) {
-    if (!row.method.make) return "-";
+    if (!row.method.takes_time()) return "-";
     return fmt::format("{:.{}f} ms", row.time_ms, row.time_ms < 10 ? 2 : row.time_ms < 100 ? 1 : 0);
 }
 
@@ -43,7 +43,7 @@ std::string sky_truth_table(const SkyErrorReport& report) {
     for (const SkyErrorRow& row : report.rows) {
         std::vector<std::string> cells = {
             row.method.family == family ? "" : row.method.family, row.method.name, time_text(row),
-            row.method.make ? fmt::format("{:.1f}", row.time_ratio) : "-"};
+            row.method.takes_time() ? fmt::format("{:.1f}", row.time_ratio) : "-"};
         add_figures(row.error, report.channels, cells);
         std::string remark = row.on_front ? "front" : "";
         if (!row.method.baseline.empty()) {

@@ -7,8 +7,7 @@ namespace skybake::config {
 
 // The table of scattering of convention takram.
 inline bool has_companion(const BrunetonBake& bake) {
-    return bake.convention == BrunetonConvention::takram &&
-           bake.table == BrunetonTable::scattering;
+    return bake.convention == BrunetonConvention::takram && bake.table == BrunetonTable::scattering;
 }
 
 }  // namespace skybake::config

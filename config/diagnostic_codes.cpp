@@ -329,7 +329,8 @@ constexpr std::array codes = {
     DiagnosticCode{"E0144", "particles whose scattering cannot be computed",
                    "Spheres of the index of air scatter nothing; the index of water is known from "
                    "200 nm to 4 um; and the largest spheres may have a circumference of 300 000 "
-                   "wavelengths, which is rain of some 25 mm/h in blue light.",
+                   "wavelengths, which is rain of some 25 mm/h in blue light. A layer of them may "
+                   "have an extinction of 1e6 /m at most, as any other.",
                    "[particles.p]\nmaterial = \"constant\"\nrefractive_index = 1\n"
                    "effective_radius = \"1 um\"\n[bake.phase]\nparticles = \"p\"",
                    "[particles.p]\nmaterial = \"constant\"\nrefractive_index = 1.5\n"
@@ -448,6 +449,16 @@ constexpr std::array codes = {
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    0},
+    DiagnosticCode{
+        "W0205", "not what takram's loader reads",
+        "@takram/three-atmosphere takes sizes, half floats and one stack of slices for "
+        "granted: it looks another table up wrongly, or not at all. Other readers of its "
+        "convention may do better.",
+        "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
+        "convention = \"takram\"\nsize = [128, 64, 16]",
+        "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
+        "convention = \"takram\"",
+        0},
     DiagnosticCode{"W0301", "the cache does not keep what was baked",
                    "The bake has succeeded, but its assets could not be put into the cache: its "
                    "folder may not be written to, or the disk is full. The next bake elsewhere "

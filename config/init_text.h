@@ -23,8 +23,8 @@ std::string noise_init_name(std::string_view preset);
 // comments, and bakes of the cloud and of its occupancy. NAME is the preset's.
 std::string cloud_init_text(const Preset& preset);
 
-// For a preset of particles: a [particles.NAME] that starts from it, its values as comments, bakes of
-// its phase function and of the inverse, and a layer of such particles as a comment.
+// For a preset of particles: a [particles.NAME] that starts from it, its values as comments, bakes
+// of its phase function and of the inverse, and a layer of such particles as a comment.
 std::string particle_init_text(const Preset& preset);
 
 }  // namespace skybake::config

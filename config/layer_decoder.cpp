@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <span>
 #include <utility>
 
 #include "config/key_path.h"
-#include "config/merge.h"
 #include "config/named_reference.h"
 #include "config/units.h"
 #include "config/zenith_optical_depth.h"
@@ -114,21 +112,6 @@ void decode_switched_off(DecodedSection& section, Decoder& decoder) {
     append_values(section, decoder);
 }
 
-// The table with `phase = { mie = NAME }` written as two keys; any other table as it is.
-Table with_phase_as_text(const Table& table) {
-    Table result = table;
-    const auto phase = std::find_if(result.begin(), result.end(),
-                                    [](const Entry& entry) { return entry.key == "phase"; });
-    const Table* inner = phase == result.end() ? nullptr : as_table(phase->value);
-    const bool is_mie = inner && inner->size() == 1 && inner->front().key == "mie";
-    if (!is_mie || find_entry(table, "particles")) return result;
-    Entry particles = inner->front();
-    phase->value.data = std::string("mie");
-    particles.key = "particles";
-    merge(result, {std::move(particles)});
-    return result;
-}
-
 bool is_of_particles(const DecodedSection& layer) {
     const DecodedField& phase = layer.at("phase");
     return phase.value &&
@@ -171,11 +154,9 @@ Layer bind_layer(const std::string& name, const DecodedSection& section, const P
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
                                   const Parameters& recipe, Decoder& decoder) {
     const bool off = is_switched_off(table);
-    // Values are referred to until the layer is bound.
-    const Table keys = with_phase_as_text(table);
     DecodedSection section =
         decode_section(*find_section("atmosphere.layers.*"), join_path("atmosphere.layers", name),
-                       place, keys, off ? Absent::left_out : Absent::filled_in, decoder);
+                       place, table, off ? Absent::left_out : Absent::filled_in, decoder);
     if (off) {
         decode_switched_off(section, decoder);
         return std::nullopt;

@@ -11,8 +11,6 @@ namespace skybake::config {
 
 // Takes particles and wavelengths from the recipe. None if the layer is switched off or has no
 // usable coefficients; errors are reported.
-//
-// `phase = { mie = NAME }` says the same as phase = "mie" and particles = NAME.
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
                                   const Parameters& recipe, Decoder& decoder);
 

@@ -8,6 +8,7 @@
 #include "config/field_value.h"
 #include "config/fields.h"
 #include "config/key_path.h"
+#include "config/layer_particles.h"
 
 namespace skybake::config {
 namespace {
@@ -55,8 +56,16 @@ bool is_dropped(const Field& field, const Section& section, const Table& over) {
     return selected && !applies(field, *selected);
 }
 
+// What particles have in place of it.
+bool is_coefficient(std::string_view key) {
+    return key == "scattering" || key == "extinction" || key == "absorption" ||
+           key == "single_scattering_albedo";
+}
+
 void drop_alternatives(Table& base, const Table& over, const Section& section) {
+    const bool of_particles = section.path == "atmosphere.layers.*" && names_particles(over);
     std::erase_if(base, [&](const Entry& entry) {
+        if (of_particles && is_coefficient(entry.key)) return true;
         const Field* field = find_field(section, entry.key);
         return field && is_dropped(*field, section, over);
     });

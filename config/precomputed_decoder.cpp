@@ -145,6 +145,37 @@ void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder&
                               "convention = \"bruneton\" has any atmosphere");
 }
 
+// What the package's loader takes for granted, so that a file of another kind is looked up wrongly.
+void warn_of_loader(const DecodedSection& bake, BrunetonTable table, Decoder& decoder) {
+    const auto is_number = [&](std::string_view key, double wanted) {
+        const DecodedField& decoded = bake.at(key);
+        return !decoded.value || std::get<double>(*decoded.value) == wanted;
+    };
+    const char* unusual = nullptr;
+    if (std::get<VoxelCounts>(*bake.at("size").value) != default_size(table)) unusual = "size";
+    if (!is_number("nu_size", 8)) unusual = "nu_size";
+    if (!is_number("mips", 1)) unusual = "mips";
+    if (choice_of<VolumeLayout>(bake.at("layout")) != VolumeLayout::stack) unusual = "layout";
+    if (choice_of<PixelType>(bake.at("pixel_type")) != PixelType::half) unusual = "pixel_type";
+    if (!unusual) return;
+    const DecodedField& decoded = bake.at(unusual);
+    decoder.diagnostics.warning(
+        "W0205", decoded.source ? decoded.source->place : bake.place,
+        fmt::format("`{}` is not what @takram/three-atmosphere loads",
+                    join_path(bake.path, unusual)),
+        "its sizes are those of the default; half floats, one stack, no mips");
+}
+
+// Orders above the first, of which there are none with one.
+void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& orders = bake.at("orders");
+    if (!orders.value || std::get<double>(*orders.value) != 1) return;
+    decoder.diagnostics.error(
+        "E0110", orders.source->place,
+        fmt::format("`{}` is out of range: 1", join_path(bake.path, "orders")),
+        "higher_orders are the second and above: at least 2, or \"all\"");
+}
+
 std::vector<double> default_solar_irradiance(BrunetonConvention convention, std::size_t channels) {
     const bool takram = convention == BrunetonConvention::takram;
     if (takram && channels == takram_solar_irradiance.size()) {
@@ -176,8 +207,10 @@ void resolve_bruneton(DecodedSection& bake, const Parameters& recipe, Decoder& d
         check_nu(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
         check_halves(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
     }
+    if (*table == BrunetonTable::higher_orders) check_higher_orders(bake, decoder);
     if (*convention == BrunetonConvention::takram && decoder.complete) {
         check_takram(bake, recipe, decoder);
+        if (bake.at("size").value) warn_of_loader(bake, *table, decoder);
     }
 }
 

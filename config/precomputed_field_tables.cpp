@@ -55,6 +55,7 @@ constexpr std::string_view with_light[] = {"scattering", "single_mie", "higher_o
                                            "irradiance"};
 constexpr std::string_view with_orders[] = {"scattering", "higher_orders", "irradiance"};
 constexpr std::string_view with_method[] = {"scattering", "higher_orders"};
+constexpr std::string_view of_columns[] = {"to_top", "between"};
 constexpr std::string_view between[] = {"between"};
 constexpr std::string_view shells[] = {"equal_attenuation", "uniform"};
 
@@ -178,7 +179,9 @@ const std::array optical_depth_table = {
                        .choices = sampling_choices,
                        .fallback = R"("exact")",
                        .documentation = "how densities are summed along a ray",
-                       .citation = ai_2014},
+                       .citation = ai_2014,
+                       .selector = "table",
+                       .selected_by = of_columns},
                       &OpticalDepthBake::sampling},
     OpticalDepthField{{.key = "shells",
                        .kind = Kind::integer,

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "config/key_path.h"
+#include "config/layer_particles.h"
 #include "config/merge.h"
 #include "config/presets.h"
 #include "config/setting_text.h"
@@ -94,6 +95,7 @@ class Loader {
             root.emplace();
         }
         name_listed_towers(*root);
+        name_particles_of_layers(*root);
         check_exclusive_keys(*root, diagnostics_);
         load_preset(effective(*root, "preset", is_root));
         load_includes(effective(*root, "include", is_root), folder);
@@ -138,6 +140,7 @@ class Loader {
         Table root = wrap(*names, std::move(*value));
         assign_place(root, place);
         name_listed_towers(root);
+        name_particles_of_layers(root);
         check_exclusive_keys(root, diagnostics_);
         settings_.push_back({&source, std::move(root)});
     }

@@ -27,6 +27,7 @@ constexpr std::array sky_method_choices = {
     Choice{"strips", "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
 };
 
+constexpr std::string_view with_multiple[] = {"all", "multiple"};
 constexpr std::string_view sky[] = {"sky"};
 
 const std::array scene_table = {
@@ -74,7 +75,9 @@ const std::array sky_view_table = {
                   .kind = Kind::choice,
                   .choices = sky_method_choices,
                   .fallback = R"("solved")",
-                  .documentation = "how light scattered more than once is found"},
+                  .documentation = "how light scattered more than once is found",
+                  .selector = "orders",
+                  .selected_by = with_multiple},
                  &SkyViewBake::sky},
     SkyViewField{table_pixel_type_field, &SkyViewBake::pixel_type},
     SkyViewField{compression_field, &SkyViewBake::compression},

@@ -8,10 +8,11 @@ skybake=${1:-skybake}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 "$skybake" preview earth.toml -o "$folder/sky" --sun-elevation 30,10,2,-4 -q >/dev/null
-"$skybake" preview phase.toml --only cloud_phase -o "$folder/phase" -q >/dev/null
+"$skybake" preview phase.toml --only cloud_phase --only sky_view -o "$folder/phase" -q >/dev/null
 "$skybake" preview clouds.toml -o "$folder/clouds" --sun-elevation 20 -q >/dev/null
 
 mkdir -p pictures
 for picture in clouds/cumulus_lit_20 clouds/cumulus_occupancy_cells_z phase/cloud_phase sky/sky_panoramas sky/sky_sun_10; do
     cp "$folder/$picture.png" pictures/
 done
+cp "$folder/phase/sky_view_0.png" pictures/fog_bow.png

@@ -31,14 +31,12 @@ bool has_higher_orders(const BrunetonBake& bake) {
            bake.table != BrunetonTable::transmittance;
 }
 
-// The light that is scattered once more to make orders 2 and up. Null: there is none.
+// Null: there is none.
 std::shared_ptr<const SolvedLight> light_of(const SkyMedium& medium, const BrunetonBake& bake,
                                             const BakeOptions& options) {
-    if (!has_higher_orders(bake)) return nullptr;
-    SolverSettings settings;
-    settings.degree = kSkyDegree;
-    settings.orders = bake.orders > 0 ? bake.orders - 1 : 0;
-    return remembered_light(medium, settings, options.threads, options.progress);
+    const std::optional<SolverSettings> settings = light_settings(bake);
+    if (!settings) return nullptr;
+    return remembered_light(medium, *settings, options.threads, options.progress);
 }
 
 std::vector<std::string> channel_names(const SkyMedium& medium, const BrunetonBake& bake) {
@@ -63,6 +61,14 @@ Outcome<BakedVolume> bake_irradiance(SkyMedium medium, const SolvedLight* light,
 }
 
 }  // namespace
+
+std::optional<SolverSettings> light_settings(const BrunetonBake& bake) {
+    if (!has_higher_orders(bake)) return std::nullopt;
+    SolverSettings settings;
+    settings.degree = kSkyDegree;
+    settings.orders = bake.orders > 0 ? bake.orders - 1 : 0;
+    return settings;
+}
 
 Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& asked,
                                    const BakeOptions& options, BakedVolume volume) {

@@ -2,11 +2,11 @@
 // "bruneton").
 #pragma once
 
-#include <string>
-#include <vector>
+#include <optional>
 
 #include "bakers/core/bake_options.h"
 #include "bakers/core/volume.h"
+#include "bakers/scattering/solve_light.h"
 #include "config/diagnostic.h"
 #include "config/parameters.h"
 
@@ -16,5 +16,9 @@ namespace skybake {
 config::Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere,
                                            const config::BrunetonBake& bake,
                                            const BakeOptions& options, BakedVolume volume);
+
+// How the light is solved for that is scattered once more to make orders 2 and up; none where a
+// table has none of these.
+std::optional<SolverSettings> light_settings(const config::BrunetonBake& bake);
 
 }  // namespace skybake

@@ -30,51 +30,29 @@ constexpr IrradianceNodes kReferenceNodes = {28, 12, 6};
 // Of a sun axis that is made for its ends alone.
 constexpr int kFewestColumns = 8;
 
-// Values of a row of coordinates x at y, colours interleaved.
-using Row = std::function<void(double y, const std::vector<double>& x, double* values)>;
-
 // x of a texture coordinate: lookups beyond the outer texels' centres are clamped.
 double coordinate_of(double u, int count) {
     return std::clamp((u * count - 0.5) / (count - 1), 0.0, 1.0);
 }
 
-config::Outcome<BakedVolume> bake_flat(const Row& row, const Row& reference, std::size_t colours,
-                                       const config::BrunetonBake& bake, const BakeOptions& options,
-                                       BakedVolume volume) {
+config::Outcome<BakedVolume> bake_flat(const FlatTable& table, const config::BrunetonBake& bake,
+                                       const BakeOptions& options, BakedVolume volume) {
     const auto start = std::chrono::steady_clock::now();
-    const std::array<int, 3>& size = bake.size;
     const std::size_t channels = volume.channel_names.size();
-    const auto texels = std::make_shared<HeldVoxels>(size, channels);
-    std::vector<double> x;
-    for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kConvention, u, size[0]));
-    for_each_tile(size[1], options, "texels", [&](int v) {
-        std::vector<double> values(x.size() * colours);
-        row(texel_coordinate(kConvention, v, size[1]), x, values.data());
-        for (std::size_t c = 0; c < channels; ++c) {
-            float* to = texels->channel(c).data() + texels->offset(0, v, 0);
-            for (std::size_t u = 0; u < x.size(); ++u) {
-                to[u] = c < colours ? static_cast<float>(values[u * colours + c]) : 1.0f;
-            }
-        }
-    });
+    const auto texels =
+        std::make_shared<HeldVoxels>(flat_texels(table, bake.size, channels, options));
     volume.bake_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     VolumeFinish finish;
     finish.reference_name = volume.certificate.reference;
     finish.dear = bake.table == config::BrunetonTable::irradiance;
-    finish.reference = [&reference, &size, colours, channels](const std::array<double, 3>& uvw) {
-        std::vector<double> values(channels, 1);
-        std::vector<double> found(colours);
-        reference(coordinate_of(uvw[1], size[1]), {coordinate_of(uvw[0], size[0])}, found.data());
-        std::copy(found.begin(), found.end(), values.begin());
-        return values;
-    };
+    finish.reference = flat_reference(table, bake.size, channels);
     for (std::size_t c = 0; c < channels; ++c) {
         const double largest = texels->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
     VolumeLevel level;
-    level.size = size;
+    level.size = bake.size;
     level.repeats = repeating_axes(volume.mapping);
     level.voxels = texels;
     volume.levels.push_back(std::move(level));
@@ -83,6 +61,74 @@ config::Outcome<BakedVolume> bake_flat(const Row& row, const Row& reference, std
 }
 
 }  // namespace
+
+HeldVoxels flat_texels(const FlatTable& table, const std::array<int, 3>& size, std::size_t channels,
+                       const BakeOptions& options) {
+    HeldVoxels texels(size, channels);
+    std::vector<double> x;
+    for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kConvention, u, size[0]));
+    for_each_tile(size[1], options, "texels", [&](int v) {
+        std::vector<double> values(x.size() * table.colours);
+        table.row(texel_coordinate(kConvention, v, size[1]), x, values.data());
+        for (std::size_t c = 0; c < channels; ++c) {
+            float* to = texels.channel(c).data() + texels.offset(0, v, 0);
+            for (std::size_t u = 0; u < x.size(); ++u) {
+                to[u] =
+                    c < table.colours ? static_cast<float>(values[u * table.colours + c]) : 1.0f;
+            }
+        }
+    });
+    return texels;
+}
+
+VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>& size,
+                               std::size_t channels) {
+    return [&table, size, channels](const std::array<double, 3>& uvw) {
+        std::vector<double> values(channels, 1);
+        std::vector<double> found(table.colours);
+        table.reference(coordinate_of(uvw[1], size[1]), {coordinate_of(uvw[0], size[0])},
+                        found.data());
+        std::copy(found.begin(), found.end(), values.begin());
+        return values;
+    };
+}
+
+FlatTable flat_transmittance(const Medium& medium) {
+    const auto model = std::make_shared<const TableModel>(transmittance_model(medium, {}));
+    FlatTable table;
+    table.row = [model](double y, const std::vector<double>& x, double* values) {
+        model->row(0, y, x, values);
+    };
+    table.reference = model->reference;
+    table.colours = static_cast<std::size_t>(medium.channels);
+    return table;
+}
+
+FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& solar_irradiance) {
+    const double thickness_km = light.shell().thickness_km;
+    const auto colours = static_cast<std::size_t>(light.medium().air.channels);
+    // Darker suns are the darkest to higher orders too (sun_axis.h), and nothing of the air is lit.
+    const double darkest = make_sun_axis(light.shell(), kFewestColumns).darkest;
+    const auto row_of = [&light, &solar_irradiance, colours, thickness_km,
+                         darkest](const IrradianceNodes& nodes) -> FlatRow {
+        return [&light, &solar_irradiance, nodes, colours, thickness_km, darkest](
+                   double y, const std::vector<double>& x, double* values) {
+            Spectrum irradiance{};
+            double last_sun = 2;  // none
+            for (const double at : x) {
+                const double sun = std::max(2 * at - 1, darkest);
+                if (sun != last_sun) {
+                    irradiance = sky_irradiance(light, y * thickness_km, sun, nodes);
+                }
+                last_sun = sun;
+                for (std::size_t c = 0; c < colours; ++c) {
+                    *values++ = irradiance[c] * solar_irradiance[c];
+                }
+            }
+        };
+    };
+    return {row_of(kNodes), row_of(kReferenceNodes), colours};
+}
 
 config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
                                                          const config::BrunetonBake& bake,
@@ -100,12 +146,7 @@ config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
                     {"none", "one texel", kConventionText, 0, 0}}};
     volume.certificate.reference =
         "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
-    const TableModel model = transmittance_model(medium, {});
-    const Row row = [&model](double y, const std::vector<double>& x, double* values) {
-        model.row(0, y, x, values);
-    };
-    return bake_flat(row, model.reference, static_cast<std::size_t>(medium.channels), bake, options,
-                     std::move(volume));
+    return bake_flat(flat_transmittance(medium), bake, options, std::move(volume));
 }
 
 config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
@@ -113,9 +154,8 @@ config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
                                                       const BakeOptions& options,
                                                       BakedVolume volume) {
     const double thickness_km = light.shell().thickness_km;
-    const auto colours = static_cast<std::size_t>(light.medium().air.channels);
     volume.content =
-        "irradiance of a level surface that faces up, by the sky without the sun, in units of the "
+        "irradiance of a level surface that faces up, by the sky without the sun, times the "
         "solar irradiance";
     volume.mapping = "bruneton_irradiance";
     volume.axes = {{{"sun_cos_zenith", "x = (mu_s + 1) / 2", kConventionText, -1, 1},
@@ -123,26 +163,7 @@ config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
                      thickness_km},
                     {"none", "one texel", kConventionText, 0, 0}}};
     volume.certificate.reference = "the same integral over more directions";
-    // Darker suns are the darkest to higher orders too (sun_axis.h), and nothing of the air is lit.
-    const double darkest = make_sun_axis(light.shell(), kFewestColumns).darkest;
-    const auto row_of = [&, darkest](const IrradianceNodes& nodes) -> Row {
-        return [&light, &bake, nodes, colours, thickness_km, darkest](
-                   double y, const std::vector<double>& x, double* values) {
-            Spectrum irradiance{};
-            double last_sun = 2;  // none
-            for (const double at : x) {
-                const double sun = std::max(2 * at - 1, darkest);
-                if (sun != last_sun) {
-                    irradiance = sky_irradiance(light, y * thickness_km, sun, nodes);
-                }
-                last_sun = sun;
-                for (std::size_t c = 0; c < colours; ++c) {
-                    *values++ = irradiance[c] * bake.solar_irradiance[c];
-                }
-            }
-        };
-    };
-    return bake_flat(row_of(kNodes), row_of(kReferenceNodes), colours, bake, options,
+    return bake_flat(flat_irradiance(light, bake.solar_irradiance), bake, options,
                      std::move(volume));
 }
 

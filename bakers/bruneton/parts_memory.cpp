@@ -37,6 +37,8 @@ StoredSpectrum stored(const Spectrum& value) {
     return result;
 }
 
+}  // namespace
+
 TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wants_first,
                       const ScatteringContent& content, const ScatteringMapping& mapping,
                       const BakeOptions& options) {
@@ -69,8 +71,6 @@ TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wa
     if (light != nullptr) result.higher = std::move(higher);
     return result;
 }
-
-}  // namespace
 
 TableParts remembered_parts(const SkyMedium& medium,
                             const std::shared_ptr<const SolvedLight>& light,

@@ -28,7 +28,12 @@ struct TableParts {
     std::shared_ptr<const HigherOrderParts> higher;  // the same
 };
 
-// Without `light` there are no higher orders. The last ones made are kept: 36 bytes a texel. After
+// Makes them anew. Without `light` there are no higher orders.
+TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wants_first,
+                      const ScatteringContent& content, const ScatteringMapping& mapping,
+                      const BakeOptions& options);
+
+// The same, or those of before. The last ones made are kept: 36 bytes a texel. After
 // an interruption they are not to be used, and are not kept.
 TableParts remembered_parts(const SkyMedium& medium,
                             const std::shared_ptr<const SolvedLight>& light,

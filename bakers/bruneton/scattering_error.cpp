@@ -40,11 +40,9 @@ double view_cosine(const Shell& shell, const ScatteringView& view) {
 class ScatteringErrors {
   public:
     ScatteringErrors(const HeldVoxels& table, const ScatteringMapping& mapping,
-                     const ScatteringContent& content, const ScatteringReference& reference,
+                     const ExactTexel& exact, const std::vector<double>& largest,
                      config::PixelType type)
-        : table_(table), mapping_(mapping), content_(content), reference_(reference), type_(type) {
-        for (std::size_t c = 0; c < table.channels(); ++c) largest_.push_back(table.largest(c));
-    }
+        : table_(table), mapping_(mapping), exact_(exact), largest_(largest), type_(type) {}
 
     Direction direction(int index) const {
         const std::array<double, 3> point = low_discrepancy_point(index);
@@ -100,7 +98,7 @@ class ScatteringErrors {
     static int nearest(double x, int count) { return static_cast<int>(x * (count - 1) + 0.5); }
 
     std::vector<double> errors(const Texel& value, const Direction& at) const {
-        const Texel wanted = content_.texel(reference_.parts(at.view, at.sun_cos_zenith, at.nu));
+        const Texel wanted = exact_(at.view, at.sun_cos_zenith, at.nu);
         std::vector<double> result;
         for (std::size_t c = 0; c < table_.channels(); ++c) {
             result.push_back(relative_error(value[c], wanted[c], largest_[c]));
@@ -110,20 +108,33 @@ class ScatteringErrors {
 
     const HeldVoxels& table_;
     const ScatteringMapping& mapping_;
-    const ScatteringContent& content_;
-    const ScatteringReference& reference_;
+    const ExactTexel& exact_;
+    const std::vector<double>& largest_;
     config::PixelType type_;
-    std::vector<double> largest_;
 };
 
 }  // namespace
 
+ExactTexel exact_texel(const ScatteringContent& content, const ScatteringReference& reference) {
+    return [&content, &reference](const ScatteringView& view, double sun_cos_zenith, double nu) {
+        return content.texel(reference.parts(view, sun_cos_zenith, nu));
+    };
+}
+
+std::vector<double> largest_values(const HeldVoxels& table) {
+    std::vector<double> largest;
+    for (std::size_t c = 0; c < table.channels(); ++c) largest.push_back(table.largest(c));
+    return largest;
+}
+
+int scattering_points(Certification certification) {
+    return certification == Certification::full ? kFullPoints : kQuickPoints;
+}
+
 Certificate measure_scattering(const HeldVoxels& table, const ScatteringMapping& mapping,
-                               const ScatteringContent& content,
-                               const ScatteringReference& reference, config::PixelType type,
-                               const BakeOptions& options) {
-    const ScatteringErrors errors(table, mapping, content, reference, type);
-    const int count = options.certification == Certification::full ? kFullPoints : kQuickPoints;
+                               const ExactTexel& exact, const std::vector<double>& largest,
+                               config::PixelType type, int count, const BakeOptions& options) {
+    const ScatteringErrors errors(table, mapping, exact, largest, type);
     std::vector<std::vector<double>> lookups(static_cast<std::size_t>(count));
     std::vector<std::vector<double>> texels(lookups.size());
     for_each_tile(count, options, "certify", [&](int i) {

@@ -2,20 +2,34 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "bakers/bruneton/held_voxels.h"
 #include "bakers/bruneton/scattering_content.h"
 #include "bakers/bruneton/scattering_mapping.h"
 #include "bakers/bruneton/scattering_reference.h"
 #include "bakers/core/bake_options.h"
+#include "bakers/core/baked_table.h"
 
 namespace skybake {
+
+// The channels of a texel as they are exactly, of directions that there are.
+using ExactTexel =
+    std::function<Texel(const ScatteringView& view, double sun_cos_zenith, double nu)>;
+
+// Both must outlive it.
+ExactTexel exact_texel(const ScatteringContent& content, const ScatteringReference& reference);
+
+// Of each channel of a table: what its errors are shares of where there is next to no light.
+std::vector<double> largest_values(const HeldVoxels& table);
+
+// How many points a certificate takes.
+int scattering_points(Certification certification);
 
 // At points spread evenly over x_mu_s, x_mu of both halves and x_r, and over the nu that there are.
 // Texels are those next to the points whose own nu there is.
 Certificate measure_scattering(const HeldVoxels& table, const ScatteringMapping& mapping,
-                               const ScatteringContent& content,
-                               const ScatteringReference& reference, config::PixelType type,
-                               const BakeOptions& options);
+                               const ExactTexel& exact, const std::vector<double>& largest,
+                               config::PixelType type, int points, const BakeOptions& options);
 
 }  // namespace skybake

@@ -1,8 +1,8 @@
 #include "bakers/bruneton/scattering_volume.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -12,6 +12,7 @@
 
 #include "bakers/bruneton/iterated_scattering.h"
 #include "bakers/bruneton/lookup_fit.h"
+#include "bakers/bruneton/over_rayleigh.h"
 #include "bakers/bruneton/scattering_error.h"
 #include "bakers/bruneton/scattering_table.h"
 #include "bakers/core/finish_volume.h"
@@ -30,9 +31,9 @@ std::string content_text(const BrunetonBake& bake, const ScatteringContent& cont
     const std::string single = "single scattering by all other layers";
     const std::string higher = bake.orders == 0 ? std::string("all higher orders")
                                                 : fmt::format("orders 2 to {}", bake.orders);
-    const std::string over = "over Rayleigh's phase function, in units of the solar irradiance";
+    const std::string over = "over Rayleigh's phase function, times the solar irradiance";
     if (bake.table == BrunetonTable::single_mie) {
-        return "single scattering by the Mie layers over their phase function, in units of the "
+        return "single scattering by the Mie layers over their phase function, times the "
                "solar irradiance";
     }
     if (bake.table == BrunetonTable::higher_orders) return fmt::format("{} {}", higher, over);
@@ -43,29 +44,6 @@ std::string content_text(const BrunetonBake& bake, const ScatteringContent& cont
         "colours: {}; A: single scattering by the Mie layers over their phase "
         "function, of the first colour",
         light);
-}
-
-std::shared_ptr<const HigherOrderParts> iterated_over_rayleigh(const SkyMedium& medium,
-                                                               const ScatteringMapping& mapping,
-                                                               int orders,
-                                                               const BakeOptions& options) {
-    const std::vector<Spectrum> light = iterated_scattering(medium, mapping, orders, options);
-    auto parts = std::make_shared<HigherOrderParts>(light.size());
-    const auto width = static_cast<std::size_t>(mapping.size()[0]);
-    const auto height = static_cast<std::size_t>(mapping.size()[1]);
-    for (std::size_t i = 0; i < light.size(); ++i) {
-        const auto u = static_cast<int>(i % width);
-        const ScatteringView view = mapping.view_of_texel(static_cast<int>(i / width % height),
-                                                          static_cast<int>(i / width / height));
-        const double mu = std::clamp(
-            view.s_km / (mapping.shell().ground_radius_km + view.altitude_km), -1.0, 1.0);
-        const FeasibleCosines feasible = feasible_cosines(mu, mapping.sun_of_texel(u));
-        const double nu = std::clamp(mapping.nu_of_texel(u), feasible.low, feasible.high);
-        for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            (*parts)[i][c] = static_cast<float>(light[i][c] / rayleigh_phase(nu));
-        }
-    }
-    return parts;
 }
 
 void describe(const BrunetonBake& bake, const ScatteringContent& content, double thickness_km,
@@ -87,6 +65,16 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content, double
          {"altitude_km",
           "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)", kConvention,
           0, thickness_km}}};
+    for (std::size_t c = 0; c < bake.solar_irradiance.size(); ++c) {
+        volume.details.emplace_back(fmt::format("solar_irradiance_{}", volume.channel_names[c]),
+                                    fmt::format("{:.9g}", bake.solar_irradiance[c]));
+    }
+    if (!bake.mie_layers.empty()) {
+        volume.details.emplace_back("mie_layers",
+                                    fmt::format("{}", fmt::join(bake.mie_layers, ", ")));
+        // A runtime has one phase function for all of them.
+        volume.details.emplace_back("over_phase_function_of", bake.mie_layers.front());
+    }
     volume.details.emplace_back("nu_size", std::to_string(bake.nu_size));
     volume.details.emplace_back("sun_cos_zenith_min",
                                 fmt::format("{:.17g}", bake.sun_cos_zenith_min));
@@ -107,7 +95,10 @@ config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
     const bool iterated = wanted != nullptr && bake.method == config::BrunetonMethod::iterated;
     TableParts parts = remembered_parts(medium, light, content, mapping, content.wants_single(),
                                         wanted != nullptr && !iterated, options);
-    if (iterated) parts.higher = iterated_over_rayleigh(medium, mapping, bake.orders, options);
+    if (iterated) {
+        parts.higher = std::make_shared<const HigherOrderParts>(
+            over_rayleigh(iterated_scattering(medium, mapping, bake.orders, options), mapping));
+    }
     if (options.cancelled()) return {};
     const auto table = std::make_shared<HeldVoxels>(scattering_texels(content, mapping, parts));
     // The baseline's texels stay as they are.
@@ -125,7 +116,9 @@ config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
     finish.measure = [&](const BakedVolume& baked, const BakeOptions& how) {
-        return measure_scattering(*table, mapping, content, reference, baked.pixel_type, how);
+        return measure_scattering(*table, mapping, exact_texel(content, reference),
+                                  largest_values(*table), baked.pixel_type,
+                                  scattering_points(how.certification), how);
     };
     VolumeLevel level;
     level.size = bake.size;

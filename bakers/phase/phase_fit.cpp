@@ -47,14 +47,14 @@ const std::vector<Form>& forms() {
         {"henyey_greenstein",
          {"g"},
          {kAsymmetry},
-         {{-0.5}, {0.0}, {0.5}, {0.9}},
+         {{-0.9}, {-0.5}, {0.0}, {0.5}, {0.9}, {0.98}, {0.999}},
          [](const std::vector<double>& p, double one_minus, double one_plus) {
              return henyey_greenstein(p[0], one_minus, one_plus);
          }},
         {"double_henyey_greenstein",
          {"g_1", "g_2", "w"},
          {kAsymmetry, kAsymmetry, {0, 1}},
-         {{0.5, -0.5, 0.5}, {0.9, -0.3, 0.9}, {0.98, 0.6, 0.5}, {0.8, 0.3, 0.7}},
+         {{0.5, -0.5, 0.5}, {0.9, -0.3, 0.9}, {0.98, 0.6, 0.5}, {0.8, 0.3, 0.7}, {0.999, 0.7, 0.5}},
          [](const std::vector<double>& p, double one_minus, double one_plus) {
              return p[2] * henyey_greenstein(p[0], one_minus, one_plus) +
                     (1 - p[2]) * henyey_greenstein(p[1], one_minus, one_plus);
@@ -62,14 +62,14 @@ const std::vector<Form>& forms() {
         {"cornette_shanks",
          {"g"},
          {kAsymmetry},
-         {{-0.5}, {0.0}, {0.5}, {0.9}},
+         {{-0.9}, {-0.5}, {0.0}, {0.5}, {0.9}, {0.98}, {0.999}},
          [](const std::vector<double>& p, double one_minus, double one_plus) {
              return draine(p[0], 1, one_minus, one_plus);
          }},
         {"draine",
          {"g", "alpha"},
          {kAsymmetry, {0, 1000}},
-         {{0.0, 0.5}, {0.5, 0.5}, {0.9, 1}, {0.6, 100}},
+         {{0.0, 0.5}, {0.5, 0.5}, {0.9, 1}, {0.6, 100}, {0.98, 0}, {0.999, 0}},
          [](const std::vector<double>& p, double one_minus, double one_plus) {
              return draine(p[0], p[1], one_minus, one_plus);
          }},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include "bakers/phase/particle_scattering.h"
 
@@ -11,7 +12,20 @@ namespace skybake {
 
 namespace {
 
-constexpr double kAccuracy = 3e-3;
+// Small spheres are known to many digits in milliseconds; of large ones the error falls only as the
+// number of radii (particle_scattering.h), and a third of a per cent takes half a second.
+constexpr double kSmallSpheres = 50;  // size parameter
+constexpr double kAccuracyOfSmall = 1e-5;
+constexpr double kAccuracyOfLarge = 3e-3;
+
+// A tenth of the error that the table may have, where that is more than the usual.
+double accuracy_for(const config::Particles& particles, config::Length wavelength,
+                    const std::optional<double>& max_error) {
+    const bool small = largest_size_parameter(particles, wavelength) < kSmallSpheres;
+    const double usual = small ? kAccuracyOfSmall : kAccuracyOfLarge;
+    return max_error ? std::clamp(*max_error / 10, 1e-5, usual) : usual;
+}
+
 constexpr double kTableAccuracy = 1e-6;
 
 template <class T>
@@ -22,11 +36,12 @@ const T* find_named(const std::vector<T>& things, const std::string& name) {
 }
 
 PhaseSource source_of_particles(const config::Particles& particles,
-                                const std::vector<config::Length>& wavelengths, int threads) {
+                                const std::vector<config::Length>& wavelengths,
+                                const std::optional<double>& max_error, int threads) {
     PhaseSource source;
     for (const config::Length wavelength : wavelengths) {
-        const auto scattering =
-            remembered_particle_scattering(particles, wavelength, kAccuracy, threads);
+        const auto scattering = remembered_particle_scattering(
+            particles, wavelength, accuracy_for(particles, wavelength, max_error), threads);
         PhaseFunction function;
         function.g = scattering->mean_cosine;
         function.table = {scattering, &scattering->phase};
@@ -66,13 +81,14 @@ PhaseSource phase_source(const config::Parameters& parameters, const config::Pha
     PhaseSource source;
     if (!bake.particles.empty()) {
         source = source_of_particles(*find_named(parameters.particles, bake.particles),
-                                     parameters.wavelengths, threads);
+                                     parameters.wavelengths, bake.max_error, threads);
         source.text = "particles " + bake.particles;
         return source;
     }
     const config::Layer& layer = *find_named(parameters.atmosphere.layers, bake.layer);
     source = layer.phase == config::Phase::mie
-                 ? source_of_particles(layer.particles.particles, parameters.wavelengths, threads)
+                 ? source_of_particles(layer.particles.particles, parameters.wavelengths,
+                                       bake.max_error, threads)
                  : source_of_closed_form(make_phase_function(layer.phase, layer.g),
                                          parameters.wavelengths.size());
     source.text = "layer " + bake.layer;

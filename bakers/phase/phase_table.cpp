@@ -119,7 +119,7 @@ void describe(const PhaseBake& bake, const PhaseSource& source, PhaseSpacing spa
 }
 
 std::string list_text(const std::vector<double>& values) {
-    return fmt::format("{:.9g}", fmt::join(values, ", "));
+    return fmt::format("{:.7g}", fmt::join(values, ", "));
 }
 
 // What a runtime needs that computes in place of looking up.
@@ -129,7 +129,10 @@ void add_facts(const PhaseBake& bake, const PhaseSource& source, BakedTable& tab
     for (std::size_t c = 0; c < source.functions.size(); ++c) {
         const std::string channel = "_" + table.channel_names[c];
         const std::vector<double> moments = legendre_moments(source.functions[c], bake.degree);
-        table.details.emplace_back("mean_cosine" + channel, fmt::format("{:.9g}", moments[1]));
+        // Of spheres the series has it to more digits than the table.
+        const PhaseFunction& function = source.functions[c];
+        const double mean_cosine = function.table ? function.g : moments[1];
+        table.details.emplace_back("mean_cosine" + channel, fmt::format("{:.9g}", mean_cosine));
         table.details.emplace_back("legendre_moments" + channel, list_text(moments));
         // Closed forms are alike in all channels.
         if (c == 0 || source.functions[c] != source.functions[c - 1]) {

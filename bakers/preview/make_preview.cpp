@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "bakers/preview/bruneton_pictures.h"
 #include "bakers/preview/camera_altitude.h"
 #include "bakers/preview/cloud_input.h"
 #include "bakers/preview/cloud_pictures.h"
@@ -103,6 +104,7 @@ class Preview {
         return encoder_.encode(key_of(asset), [&] {
             if (asset.entry.kind == "aerial_perspective") return aerial_pictures(asset);
             if (asset.entry.kind == "phase") return phase_pictures(asset);
+            if (asset.entry.kind == "bruneton") return bruneton_pictures(asset);
             return asset.entry.is_volume() ? noise_pictures(asset) : table_pictures(asset);
         });
     }

@@ -13,7 +13,6 @@
 #include "bakers/preview/chart.h"
 #include "bakers/preview/sky_difference.h"
 #include "bakers/preview/sky_rays.h"
-#include "bakers/sky/sky_radiance.h"
 
 namespace skybake {
 
@@ -31,19 +30,18 @@ SkyView view_of(const SkyErrorPictureOptions& options, double sun_zenith_degrees
 }
 
 // What the air sends; the ground beyond it is the same for all methods.
-Image2<float> render(const SkyMedium& medium, const HigherOrders* orders, const SkyView& view,
+Image2<float> render(const SkyMedium& medium, const MadeSkyMethod& method, const SkyView& view,
                      int threads) {
-    const SkyIntegrator integrator(medium, orders);
+    const AirRadiance air = air_radiance(medium, method);
     const SunZenith sun = {sun_sine(view), sun_cosine(view)};
     Image2<float> image(view.width, view.height, medium.air.channels);
     parallel_for(view.height, threads, [&](int y) {
         for (int x = 0; x < (view.width + 1) / 2; ++x) {
             const std::optional<SkyDirection> direction = direction_at(view, x, y);
             if (!direction) continue;
-            const SkyRadiance sky = integrator.radiance(view.camera_altitude_km, sun, *direction);
+            const Spectrum sky = air(view.camera_altitude_km, sun, *direction);
             for (int channel = 0; channel < image.channels; ++channel) {
-                const auto c = static_cast<std::size_t>(channel);
-                const auto value = static_cast<float>(sky.single[c] + sky.multiple[c]);
+                const auto value = static_cast<float>(sky[static_cast<std::size_t>(channel)]);
                 image.texel(x, y)[channel] = value;
                 image.texel(view.width - 1 - x, y)[channel] = value;
             }
@@ -128,7 +126,7 @@ std::vector<PreviewPicture> sky_error_pictures(const SkyMedium& medium,
     const MadeSkyMethod& reference = methods.back();
     std::vector<Image2<float>> exact;
     for (const double sun : options.sun_zenith_degrees) {
-        exact.push_back(render(medium, reference.orders.get(), view_of(options, sun), threads));
+        exact.push_back(render(medium, reference, view_of(options, sun), threads));
     }
     for (std::size_t m = 0; m + 1 < methods.size() && !cancelled(progress); ++m) {
         if (progress != nullptr) {
@@ -138,8 +136,8 @@ std::vector<PreviewPicture> sky_error_pictures(const SkyMedium& medium,
         std::vector<SkyDifference> domes;
         for (std::size_t i = 0; i < exact.size(); ++i) {
             const SkyView view = view_of(options, options.sun_zenith_degrees[i]);
-            domes.push_back(sky_difference(render(medium, methods[m].orders.get(), view, threads),
-                                           exact[i], view));
+            domes.push_back(
+                sky_difference(render(medium, methods[m], view, threads), exact[i], view));
         }
         pictures.push_back(picture_of(methods[m].method, reference.method, domes, options));
     }

@@ -44,6 +44,7 @@ double milliseconds(double seconds) { return std::round(seconds * 1e9) / 1e6; } 
 struct SharedVoxels {
     const VoxelSource* source;
     std::array<int, 3> size;
+    std::optional<double> known_seconds;
     double seconds = 0;
 };
 
@@ -53,7 +54,7 @@ std::vector<SharedVoxels> voxels_of(const VolumeSweep& sweep) {
         const bool there = std::any_of(all.begin(), all.end(), [&](const SharedVoxels& voxels) {
             return voxels.source == variant.voxels.get();
         });
-        if (!there) all.push_back({variant.voxels.get(), variant.size});
+        if (!there) all.push_back({variant.voxels.get(), variant.size, variant.seconds});
     }
     return all;
 }
@@ -80,7 +81,11 @@ bool time_voxels(std::vector<SharedVoxels>& all, std::size_t channels, int repet
         memory.resize(std::max(memory.size(), floats_of_box(voxels, channels)));
     }
     std::vector<std::function<void()>> jobs;
-    for (const SharedVoxels& voxels : all) {
+    std::vector<SharedVoxels*> timed;
+    for (SharedVoxels& voxels : all) {
+        voxels.seconds = voxels.known_seconds.value_or(0);
+        if (voxels.known_seconds) continue;
+        timed.push_back(&voxels);
         jobs.emplace_back([&] { make_voxels(voxels, channels, memory); });
     }
     const double runs = static_cast<double>(jobs.size()) * repetitions;
@@ -90,8 +95,8 @@ bool time_voxels(std::vector<SharedVoxels>& all, std::size_t channels, int repet
             advance(options, "timing", static_cast<double>(done) / runs);
             return !cancelled(options);
         });
-    for (std::size_t i = 0; i < seconds.size(); ++i) all[i].seconds = seconds[i];
-    return !seconds.empty() || all.empty();
+    for (std::size_t i = 0; i < seconds.size(); ++i) timed[i]->seconds = seconds[i];
+    return !seconds.empty() || timed.empty();
 }
 
 struct Written {
@@ -191,24 +196,36 @@ class VolumeMeasurement {
             for (const std::size_t i : variants) leave_out(sweep_.variants[i], problems.front());
             return true;
         }
-        VolumeLevel scaled = level;
-        scaled.statistics = baked_.levels.front().statistics;
-        const VolumeReference reference = reference_(voxels.size);
-        const VolumeComparison comparison =
-            comparison_ ? comparison_(voxels.size) : VolumeComparison{};
-        const auto centres =
-            static_cast<int>(std::min<std::int64_t>(points_, VoxelBox{{}, voxels.size}.count()));
         ReportRow row;
         row.asset = baked_.name;
         row.size.assign(voxels.size.begin(), voxels.size.end());
         row.pixel_type = type;
         row.time_ms = milliseconds(voxels.seconds);
-        row.texel = measure_voxels(scaled, type, reference, centres, quiet, comparison).figures;
-        row.lookup = measure_lookups(scaled, type, reference, points_, quiet, comparison).figures;
+        measure_errors(level, type, sweep_.variants[variants.front()], row);
         for (const std::size_t i : variants) {
             if (!measure_file(sweep_.variants[i], volume, row, rows_[i])) return false;
         }
         return true;
+    }
+
+    void measure_errors(const VolumeLevel& level, PixelType type, const VolumeVariant& variant,
+                        ReportRow& row) const {
+        const BakeOptions quiet{.threads = options_.threads};
+        if (variant.measure) {
+            const Certificate measured = variant.measure(type, points_, quiet);
+            row.texel = measured.texel;
+            row.lookup = measured.lookup;
+            return;
+        }
+        VolumeLevel scaled = level;
+        scaled.statistics = baked_.levels.front().statistics;
+        const VolumeReference reference = reference_(level.size);
+        const VolumeComparison comparison =
+            comparison_ ? comparison_(level.size) : VolumeComparison{};
+        const auto centres =
+            static_cast<int>(std::min<std::int64_t>(points_, VoxelBox{{}, level.size}.count()));
+        row.texel = measure_voxels(scaled, type, reference, centres, quiet, comparison).figures;
+        row.lookup = measure_lookups(scaled, type, reference, points_, quiet, comparison).figures;
     }
 
     // False if interrupted. `result` stays empty where the file cannot be made.

@@ -12,6 +12,7 @@
 
 #include "bakers/atmosphere/medium.h"
 #include "bakers/registry.h"
+#include "bakers/report/bruneton_report.h"
 #include "bakers/report/cloud_volume_report.h"
 #include "bakers/report/column_volume_report.h"
 #include "bakers/report/measure_sweep.h"
@@ -142,6 +143,9 @@ Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake
     }
     if (std::holds_alternative<config::OccupancyBake>(bake.asset)) {
         return report_occupancy(recipe, bake, options);
+    }
+    if (std::holds_alternative<config::BrunetonBake>(bake.asset)) {
+        return report_bruneton(recipe, bake, options);
     }
     if (is_of_columns(bake)) return report_column_volume(recipe, bake, options);
     if (std::holds_alternative<TransmittanceBake>(bake.asset) ||

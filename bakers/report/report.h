@@ -32,7 +32,7 @@ struct ReportRow {
     std::string baseline;    // the name of a baseline, or empty
     bool of_recipe = false;  // the one that `bake` makes of the recipe
     // Same size, mapping and pixel type as others of that sweep, which differ in what they sum:
-    // steps, directions, octaves.
+    // steps, directions, octaves, methods.
     bool in_quadrature_sweep = false;
     std::vector<int> size;  // texels along u, v; voxels along x, y, z
     config::PixelType pixel_type = config::PixelType::float32;

@@ -50,6 +50,12 @@ bool is_named_by_its_file(const ReportRow& row) {
     return row.volume_file && row.volume_file->format != config::VolumeFormat::bin;
 }
 
+// What the rows of a sweep of one size differ in.
+const char* compared_of(const AssetReport& asset) {
+    if (asset.kind == "bruneton") return "methods";
+    return asset.volume ? "octaves" : "quadratures";
+}
+
 PlotPanel empty_panel(std::string title, std::string x_title, std::string y_title) {
     return {std::move(title), std::move(x_title), std::move(y_title), {}};
 }
@@ -76,9 +82,7 @@ std::string report_svg(const AssetReport& asset) {
         if (is_named_by_its_file(row) && !lookup.emphasised) lookup.label.clear();
         lookups.points.push_back(std::move(lookup));
         if (row.in_quadrature_sweep) {
-            texels.title =
-                fmt::format("Texels: {} at {}", row.volume_file ? "octaves" : "quadratures",
-                            size_text(row.size));
+            texels.title = fmt::format("Texels: {} at {}", compared_of(asset), size_text(row.size));
             texels.points.push_back(
                 point_of(row, family, row.time_ms, row.texel.rms, row.on_texel_front));
         }

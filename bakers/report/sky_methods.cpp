@@ -10,6 +10,7 @@
 #include "bakers/atmosphere/multiple_scattering_table.h"
 #include "bakers/core/bilinear.h"
 #include "bakers/core/texel_axis.h"
+#include "bakers/report/bruneton_sky.h"
 #include "bakers/scattering/solve_light.h"
 #include "bakers/sky/fitted_radiance.h"
 #include "bakers/sky/isotropic_orders.h"
@@ -150,7 +151,7 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
     std::vector<TableShape> shapes = {kClassic};
     if (!quick) shapes.push_back(kTwilight);
     std::vector<SkyMethod> methods;
-    methods.push_back({"single", "single scattering", "alone", "", nullptr});
+    methods.push_back({"single", "single scattering", "alone", "", nullptr, {}});
     methods.push_back({"strips", "eight strips", "second order", "after Ai et al. 2014", [&medium] {
                            return std::make_unique<StripOrders>(medium, BakeOptions{.threads = 1});
                        }});
@@ -173,6 +174,11 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
     for (const TableShape& shape : shapes) {
         methods.push_back({key_of("fitted", shape), "fitted, solved", name_of(shape), "",
                            [&medium, shape] { return fitted(medium, shape); }});
+    }
+    for (const bool combined : {false, true}) {
+        const char* kind = combined ? "combined" : "separate";
+        methods.push_back({fmt::format("bruneton_{}", kind), "Bruneton's tables", kind, "", nullptr,
+                           [&medium, combined] { return bruneton_sky(medium, {}, combined); }});
     }
     for (const int degree : {2, 4, 8}) {
         methods.push_back(

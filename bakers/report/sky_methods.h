@@ -8,8 +8,14 @@
 
 #include "bakers/atmosphere/sky_medium.h"
 #include "bakers/sky/higher_orders.h"
+#include "bakers/sky/sky_direction.h"
 
 namespace skybake {
+
+// What the air sends towards a camera in it, without the ground, in 1/sr for a solar irradiance
+// of 1. Any thread may ask.
+using AirRadiance = std::function<Spectrum(double altitude_km, const SunZenith& sun,
+                                           const SkyDirection& direction)>;
 
 struct SkyMethod {
     std::string key;       // for file names: "solved_32x32"
@@ -19,6 +25,10 @@ struct SkyMethod {
     // All that comes before the first view ray, from nothing but the medium, on one thread: what is
     // timed. Null: nothing is to be made, there are no higher orders.
     std::function<std::unique_ptr<HigherOrders>()> make;
+    // The same of methods that bring single scattering along: then there is no `make`.
+    std::function<AirRadiance()> make_whole = {};
+
+    bool takes_time() const { return make || make_whole; }
 };
 
 // From single scattering alone to moments of degree 8. Tables are float, with bilinear lookups, as
@@ -31,6 +41,7 @@ struct SkyMethod {
 //   converged          the same closure by the baker's quadrature (level 9), 32x32, 64x32 twilight
 //   mean radiance      of the solution, all orders with their phases, in the same tables
 //   fitted             to the skies of cameras up to 3 km (sky/fitted_radiance.h), same tables
+//   Bruneton's tables  of scattering, 256x128x32, solved: with single_mie apart, and combined
 //   moments            of the solution, of degree 2, 4 and 8
 std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick);
 

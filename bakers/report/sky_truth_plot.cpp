@@ -48,7 +48,7 @@ std::string sky_truth_svg(const SkyErrorReport& report) {
     PlotPanel median = {"Median", "time (ms)", "relative error, median", {}};
     PlotPanel p90 = {"9 of 10 are within", "time (ms)", "relative error, 90th percentile", {}};
     for (const SkyErrorRow& row : report.rows) {
-        if (!row.method.make) {  // no time, which a logarithmic axis has no place for
+        if (!row.method.takes_time()) {  // no time, which a logarithmic axis has no place for
             plot.subtitles.push_back(fmt::format("{}: {:.2g} median, {:.2g} p90", row.method.family,
                                                  row.error.median, row.error.p90));
             continue;

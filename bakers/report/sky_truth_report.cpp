@@ -129,9 +129,12 @@ std::optional<std::vector<MadeSkyMethod>> make_sky_methods(std::vector<SkyMethod
     std::vector<std::size_t> timed;
     for (std::size_t i = 0; i < methods.size(); ++i) {
         made[i].method = std::move(methods[i]);
-        if (!made[i].method.make) continue;
+        if (!made[i].method.takes_time()) continue;
         timed.push_back(i);
-        jobs.emplace_back([&one = made[i]] { one.orders = one.method.make(); });
+        jobs.emplace_back([&one = made[i]] {
+            if (one.method.make) one.orders = one.method.make();
+            if (one.method.make_whole) one.whole = one.method.make_whole();
+        });
     }
     const double runs = static_cast<double>(jobs.size()) * repetitions;
     const auto before_each = [&](int round, std::size_t job) {
@@ -146,6 +149,17 @@ std::optional<std::vector<MadeSkyMethod>> make_sky_methods(std::vector<SkyMethod
         made[timed[i]].time_ms = std::round(seconds[i] * 1e9) / 1e6;  // the clock's nanoseconds
     }
     return made;
+}
+
+AirRadiance air_radiance(const SkyMedium& medium, const MadeSkyMethod& made) {
+    if (made.whole) return made.whole;
+    const auto integrator = std::make_shared<const SkyIntegrator>(medium, made.orders.get());
+    return [integrator](double altitude_km, const SunZenith& sun, const SkyDirection& direction) {
+        const SkyRadiance sky = integrator->radiance(altitude_km, sun, direction);
+        Spectrum sum{};
+        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sky.single[c] + sky.multiple[c];
+        return sum;
+    };
 }
 
 std::vector<double> dome_shares(const std::vector<SkyTruthDirection>& directions) {
@@ -186,11 +200,11 @@ std::vector<SkyTruth> by_direction(std::vector<SkyTruth> truth) {
     return truth;
 }
 
-std::vector<double> sky_radiances(const SkyMedium& medium, const HigherOrders* orders,
+std::vector<double> sky_radiances(const SkyMedium& medium, const MadeSkyMethod& made,
                                   const std::vector<SkyTruth>& truth, int threads) {
     const int channels = medium.air.channels;
     const std::vector<SkyTruthDirection> directions = directions_of(truth, channels);
-    const SkyIntegrator integrator(medium, orders);
+    const AirRadiance air = air_radiance(medium, made);
     std::vector<double> radiances(truth.size());
     parallel_for(static_cast<int>(directions.size()), threads, [&](int i) {
         const SkyTruthDirection& at = directions[static_cast<std::size_t>(i)];
@@ -199,11 +213,10 @@ std::vector<double> sky_radiances(const SkyMedium& medium, const HigherOrders* o
         const SkyDirection view = sky_direction(sun, cosine_of_degrees(at.view_zenith_degrees),
                                                 sine_of_degrees(at.view_zenith_degrees),
                                                 cosine_of_degrees(at.azimuth_degrees));
-        const SkyRadiance sky = integrator.radiance(at.altitude_km, sun, view);
+        const Spectrum sky = air(at.altitude_km, sun, view);
         for (int channel = 0; channel < channels; ++channel) {
             const auto c = static_cast<std::size_t>(channel);
-            radiances[static_cast<std::size_t>(i * channels + channel)] =
-                sky.single[c] + sky.multiple[c];
+            radiances[static_cast<std::size_t>(i * channels + channel)] = sky[c];
         }
     });
     return radiances;
@@ -230,7 +243,7 @@ SkyErrorReport measure_sky_errors(const SkyMedium& medium,
     }
     report.truth_error = figures_of(errors, truth, groups, report.channels);
     for (const MadeSkyMethod& made : methods) {
-        errors = sky_radiances(medium, made.orders.get(), truth, threads);
+        errors = sky_radiances(medium, made, truth, threads);
         for (std::size_t i = 0; i < errors.size(); ++i) errors[i] -= truth[i].radiance;
         report.rows.push_back({made.method, made.time_ms, 0,
                                figures_of(errors, truth, groups, report.channels), false});

@@ -19,7 +19,12 @@ struct MadeSkyMethod {
     SkyMethod method;
     double time_ms = 0;                    // processor time of making it, median; 0 of nothing
     std::unique_ptr<HigherOrders> orders;  // null: none
+    AirRadiance whole;                     // of SkyMethod::make_whole, else empty
 };
+
+// What the air sends by a method: the whole, or single scattering and its higher orders integrated
+// along the ray. Both must outlive it.
+AirRadiance air_radiance(const SkyMedium& medium, const MadeSkyMethod& made);
 
 // Makes and times all, in turn. None: the user has interrupted.
 std::optional<std::vector<MadeSkyMethod>> make_sky_methods(std::vector<SkyMethod> methods,
@@ -65,7 +70,7 @@ std::vector<SkyTruth> by_direction(std::vector<SkyTruth> truth);
 
 // The sky as a method has it, in the directions of a truth that is in this order and without the
 // ground that they hit; in the same order.
-std::vector<double> sky_radiances(const SkyMedium& medium, const HigherOrders* orders,
+std::vector<double> sky_radiances(const SkyMedium& medium, const MadeSkyMethod& made,
                                   const std::vector<SkyTruth>& truth, int threads);
 
 // Shares of the dome of directions with one sun, by their places in `directions`: halfway to the

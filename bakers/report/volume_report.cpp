@@ -29,9 +29,11 @@ AssetReport describe(const BakedVolume& volume, const VolumeReportSubject& subje
     report.reference = volume.certificate.reference;
     report.scale = fmt::format("{}, at {} as baked", volume.certificate.scale,
                                size_text(volume.levels.front().size));
-    report.timing = "processor time of the voxels, one thread";
-    report.lookup_points = report.texel_points = quick ? kQuickPoints : kPoints;
-    report.repetitions = repetitions.voxels;
+    report.timing =
+        subject.timing.empty() ? "processor time of the voxels, one thread" : subject.timing;
+    const int points = quick ? kQuickPoints : kPoints;
+    report.lookup_points = report.texel_points = subject.points > 0 ? subject.points : points;
+    report.repetitions = subject.repetitions > 0 ? subject.repetitions : repetitions.voxels;
     report.volume = VolumeFacts{volume.channel_names, volume.levels.front().statistics,
                                 volume.seam_error, repetitions.writes};
     if (volume.levels.front().size != subject.asked_size) {

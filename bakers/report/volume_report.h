@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "bakers/report/measure_volume_sweep.h"
 #include "bakers/report/report.h"
@@ -18,6 +19,11 @@ struct VolumeReportSubject {
     const VolumeSweep& sweep;
     const ReferenceOfSize& reference;
     ComparisonOfSize comparison = {};
+    // Of references that are dear; 0: as many as of other volumes.
+    int points = 0;
+    // Of the times that the sweep's variants bring along, and what these are; 0: they bring none.
+    int repetitions = 0;
+    std::string timing = {};
 };
 
 // Bakes the subject and measures its sweep. As report_asset.

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "bakers/core/bake_options.h"
 #include "bakers/core/volume.h"
 #include "config/parameters.h"
 
@@ -27,6 +29,12 @@ struct VolumeVariant {
     config::VolumeFormat format = config::VolumeFormat::bin;
     config::Compression compression = config::Compression::none;            // of EXR
     config::VdbCompression vdb_compression = config::VdbCompression::none;  // of VDB
+    // Processor time of making the voxels, of those that stand in memory already; none: taken by
+    // making them.
+    std::optional<double> seconds = {};
+    // In place of the reference, as VolumeFinish::measure.
+    std::function<Certificate(config::PixelType type, int points, const BakeOptions& options)>
+        measure = {};
 };
 
 struct VolumeSweep {

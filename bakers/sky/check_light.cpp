@@ -34,8 +34,8 @@ std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
     }
     if (!(balance.largest_error() <= kEnergyTolerance)) {
         return failure(fmt::format(
-            "`{}`: of the light that enters {:.3g} is not accounted for, more than {:.3g}: a phase "
-            "function so sharp is beyond the solver",
+            "`{}`: of the light that enters {:.3g} is not accounted for, more than {:.3g}: air so "
+            "dense, or a phase function so sharp, is beyond the solver",
             name, balance.largest_error(), kEnergyTolerance));
     }
     for (int level = 0; level < light.light.levels; ++level) {

@@ -1,5 +1,5 @@
 // Lookups of tables of columns (asset = "optical_depth"). All tables: end points on texel centres,
-// clamped. t = what a lookup returns, one channel a kind; column_k = t_k^8 * length, in km, and
+// clamped. t = what a lookup of to_top and between returns, one channel a kind; column_k = t_k^8 * length, in km, and
 //
 //   transmittance = exp(-sum over kinds of extinction_k * column_k)
 //
@@ -66,4 +66,4 @@ vec4 column_along(sampler3D table, float h, float s, float d, vec3 size) {
     }
     return power8(texture(table, vec3(u, centre(g(h), size.y), centre(w, size.z)))) * d;
 }
-// density: u = centre(g(h), N); phase: u = centre(sqrt(angle / PI), N), 1/sr
+// density: u = centre(g(h), N), the texel is the density itself; phase: u = centre(sqrt(angle / PI), N), 1/sr

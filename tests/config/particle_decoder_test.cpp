@@ -85,6 +85,22 @@ TEST(ParticleDecoder, LayersOfParticlesAreNamedInTwoWays) {
               "\"15000000 /m3\"");
 }
 
+// A preset's layer made of particles instead: nothing of the preset's is left to contradict them.
+TEST(ParticleDecoder, ReplaceWhatAPresetsLayerIs) {
+    for (const char* phase :
+         {"phase = { mie = 'haze' }\n", "phase = 'mie'\nparticles = 'haze'\n"}) {
+        const Recipe recipe =
+            valid(std::string("preset = 'earth'\n[particles.haze]\npreset = 'haze'\n"
+                              "[atmosphere.layers.mie]\nnumber_density = '2e3 /cm3'\n") +
+                  phase);
+        const Layer* layer = find_layer(recipe.parameters, "mie");
+        ASSERT_TRUE(layer);
+        EXPECT_EQ(layer->phase, Phase::mie);
+        EXPECT_EQ(layer->scale_height.meters, 1200);
+        EXPECT_FALSE(has_value(recipe, "atmosphere.layers.mie.g"));
+    }
+}
+
 TEST(ParticleDecoder, TheirParametersAreARecipe) {
     const Recipe recipe = valid(fog +
                                 "phase = { mie = 'drops' }\n[bake.p]\nasset = 'phase'\n"

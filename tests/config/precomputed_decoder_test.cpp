@@ -58,6 +58,12 @@ TEST(PrecomputedDecoder, TablesHaveTheirOwnKeysAndAxes) {
     EXPECT_EQ(faults(bruneton + "size = [250, 128, 32]"), Codes{"E0142 3:8"});
     EXPECT_EQ(faults(bruneton + "mie_layers = ['dust']"), Codes{"E0138 3:14"});
     EXPECT_EQ(only<BrunetonBake>(bruneton + "orders = 4").orders, 4);
+    EXPECT_EQ(faults(bruneton + "table = 'higher_orders'\norders = 1"), Codes{"E0110 4:10"});
+    const std::string takram = "preset = 'takram'\n[bake.bruneton]\nconvention = 'takram'\n";
+    EXPECT_EQ(faults(takram), Codes{});
+    EXPECT_EQ(faults(takram + "size = [128, 64, 16]"), Codes{"W0205 4:8"});
+    EXPECT_EQ(faults(takram + "pixel_type = 'float'"), Codes{"W0205 4:14"});
+    EXPECT_EQ(faults(columns + "table = 'density'\nsampling = 'uniform'"), Codes{"E0111 4:1"});
 }
 
 TEST(PrecomputedDecoder, ColumnsAreOfLayers) {

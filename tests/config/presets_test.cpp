@@ -31,8 +31,8 @@ TEST(Presets, AreThoseOfTheIssue) {
 TEST(Presets, AreValidRecipesWithATitleAndTwoBakes) {
     for (const Preset& entry : presets()) {
         const Recipe recipe = valid(std::string(entry.text));
-        // takram's are the three textures that its loader wants.
-        EXPECT_EQ(recipe.parameters.bakes.size(), entry.name == "takram" ? 3u : 2u) << entry.name;
+        // takram's are the four textures that its loader wants.
+        EXPECT_EQ(recipe.parameters.bakes.size(), entry.name == "takram" ? 4u : 2u) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
         EXPECT_FALSE(preset_title(entry).empty()) << entry.name;
         EXPECT_LE(preset_title(entry).size(), 80u) << entry.name;

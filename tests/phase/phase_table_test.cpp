@@ -127,6 +127,14 @@ TEST(PhaseTable, TheInverseInvertsTheTable) {
     }
 }
 
+// A bound on the table's error is one on the spheres' too.
+TEST(PhaseTable, AskingForMoreMakesTheSeriesBetter) {
+    const auto reference = [](const std::string& bound) {
+        return bake("particles = 'haze'\nmax_error = '" + bound + "'\n").certificate.reference;
+    };
+    EXPECT_NE(reference("10 %"), reference("0.5 %"));
+}
+
 TEST(PhaseTable, SaysWhatRuntimesComputeWith) {
     const BakedTable table = bake("particles = 'haze'\ndegree = 4\n");
     const auto detail = [&](const std::string& key) {
@@ -195,8 +203,8 @@ TEST(PhaseFit, LeavesNoBetterOneOut) {
         return sum;
     };
     EXPECT_NEAR(misplaced(fits[0].parameters[0]), fits[0].misplaced, 2e-3);
-    for (double g = -0.95; g < 0.999; g += 0.05) {
-        EXPECT_GT(misplaced(g), fits[0].misplaced - 2e-3) << g;
+    for (double one_minus = 2; one_minus > 1e-3; one_minus *= 0.9) {
+        EXPECT_GT(misplaced(1 - 0.999 * one_minus), fits[0].misplaced - 2e-3) << one_minus;
     }
 }
 

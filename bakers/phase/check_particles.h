@@ -1,0 +1,16 @@
+// Whether particles are such that their scattering is known to be right, and layers of them such as
+// bakers can take.
+#pragma once
+
+#include <vector>
+
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// E0144 of each kind of particles whose largest spheres are beyond kLargestSizeParameter, and of
+// each layer whose extinction is beyond what coefficients may be.
+std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters);
+
+}  // namespace skybake

@@ -1,0 +1,78 @@
+// Pictures of phase functions and of Bruneton's tables.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bakers/preview/bruneton_pictures.h"
+#include "bakers/preview/phase_pictures.h"
+
+namespace skybake {
+namespace {
+
+bool has_two_colours(const Picture& picture) {
+    return std::any_of(picture.rgb.begin(), picture.rgb.end(),
+                       [&](std::uint8_t value) { return value != picture.rgb.front(); });
+}
+
+PreviewAsset phase_asset(const std::string& mapping) {
+    PreviewAsset asset;
+    asset.entry.name = "drops";
+    asset.entry.kind = "phase";
+    asset.entry.mapping = mapping;
+    asset.entry.channels = {"R", "G", "B"};
+    asset.entry.size = {64, 1};
+    asset.table = Image2<float>(64, 1, 3);
+    for (int i = 0; i < 64; ++i) {
+        for (int c = 0; c < 3; ++c) {
+            asset.table.texel(i, 0)[c] = 2.0f / static_cast<float>(1 + i + c);
+        }
+    }
+    return asset;
+}
+
+TEST(PhasePictures, ShowTheFunctionAndItsPeak) {
+    for (const char* mapping : {"angle", "cosine", "peaks"}) {
+        const auto pictures = phase_pictures(phase_asset(mapping));
+        ASSERT_EQ(pictures.size(), 2u) << mapping;
+        EXPECT_NE(pictures[0].name, pictures[1].name);
+        for (const PreviewPicture& picture : pictures) {
+            EXPECT_TRUE(has_two_colours(picture.picture)) << picture.name;
+        }
+    }
+    EXPECT_EQ(phase_pictures(phase_asset("share")).size(), 1u);
+}
+
+PreviewAsset scattering_asset(int channels, int depth) {
+    PreviewAsset asset;
+    asset.entry.name = "scattering";
+    asset.entry.kind = "bruneton";
+    asset.entry.channels.assign(static_cast<std::size_t>(channels), "C");
+    asset.entry.size = {16, 8, depth};
+    for (int i = 0; i < 16 * 8 * depth * channels; ++i) {
+        asset.voxels.push_back(0.01f * static_cast<float>(i % 97));
+    }
+    return asset;
+}
+
+TEST(BrunetonPictures, ShowColoursAndMieApart) {
+    EXPECT_EQ(bruneton_pictures(scattering_asset(3, 6)).size(), 1u);
+    const auto combined = bruneton_pictures(scattering_asset(4, 6));
+    ASSERT_EQ(combined.size(), 2u);
+    EXPECT_NE(combined[0].name, combined[1].name);
+    const auto flat = bruneton_pictures(scattering_asset(1, 1));
+    ASSERT_EQ(flat.size(), 1u);
+    EXPECT_LT(flat[0].picture.height, combined[0].picture.height);
+    for (const PreviewPicture& picture : combined) EXPECT_TRUE(has_two_colours(picture.picture));
+}
+
+TEST(BrunetonPictures, OfATruncatedFileAreNone) {
+    PreviewAsset asset = scattering_asset(4, 6);
+    asset.voxels.pop_back();
+    EXPECT_TRUE(bruneton_pictures(asset).empty());
+}
+
+}  // namespace
+}  // namespace skybake
