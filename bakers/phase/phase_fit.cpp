@@ -122,6 +122,13 @@ double misplaced(const Form& form, const std::vector<double>& parameters,
     return 0.5 * sum;
 }
 
+// How far a parameter goes at a time: asymmetries by their distance from 1, which is how wide their
+// lobe is; alpha by factors of itself.
+double scale_of(const Range& range, double value) {
+    if (range.low < 0) return 1 - std::fabs(value);
+    return range.high > 1 ? 1 + value : 1;
+}
+
 // Compass search (Hooke & Jeeves 1961): along each parameter by a step that halves when none helps.
 // Comparisons of sums of products alone, so that it ends at the same bits everywhere.
 struct Minimum {
@@ -131,14 +138,13 @@ struct Minimum {
 
 Minimum search(const Form& form, std::vector<double> at, const std::vector<Node>& nodes) {
     Minimum best = {at, misplaced(form, at, nodes)};
-    for (double step = 0.25; step > 1e-5;) {
+    for (double step = 0.25; step > 1e-4;) {
         bool better = false;
         for (std::size_t i = 0; i < at.size(); ++i) {
             for (const double sign : {1.0, -1.0}) {
                 std::vector<double> next = best.at;
                 const Range& range = form.ranges[i];
-                // alpha has no scale of its own: by factors of itself.
-                const double length = range.high > 1 ? step * (1 + next[i]) : step;
+                const double length = step * scale_of(range, next[i]);
                 next[i] = std::clamp(next[i] + sign * length, range.low, range.high);
                 const double value = misplaced(form, next, nodes);
                 if (!(value < best.value)) continue;
