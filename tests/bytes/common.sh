@@ -30,12 +30,7 @@ bake() {
 # All orders solved, and what sees them; no finer solution to measure against.
 sky_recipe() {
     cat <<'TOML'
-preset = "mars"
-[bake.moments]
-asset = "multiple_scattering"
-method = "solved"
-content = "moments"
-size = [16, 8]
+preset = "earth"
 [bake.sky_view]
 size = [11, 9]
 sun_elevations = ["2 deg"]

@@ -25,6 +25,11 @@ inline bool within(double value, double minimum, double maximum) {
 
 inline void check_layer(const Layer& layer, std::size_t channels) {
     require(layer.enabled, "only enabled layers are left");
+    if (layer.phase == Phase::mie) {
+        require(layer.scattering.empty() && layer.extinction.empty(), "coefficients of particles");
+        require(layer.particles.wavelengths.size() == channels, "particles at each wavelength");
+        return;
+    }
     require(layer.scattering.size() == channels, "one scattering coefficient per channel");
     require(layer.extinction.size() == channels, "one extinction coefficient per channel");
     for (std::size_t i = 0; i < channels; ++i) {
@@ -252,6 +257,32 @@ inline void check_asset(const AerialPerspectiveBake& asset, const Parameters& pa
     require(within(asset.aspect, 1e-3, 1e3), "aspect in range");
     require(within(asset.view_distance.meters, 1e-3, 1e12), "distance in range");
     check_layers(asset.layers, asset.orders, parameters);
+    check_files(asset, asset.size);
+}
+
+inline void check_asset(const PhaseBake& asset, const Parameters&) {
+    require(asset.particles.empty() != asset.layer.empty(), "of particles or of a layer");
+    if (asset.max_error) {
+        require(within(*asset.max_error, 1e-7, 1), "max_error in range");
+    } else {
+        require(asset.size >= 2 && asset.size <= 16384, "size in range");
+    }
+    require(asset.degree >= 1 && asset.degree <= 256, "degree in range");
+}
+
+inline void check_asset(const BrunetonBake& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    const bool is_flat =
+        asset.table == BrunetonTable::transmittance || asset.table == BrunetonTable::irradiance;
+    require(is_flat ? asset.size[2] == 1 : asset.nu_size >= 2 && asset.size[0] % asset.nu_size == 0,
+            "sub-images that fit");
+    require(is_flat || within(asset.sun_cos_zenith_min, -1, 0), "a sun's axis");
+    check_files(asset, asset.size);
+}
+
+inline void check_asset(const OpticalDepthBake& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "columns are of an atmosphere");
+    require(!asset.kinds.empty() && asset.kinds.size() <= 4, "a channel each");
     check_files(asset, asset.size);
 }
 
