@@ -175,7 +175,9 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
         methods.push_back({key_of("fitted", shape), "fitted, solved", name_of(shape), "",
                            [&medium, shape] { return fitted(medium, shape); }});
     }
-    for (const bool combined : {false, true}) {
+    // They take longer than all others together.
+    const std::vector<bool> bruneton = quick ? std::vector<bool>() : std::vector{false, true};
+    for (const bool combined : bruneton) {
         const char* kind = combined ? "combined" : "separate";
         methods.push_back({fmt::format("bruneton_{}", kind), "Bruneton's tables", kind, "", nullptr,
                            [&medium, combined] { return bruneton_sky(medium, {}, combined); }});
