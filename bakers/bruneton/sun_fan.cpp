@@ -222,23 +222,9 @@ void SolvedNode::gather_rows(const FanNode& node,
 }
 
 void SolvedNode::add(double* scattered) const {
-    const std::size_t row_size = orders_ * kChannelSlots;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const double* row = rows_.data() + static_cast<std::size_t>(columns_[i]) * row_size;
-        const Channels w0 = Channels::all(weights_[i * 4]);
-        const Channels w1 = Channels::all(weights_[i * 4 + 1]);
-        const Channels w2 = Channels::all(weights_[i * 4 + 2]);
-        const Channels w3 = Channels::all(weights_[i * 4 + 3]);
-        Channels total = Channels::load(scattered + i * kChannelSlots);
-        for (std::size_t m = 0; m < orders_; ++m) {
-            const double* at = row + m * kChannelSlots;
-            const Channels value =
-                (w0 * Channels::load(at) + w1 * Channels::load(at + row_size)) +
-                (w2 * Channels::load(at + 2 * row_size) + w3 * Channels::load(at + 3 * row_size));
-            total = total + Channels::all(powers_[m * columns_.size() + i]) * value;
-        }
-        total.store(scattered + i * kChannelSlots);
-    }
+    add_columns(
+        {rows_.data(), orders_, columns_.data(), weights_.data(), powers_.data(), columns_.size()},
+        scattered);
 }
 
 void AddSolvedLight(const SolvedLight& light,

@@ -183,23 +183,7 @@ void LevelPass::flatten_steep(std::size_t first) {
 
 // Adds to sum[sun] the rows at the suns' places.
 void LevelPass::add_rows(std::size_t orders, double* sum) const {
-    const std::size_t row_size = orders * kChannelSlots;
-    for (std::size_t i = 0; i < suns_; ++i) {
-        const double* row = rows_.data() + static_cast<std::size_t>(columns_[i]) * row_size;
-        const Channels w0 = Channels::all(cubic_[i * 4]);
-        const Channels w1 = Channels::all(cubic_[i * 4 + 1]);
-        const Channels w2 = Channels::all(cubic_[i * 4 + 2]);
-        const Channels w3 = Channels::all(cubic_[i * 4 + 3]);
-        Channels total = Channels::load(sum + i * kChannelSlots);
-        for (std::size_t m = 0; m < orders; ++m) {
-            const double* at = row + m * kChannelSlots;
-            const Channels value =
-                (w0 * Channels::load(at) + w1 * Channels::load(at + row_size)) +
-                (w2 * Channels::load(at + 2 * row_size) + w3 * Channels::load(at + 3 * row_size));
-            total = total + Channels::all(powers_[m * suns_ + i]) * value;
-        }
-        total.store(sum + i * kChannelSlots);
-    }
+    add_columns({rows_.data(), orders, columns_.data(), cubic_.data(), powers_.data(), suns_}, sum);
 }
 
 void LevelPass::add_node(const LevelTransport& transport, const TransportNode& node) {
