@@ -14,10 +14,9 @@ namespace {
 using config::CloudMap;
 using config::Diagnostic;
 using config::Outcome;
-using Details = std::vector<std::pair<std::string, std::string>>;
 
 // None where the cloud names no map, and after an error.
-std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, Details& details,
+std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, Facts& details,
                                          std::vector<Diagnostic>& diagnostics) {
     if (map.file.empty()) return std::nullopt;
     Outcome<MapImage> image = read_map_image(map);
@@ -30,7 +29,7 @@ std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, D
 }  // namespace
 
 Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
-                                  const config::CloudVolumeBake& bake, Details& details) {
+                                  const config::CloudVolumeBake& bake, Facts& details) {
     Outcome<CloudInputs> outcome;
     const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;

@@ -1,11 +1,8 @@
 // Gathers what a cloud is made of: noises of the recipe and maps from files.
 #pragma once
 
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "bakers/cloud/cloud_volume.h"
+#include "bakers/core/facts.h"
 #include "config/diagnostic.h"
 #include "config/parameters.h"
 
@@ -13,8 +10,7 @@ namespace skybake {
 
 // Reads the maps of the cloud that `bake` names, and adds their content hashes to `details`, since
 // files carry just their names. E0300, E0304: a map cannot be read.
-config::Outcome<CloudInputs> cloud_inputs(
-    const config::Parameters& parameters, const config::CloudVolumeBake& bake,
-    std::vector<std::pair<std::string, std::string>>& details);
+config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
+                                          const config::CloudVolumeBake& bake, Facts& details);
 
 }  // namespace skybake

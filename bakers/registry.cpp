@@ -47,8 +47,20 @@ std::vector<std::string> colour_names(const Parameters& parameters) {
     return {"R", "G", "B"};
 }
 
+// Of all assets of an atmosphere; their bakers add what the values are.
+Conventions sky_conventions(const Parameters& parameters) {
+    Conventions conventions;
+    conventions.length_unit = "km";
+    conventions.coefficient_unit = "1/km";
+    for (const config::Length& wavelength : parameters.wavelengths) {
+        conventions.wavelengths_nm.push_back(to_digits(wavelength.meters * 1e9, 12));
+    }
+    return conventions;
+}
+
 BakedTable labelled_table(const Parameters& parameters, AssetLabel label) {
     BakedTable table;
+    table.conventions = sky_conventions(parameters);
     table.name = std::move(label.name);
     table.channel_names = colour_names(parameters);
     table.parameters = std::move(label.parameters);
@@ -61,6 +73,12 @@ BakedVolume labelled_volume(AssetLabel label) {
     volume.name = std::move(label.name);
     volume.parameters = std::move(label.parameters);
     volume.details = std::move(label.details);
+    return volume;
+}
+
+BakedVolume labelled_sky_volume(const Parameters& parameters, AssetLabel label) {
+    BakedVolume volume = labelled_volume(std::move(label));
+    volume.conventions = sky_conventions(parameters);
     return volume;
 }
 
@@ -100,14 +118,14 @@ Outcome<BakedAsset> phase(const Parameters& parameters, const Bake& bake,
 Outcome<BakedAsset> bruneton(const Parameters& parameters, const Bake& bake,
                              const BakeOptions& options, AssetLabel label) {
     return as_asset(bake_bruneton(parameters.atmosphere, std::get<config::BrunetonBake>(bake.asset),
-                                  options, labelled_volume(std::move(label))));
+                                  options, labelled_sky_volume(parameters, std::move(label))));
 }
 
 Outcome<BakedAsset> columns(const Parameters& parameters, const Bake& bake,
                             const BakeOptions& options, AssetLabel label) {
     return as_asset(bake_columns(parameters.atmosphere,
                                  std::get<config::OpticalDepthBake>(bake.asset), options,
-                                 labelled_volume(std::move(label))));
+                                 labelled_sky_volume(parameters, std::move(label))));
 }
 
 Outcome<BakedAsset> noise_volume(const Parameters& parameters, const Bake& bake,
@@ -296,7 +314,7 @@ Outcome<BakedAsset> aerial_perspective(const Parameters& parameters, const Bake&
     if (options.cancelled()) return {};
     if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
     return as_asset(bake_aerial_perspective(light, asset, options, colour_names(parameters),
-                                            labelled_volume(std::move(label))));
+                                            labelled_sky_volume(parameters, std::move(label))));
 }
 
 Outcome<BakedAsset> irradiance(const Parameters& parameters, const Bake& bake,
@@ -329,22 +347,22 @@ std::vector<InputFile> occupancy_inputs(const Parameters& parameters, const Bake
 
 std::span<const Baker> bakers() {
     static const std::array<Baker, 11> table = {{
-        {"transmittance", 1, transmittance_parameters, no_inputs, estimate_transmittance,
+        {"transmittance", 2, transmittance_parameters, no_inputs, estimate_transmittance,
          transmittance},
-        {"multiple_scattering", 1, multiple_scattering_parameters, no_inputs,
+        {"multiple_scattering", 2, multiple_scattering_parameters, no_inputs,
          estimate_multiple_scattering, multiple_scattering},
-        {"sky_view", 1, sky_parameters, no_inputs, estimate_sky_view, sky_view},
-        {"aerial_perspective", 1, sky_parameters, no_inputs, estimate_aerial_perspective,
+        {"sky_view", 2, sky_parameters, no_inputs, estimate_sky_view, sky_view},
+        {"aerial_perspective", 2, sky_parameters, no_inputs, estimate_aerial_perspective,
          aerial_perspective},
-        {"irradiance", 1, sky_parameters, no_inputs, estimate_irradiance, irradiance},
-        {"phase", 1, phase_parameters, no_inputs, estimate_phase, phase},
-        {"bruneton", 1, sky_parameters, no_inputs, estimate_bruneton, bruneton},
-        {"optical_depth", 1, sky_parameters, no_inputs, estimate_columns, columns},
-        {"noise_volume", 1, noise_volume_parameters, no_inputs, estimate_noise_volume,
+        {"irradiance", 2, sky_parameters, no_inputs, estimate_irradiance, irradiance},
+        {"phase", 2, phase_parameters, no_inputs, estimate_phase, phase},
+        {"bruneton", 2, sky_parameters, no_inputs, estimate_bruneton, bruneton},
+        {"optical_depth", 2, sky_parameters, no_inputs, estimate_columns, columns},
+        {"noise_volume", 2, noise_volume_parameters, no_inputs, estimate_noise_volume,
          noise_volume},
-        {"cloud_volume", 1, cloud_volume_parameters, cloud_volume_inputs, estimate_cloud_volume,
+        {"cloud_volume", 2, cloud_volume_parameters, cloud_volume_inputs, estimate_cloud_volume,
          cloud_volume},
-        {"occupancy", 1, occupancy_parameters, occupancy_inputs, estimate_occupancy,
+        {"occupancy", 2, occupancy_parameters, occupancy_inputs, estimate_occupancy,
          occupancy_grid},
     }};
     return table;
@@ -369,7 +387,7 @@ Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const Bake& bake,
     AssetLabel label;
     label.name = bake.name;
     label.parameters = asset_parameters(recipe, bake);
-    label.details.emplace_back("baker_version", std::to_string(baker.version));
+    label.details.emplace_back("baker_version", static_cast<double>(baker.version));
     return baker.bake(recipe.parameters, bake, options, std::move(label));
 }
 

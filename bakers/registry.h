@@ -25,7 +25,7 @@ using BakedAsset = std::variant<BakedTable, BakedVolume>;
 struct AssetLabel {
     std::string name;
     std::string parameters;  // TOML
-    std::vector<std::pair<std::string, std::string>> details;
+    Facts details;
 };
 
 // A file besides the recipe that an asset is made from.

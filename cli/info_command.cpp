@@ -202,10 +202,15 @@ std::vector<int> file_size(const ManifestAsset& asset, const ManifestFile& file)
     return {size.begin(), size.end()};
 }
 
-// "680, 550, 440 nm", or nothing where the recipe has only noises.
-std::string wavelengths_text(const std::vector<double>& wavelengths) {
-    if (wavelengths.empty()) return "";
-    return fmt::format(", wavelengths {} nm", fmt::join(wavelengths, ", "));
+// "680, 550, 440 nm" of the first asset that has them, or nothing where the recipe has only noises:
+// all assets of a recipe have the same.
+std::string wavelengths_text(const Manifest& manifest) {
+    for (const ManifestAsset& asset : manifest.assets) {
+        const std::vector<double>& wavelengths = asset.conventions.wavelengths_nm;
+        if (wavelengths.empty()) continue;
+        return fmt::format(", wavelengths {} nm", fmt::join(wavelengths, ", "));
+    }
+    return "";
 }
 
 std::string manifest_text(const Manifest& manifest) {
@@ -222,7 +227,7 @@ std::string manifest_text(const Manifest& manifest) {
         }
     }
     return fmt::format("{} {}{}\n", manifest.tool_name, manifest.tool_version,
-                       wavelengths_text(manifest.wavelengths_nm)) +
+                       wavelengths_text(manifest)) +
            table.text();
 }
 

@@ -13,6 +13,7 @@
 #include "bakers/atmosphere/multiple_scattering_as_in_paper.h"
 #include "bakers/atmosphere/multiple_scattering_kernel.h"
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/core/finish_table.h"
 #include "bakers/core/relative_error.h"
 
@@ -152,6 +153,11 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
                      "end points on texel centres", -1, 1};
     table.axes[1] = {"altitude_km", "x = altitude / (R_top - R_ground)",
                      "end points on texel centres", 0, thickness_km};
+    table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
+    table.axes[1].constants = shell_constants(shell_of(medium));
+    table.conventions.angle_unit = "cosine";
+    table.conventions.radiance_unit = "1/sr";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =

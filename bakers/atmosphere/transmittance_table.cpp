@@ -7,6 +7,7 @@
 
 #include "bakers/atmosphere/optical_depth.h"
 #include "bakers/atmosphere/optical_depth_reference.h"
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/atmosphere/transmittance_mapping.h"
 #include "bakers/core/finish_table.h"
 #include "bakers/core/transcendental.h"
@@ -98,6 +99,12 @@ config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const Trans
                      "x_r = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2); "
                      "x_r = 0 the ground, 1 the top",
                      convention, 0, shell.thickness_km};
+    for (AxisMapping& axis : table.axes) {
+        axis.end_points = ue ? TexelConvention::end_points_on_edges
+                             : TexelConvention::end_points_on_texel_centres;
+        axis.constants = shell_constants(shell);
+    }
+    table.conventions.angle_unit = "cosine";
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =

@@ -1,5 +1,6 @@
 #include "bakers/bruneton/bruneton_volume.h"
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -47,6 +48,17 @@ std::vector<std::string> channel_names(const SkyMedium& medium, const BrunetonBa
     return names;
 }
 
+// All tables but the transmittance are times the solar irradiance.
+void describe_light(const BrunetonBake& bake, Conventions& conventions) {
+    conventions.angle_unit = "cosine";
+    if (bake.table == BrunetonTable::transmittance) return;
+    conventions.solar_irradiance = bake.solar_irradiance;
+    if (bake.table == BrunetonTable::irradiance) return;
+    const bool of_one = std::all_of(bake.solar_irradiance.begin(), bake.solar_irradiance.end(),
+                                    [](double irradiance) { return irradiance == 1; });
+    conventions.radiance_unit = of_one ? "1/sr" : "solar_irradiance/sr";
+}
+
 Outcome<BakedVolume> bake_irradiance(SkyMedium medium, const SolvedLight* light,
                                      const BrunetonBake& bake, const BakeOptions& options,
                                      BakedVolume volume) {
@@ -81,6 +93,7 @@ Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere, const B
     volume.channel_names = channel_names(medium, bake);
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
     volume.up_axis = "+z";
+    describe_light(bake, volume.conventions);
     set_files(bake, volume);
     volume.flipped = bake.convention == BrunetonConvention::takram;
     if (config::has_companion(bake)) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/atmosphere/transmittance_table.h"
 #include "bakers/bruneton/held_voxels.h"
 #include "bakers/core/finish_volume.h"
@@ -33,6 +34,12 @@ constexpr int kFewestColumns = 8;
 // x of a texture coordinate: lookups beyond the outer texels' centres are clamped.
 double coordinate_of(double u, int count) {
     return std::clamp((u * count - 0.5) / (count - 1), 0.0, 1.0);
+}
+
+void describe_flat_axes(const Shell& shell, BakedVolume& volume) {
+    for (AxisMapping& axis : volume.axes) {
+        if (axis.quantity != "none") axis.constants = shell_constants(shell);
+    }
 }
 
 config::Outcome<BakedVolume> bake_flat(const FlatTable& table, const config::BrunetonBake& bake,
@@ -144,6 +151,7 @@ config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
                      "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)",
                      kConventionText, 0, medium.thickness_km},
                     {"none", "one texel", kConventionText, 0, 0}}};
+    describe_flat_axes(shell_of(medium), volume);
     volume.certificate.reference =
         "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
     return bake_flat(flat_transmittance(medium), bake, options, std::move(volume));
@@ -162,6 +170,7 @@ config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
                     {"altitude_km", "x = (r - R_ground) / (R_top - R_ground)", kConventionText, 0,
                      thickness_km},
                     {"none", "one texel", kConventionText, 0, 0}}};
+    describe_flat_axes(light.shell(), volume);
     volume.certificate.reference = "the same integral over more directions";
     return bake_flat(flat_irradiance(light, bake.solar_irradiance), bake, options,
                      std::move(volume));

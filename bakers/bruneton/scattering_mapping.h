@@ -49,6 +49,7 @@ class ScatteringMapping {
     int nu_size() const { return nu_size_; }
     double sun_cos_zenith_min() const { return sun_cos_zenith_min_; }
     int sun_size() const { return size_[0] / nu_size_; }
+    double largest_share() const { return largest_share_; }  // A
     int half_size() const { return size_[1] / 2; }  // texels along mu on each side of the horizon
 
     ScatteringView view(double x_mu, bool meets_ground, double x_r) const;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/bruneton/iterated_scattering.h"
 #include "bakers/bruneton/lookup_fit.h"
 #include "bakers/bruneton/over_rayleigh.h"
@@ -46,8 +47,19 @@ std::string content_text(const BrunetonBake& bake, const ScatteringContent& cont
         light);
 }
 
-void describe(const BrunetonBake& bake, const ScatteringContent& content, double thickness_km,
-              BakedVolume& volume) {
+// What follows from the sun's axis: D(1), D(0), and the largest share A that is on it.
+void describe_axes(const ScatteringMapping& mapping, BakedVolume& volume) {
+    const Shell& shell = mapping.shell();
+    for (AxisMapping& axis : volume.axes) axis.constants = shell_constants(shell);
+    Facts& along_u = volume.axes[0].constants;
+    along_u.emplace_back("nu_size", static_cast<double>(mapping.nu_size()));
+    along_u.emplace_back("sun_size", static_cast<double>(mapping.sun_size()));
+    along_u.emplace_back("sun_cos_zenith_min", mapping.sun_cos_zenith_min());
+    along_u.emplace_back("largest_share", mapping.largest_share());
+}
+
+void describe(const BrunetonBake& bake, const ScatteringContent& content,
+              const ScatteringMapping& mapping, BakedVolume& volume) {
     volume.content = content_text(bake, content);
     volume.mapping = "bruneton_scattering";
     volume.axes = {
@@ -64,10 +76,11 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content, double
           kConvention, 0, 1},
          {"altitude_km",
           "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)", kConvention,
-          0, thickness_km}}};
+          0, mapping.shell().thickness_km}}};
+    describe_axes(mapping, volume);
     for (std::size_t c = 0; c < bake.solar_irradiance.size(); ++c) {
         volume.details.emplace_back(fmt::format("solar_irradiance_{}", volume.channel_names[c]),
-                                    fmt::format("{:.9g}", bake.solar_irradiance[c]));
+                                    to_digits(bake.solar_irradiance[c], 9));
     }
     if (!bake.mie_layers.empty()) {
         volume.details.emplace_back("mie_layers",
@@ -75,9 +88,8 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content, double
         // A runtime has one phase function for all of them.
         volume.details.emplace_back("over_phase_function_of", bake.mie_layers.front());
     }
-    volume.details.emplace_back("nu_size", std::to_string(bake.nu_size));
-    volume.details.emplace_back("sun_cos_zenith_min",
-                                fmt::format("{:.17g}", bake.sun_cos_zenith_min));
+    volume.details.emplace_back("nu_size", static_cast<double>(bake.nu_size));
+    volume.details.emplace_back("sun_cos_zenith_min", bake.sun_cos_zenith_min);
 }
 
 }  // namespace
@@ -89,7 +101,7 @@ config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
     const ScatteringContent content(medium, bake);
     const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
                                     bake.sun_cos_zenith_min);
-    describe(bake, content, medium.air.thickness_km, volume);
+    describe(bake, content, mapping, volume);
     const auto start = std::chrono::steady_clock::now();
     const SolvedLight* wanted = content.wants_higher() ? light.get() : nullptr;
     const bool iterated = wanted != nullptr && bake.method == config::BrunetonMethod::iterated;

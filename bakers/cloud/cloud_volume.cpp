@@ -35,12 +35,17 @@ std::array<AxisMapping, 3> axes_of(const Cloud& cloud) {
         axes[i].formula = fmt::format("{} = {} / {}", i == 0 ? "u" : "v", i == 0 ? "x" : "y",
                                       cloud.extent[i].meters);
         axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
+        axes[i].wrap = AxisWrap::repeat;
     }
     axes[2].quantity = "altitude_m";
     axes[2].first = base;
     axes[2].last = base + cloud.extent[2].meters;
     axes[2].formula = fmt::format("w = (altitude - {}) / {}", base, cloud.extent[2].meters);
     axes[2].convention = "clamped; voxel i samples (i + 1/2) / size";
+    for (AxisMapping& axis : axes) {
+        axis.end_points = TexelConvention::end_points_on_edges;
+        axis.constants = {{"first_m", axis.first}, {"extent_m", axis.last - axis.first}};
+    }
     return axes;
 }
 
@@ -58,15 +63,15 @@ std::string content_of(const Cloud& cloud) {
 
 // What a runtime needs to know beyond the axes.
 void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, BakedVolume& volume) {
-    const auto add = [&](const char* key, const auto& value) {
-        volume.details.emplace_back(key, fmt::format("{}", value));
+    const auto add = [&](const char* key, FactValue value) {
+        volume.details.emplace_back(key, std::move(value));
     };
     const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
     add("threshold", cloud.threshold);
     add("edge_softness", cloud.edge_softness);
     add("threshold_at", in_file ? "bake" : "runtime");
     add("extinction_scale_per_m", cloud.extinction_scale.per_meter);
-    add("shaped_channels", plan.shaped_channels);
+    add("shaped_channels", static_cast<double>(plan.shaped_channels));
 }
 
 // The grids' names: density first, since runtimes look for it.
@@ -121,6 +126,9 @@ BakedVolume describe(const Cloud& cloud, const CloudVolumeBake& bake, const Clou
     }
     volume.minimum_m = {0, 0, cloud.base_altitude.meters};
     volume.up_axis = "+z";
+    volume.conventions.length_unit = "m";
+    volume.conventions.coefficient_unit = "1/m";
+    volume.conventions.up_axis = volume.up_axis;
     add_details(cloud, field->plan(), volume);
     VolumeLevel level;
     level.size = bake.size;

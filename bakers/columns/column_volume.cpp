@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/columns/column_errors.h"
 #include "bakers/columns/column_kinds.h"
 #include "bakers/columns/column_table.h"
@@ -285,6 +286,32 @@ void describe_axis(const OpticalDepthBake& bake, const ColumnGeometry& geometry,
         volume.axes[axis] = {"none", "one texel", kCentres, 0, 0};
 }
 
+// F of g(h) is fine_km. `first` and `count` are those of the texels of each course along u: of
+// paths that rise, that pass their lowest point and, by distance, that fall to the ground.
+void describe_constants(const OpticalDepthBake& bake, const ColumnTable& table,
+                        BakedVolume& volume) {
+    if (bake.table == OpticalDepthTable::phase) {
+        volume.conventions.angle_unit = "deg";
+        volume.axes[0].constants = {{"range_deg", 180.0}};
+        return;
+    }
+    const ColumnGeometry& geometry = table.geometry();
+    Facts scale = shell_constants(geometry.shell);
+    scale.emplace_back("fine_km", geometry.scale.fine_km);
+    for (AxisMapping& axis : volume.axes) {
+        if (axis.quantity != "none") axis.constants = scale;
+    }
+    if (!has_paths(bake)) return;
+    std::vector<double> first;
+    std::vector<double> count;
+    for (const CourseTexels& texels : table.courses()) {
+        first.push_back(texels.first);
+        count.push_back(texels.count);
+    }
+    volume.axes[0].constants.emplace_back("first", std::move(first));
+    volume.axes[0].constants.emplace_back("count", std::move(count));
+}
+
 void describe(const OpticalDepthBake& bake, const std::vector<ColumnKind>& kinds, int channels,
               const ColumnTable& table, BakedVolume& volume) {
     volume.kind = "optical_depth";
@@ -297,25 +324,21 @@ void describe(const OpticalDepthBake& bake, const std::vector<ColumnKind>& kinds
     set_files(bake, volume);
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
     volume.up_axis = "+y";
-    const auto add = [&](std::string name, std::string text) {
-        volume.details.emplace_back(std::move(name), std::move(text));
+    describe_constants(bake, table, volume);
+    const auto add = [&](std::string name, FactValue value) {
+        volume.details.emplace_back(std::move(name), std::move(value));
     };
-    add("ground_radius_km", fmt::format("{:.9g}", table.geometry().shell.ground_radius_km));
-    add("thickness_km", fmt::format("{:.9g}", table.geometry().shell.thickness_km));
+    add("ground_radius_km", to_digits(table.geometry().shell.ground_radius_km, 9));
+    add("thickness_km", to_digits(table.geometry().shell.thickness_km, 9));
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         const Spectrum& extinction = kinds[k].extinction_per_km;
         add(fmt::format("channel_{}", volume.channel_names[k]), kinds[k].name);
         add(fmt::format("extinction_per_km_{}", kinds[k].name),
-            fmt::format("{:.9g}",
-                        fmt::join(extinction.begin(), extinction.begin() + channels, ", ")));
+            to_digits(std::vector<double>(extinction.begin(), extinction.begin() + channels), 9));
     }
     if (has_paths(bake) && bake.sampling == DepthSampling::equal_attenuation) {
-        add("mean_scale_height_km", fmt::format("{:.9g}", mean_scale_height_km(kinds)));
+        add("mean_scale_height_km", to_digits(mean_scale_height_km(kinds), 9));
     }
-}
-
-std::string figures_text(const ErrorFigures& figures) {
-    return fmt::format("max {:.3g}, rms {:.3g}", figures.max, figures.rms);
 }
 
 // Errors by kind, and how well columns add up: against the exact integral, which is fast.
@@ -327,8 +350,9 @@ void add_measured_details(const std::vector<ColumnKind>& kinds, int channels,
     const int points = options.certification == Certification::full ? kFullPoints : kQuickPoints;
     const ColumnErrors errors = measure_columns(kinds, channels, table, to_top,
                                                 volume.levels.front(), volume.pixel_type, points);
-    const auto add = [&](std::string name, const ErrorFigures& figures) {
-        volume.details.emplace_back(std::move(name), figures_text(figures));
+    const auto add = [&](const std::string& name, const ErrorFigures& figures) {
+        volume.details.emplace_back(name + "_max", to_digits(figures.max, 3));
+        volume.details.emplace_back(name + "_rms", to_digits(figures.rms, 3));
     };
     add("transmittance_error_together", errors.together);
     for (std::size_t k = 0; k < kinds.size(); ++k) {

@@ -7,10 +7,18 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/core/facts.h"
 #include "bakers/core/image.h"
+#include "bakers/core/texel_axis.h"
 #include "config/parameters.h"
 
 namespace skybake {
+
+// What a lookup beyond the ends of an axis returns.
+enum class AxisWrap { clamp, repeat };
+
+// How a lookup between texels is made.
+enum class AxisFilter { linear, nearest };
 
 // How one texture axis follows from a physical quantity.
 struct AxisMapping {
@@ -19,6 +27,24 @@ struct AxisMapping {
     std::string convention;  // "end points on texel centres" or "end points on texture edges"
     double first = 0;        // the quantity where the axis begins (u or v smallest)
     double last = 0;
+
+    // For programs; all of it stands in words in the formula and the convention.
+    TexelConvention end_points = TexelConvention::end_points_on_texel_centres;
+    AxisWrap wrap = AxisWrap::clamp;
+    AxisFilter filter = AxisFilter::linear;
+    Facts constants = {};  // the numbers of the formula, with their units in their names
+};
+
+// What the numbers of an asset mean. A member is empty where it does not apply: a noise has no
+// lengths, a transmittance is the same whatever the sun's irradiance.
+struct Conventions {
+    std::string length_unit;       // of lengths along the axes: "km", "m"
+    std::string coefficient_unit;  // of scattering and extinction coefficients: "1/km", "1/m"
+    std::string angle_unit;        // of angles along the axes: "cosine", "deg"
+    std::string radiance_unit;     // of values that are radiances
+    std::vector<double> solar_irradiance = {};  // E of each colour, which all values are times
+    std::vector<double> wavelengths_nm = {};    // of each colour
+    std::string up_axis = {};                   // "+z", of assets that lie in space
 };
 
 struct ErrorFigures {
@@ -81,7 +107,8 @@ struct BakedTable {
     double bake_seconds = 0;  // wall time of making the texels: the one figure that is not pure
     std::vector<Probe> probes;
     std::string parameters;  // TOML: the resolved parameters that this table depends on
-    std::vector<std::pair<std::string, std::string>> details;  // further facts, for example counts
+    Conventions conventions;
+    Facts details;  // further facts, for example counts
 };
 
 }  // namespace skybake

@@ -180,8 +180,9 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         outcome.diagnostics.push_back(std::move(warning));
     }
     if (model.cost_per_texel.size() > 1) {
-        table.details.emplace_back("quadrature_level",
-                                   fmt::format("{} of {}", level + 1, model.cost_per_texel.size()));
+        table.details.emplace_back("quadrature_level", level + 1.0);
+        table.details.emplace_back("quadrature_levels",
+                                   static_cast<double>(model.cost_per_texel.size()));
     }
     table.certified = certify;
     if (certify) {

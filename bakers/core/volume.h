@@ -90,7 +90,7 @@ struct BakedVolume {
     config::VdbCompression vdb_compression = config::VdbCompression::blosc;
     std::array<double, 3> voxel_size_m{};  // VDB: edges of a voxel of level 0
     std::array<double, 3> minimum_m{};     // VDB: the lower corner of voxel (0, 0, 0)
-    std::string up_axis;                   // "+z"
+    std::string up_axis;                   // "+z", of VDB files
     std::vector<VolumeLevel> levels;
     RangeCounts range;
     bool certified = false;
@@ -98,7 +98,8 @@ struct BakedVolume {
     double seam_error = 0;    // largest difference between voxel 0 and voxel `size`, over all axes
     double bake_seconds = 0;  // wall time of making the voxels of all levels once
     std::string parameters;   // TOML: the resolved parameters that this volume depends on
-    std::vector<std::pair<std::string, std::string>> details;
+    Conventions conventions;
+    Facts details;
 };
 
 }  // namespace skybake

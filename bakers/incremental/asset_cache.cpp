@@ -173,11 +173,21 @@ CacheEntry describe(const fs::path& folder) {
     return entry;
 }
 
+bool is_damage(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& diagnostic) { return diagnostic.code == "E0304"; });
+}
+
+// Whether the manifest is that of an entry, as it was written.
+bool is_entry_of(const Manifest& manifest, const std::string& key) {
+    return manifest.alterations.empty() && manifest.assets.size() == 1 &&
+           manifest.assets[0].key == key;
+}
+
 // Files of an entry that are not what its manifest says; the manifest itself if it is damaged.
 std::vector<fs::path> damages(const CacheEntry& entry) {
     const auto manifest = read_manifest(entry.folder);
-    if (!manifest.value || manifest.value->assets.size() != 1 ||
-        manifest.value->assets[0].key != entry.key) {
+    if (!manifest.value || !is_entry_of(*manifest.value, entry.key)) {
         return {entry.folder / manifest_name};
     }
     std::vector<fs::path> damaged;
@@ -195,9 +205,14 @@ std::vector<fs::path> damages(const CacheEntry& entry) {
 std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
     if (!is_key(key)) return std::nullopt;
     const fs::path folder = entry_folder(folder_, key);
+    std::error_code error;
+    if (!fs::exists(folder, error)) return std::nullopt;
     const auto manifest = read_manifest(folder);
-    if (!manifest.value || manifest.value->assets.size() != 1) return std::nullopt;
-    if (manifest.value->assets[0].key != key) return std::nullopt;
+    if (!manifest.value || !is_entry_of(*manifest.value, key)) {
+        // A damaged entry makes room for a whole one; one that cannot be read now may be good.
+        if (manifest.value || is_damage(manifest.diagnostics)) remove_entry(folder_, folder);
+        return std::nullopt;
+    }
     // Its last use. A cache that may only be read is used all the same.
     ::utimensat(AT_FDCWD, (folder / manifest_name).c_str(), nullptr, 0);
     return ReadyAsset{folder, manifest.value->assets[0]};

@@ -7,6 +7,7 @@
 
 #include "bakers/core/hash.h"
 #include "bakers/io/file_input.h"
+#include "bakers/io/release.h"
 #include "bakers/registry.h"
 #include "config/parameter_changes.h"
 
@@ -25,32 +26,6 @@ std::string_view spell(Certification certification) {
     return "quick";
 }
 
-// Each part with its length, so that no two identities join to one text.
-std::string key_of(const AssetIdentity& identity) {
-    Hasher hasher;
-    const auto add = [&hasher](std::string_view part) {
-        hasher.update(fmt::format("{}\n", part.size()));
-        hasher.update(part);
-    };
-    add(identity.kind);
-    add(std::to_string(identity.baker_version));
-    add(spell(identity.certification));
-    add(identity.parameters);
-    for (const ManifestInput& input : identity.inputs) {
-        add(input.file);
-        add(input.xxh3);
-    }
-    return hasher.hex();
-}
-
-// "" where the entry has none: of another release.
-std::string detail(const ManifestAsset& entry, std::string_view name) {
-    for (const auto& [key, value] : entry.details) {
-        if (key == name) return value;
-    }
-    return "";
-}
-
 void add_input_changes(const AssetIdentity& identity, const ManifestAsset& previous,
                        std::vector<std::string>& reasons) {
     for (const ManifestInput& input : identity.inputs) {
@@ -65,6 +40,25 @@ void add_input_changes(const AssetIdentity& identity, const ManifestAsset& previ
 
 }  // namespace
 
+// Each part with its length, so that no two identities join to one text.
+std::string key_of(const AssetIdentity& identity) {
+    Hasher hasher;
+    const auto add = [&hasher](std::string_view part) {
+        hasher.update(fmt::format("{}\n", part.size()));
+        hasher.update(part);
+    };
+    add(identity.kind);
+    add(identity.release);
+    add(std::to_string(identity.baker_version));
+    add(spell(identity.certification));
+    add(identity.parameters);
+    for (const ManifestInput& input : identity.inputs) {
+        add(input.file);
+        add(input.xxh3);
+    }
+    return hasher.hex();
+}
+
 config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,
                                               const config::Bake& bake,
                                               Certification certification) {
@@ -72,6 +66,7 @@ config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,
     const Baker& baker = baker_of(bake);
     AssetIdentity identity;
     identity.kind = baker.asset;
+    identity.release = release();
     identity.baker_version = baker.version;
     identity.certification = certification;
     identity.parameters = asset_parameters(recipe, bake);
@@ -100,7 +95,10 @@ std::vector<std::string> differences(const AssetIdentity& identity, const Manife
         reasons.push_back(config::change_text(change));
     }
     add_input_changes(identity, previous, reasons);
-    const std::string version = detail(previous, "baker_version");
+    if (previous.release != identity.release) {
+        reasons.push_back(fmt::format("release {} → {}", previous.release, identity.release));
+    }
+    const std::string version = fact_named(previous.details, "baker_version");
     if (version != std::to_string(identity.baker_version)) {
         reasons.push_back(fmt::format("{} baker version {} → {}", identity.kind, version,
                                       identity.baker_version));

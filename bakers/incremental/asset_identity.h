@@ -15,12 +15,16 @@ namespace skybake {
 // the recipe words its values.
 struct AssetIdentity {
     std::string kind;       // "cloud_volume"
+    std::string release;    // of this program: until 1.0 each may change any byte
     int baker_version = 0;  // of its baker
     Certification certification = Certification::quick;
     std::string parameters;             // TOML, canonical: those that the asset depends on
     std::vector<ManifestInput> inputs;  // files besides the recipe, by content
-    std::string key;                    // xxh3_hex of all of the above
+    std::string key;                    // key_of all of the above
 };
+
+// xxh3_hex of all of an identity but its key.
+std::string key_of(const AssetIdentity& identity);
 
 // Reads the asset's input files for their content. E0300: one cannot be read.
 config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,

@@ -54,7 +54,7 @@ void compare_with_folder(const OutputFolder& folder, PlannedAsset& planned) {
         }
     }
     if (!entry) {
-        planned.reasons = {"not baked yet"};
+        planned.reasons = {folder.reason.empty() ? "not baked yet" : folder.reason};
         return;
     }
     planned.reasons = differences(planned.identity, *entry);

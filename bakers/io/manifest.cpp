@@ -5,7 +5,6 @@
 
 #include "bakers/io/read_file.h"
 #include "bakers/io/release.h"
-#include "config/volume_files.h"
 
 namespace skybake {
 
@@ -14,20 +13,16 @@ Manifest new_manifest(const config::Recipe& recipe) {
     manifest.tool_name = tool_name();
     manifest.tool_version = release();
     manifest.parameters = parameters_json(recipe.values);
-    // A recipe of volumes alone has wavelengths too, which mean nothing for them.
-    const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
-    const bool has_tables = std::any_of(bakes.begin(), bakes.end(), [](const config::Bake& bake) {
-        return config::volume_files(bake) == nullptr;
-    });
-    if (!has_tables) return manifest;
-    for (const config::Length& wavelength : recipe.parameters.wavelengths) {
-        manifest.wavelengths_nm.push_back(wavelength.meters * 1e9);
-    }
     return manifest;
 }
 
+namespace {
+
+constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;
+
+}  // namespace
+
 config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) {
-    constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;
     config::Outcome<std::string> text = read_file(file, largest_manifest);
     if (!text.value) return {{}, std::move(text.diagnostics)};
     return parse_manifest(*text.value, file.string());
@@ -35,6 +30,11 @@ config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) 
 
 config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder) {
     return read_manifest_file(folder / manifest_name);
+}
+
+std::optional<Manifest> read_earlier_claims(const std::filesystem::path& folder) {
+    const config::Outcome<std::string> text = read_file(folder / manifest_name, largest_manifest);
+    return text.value ? parse_earlier_claims(*text.value) : std::nullopt;
 }
 
 ManifestPlace manifest_place(const std::filesystem::path& path) {
@@ -88,6 +88,12 @@ std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Ma
         if (!claims(fresh, file.path)) retired.push_back(file);
     }
     return retired;
+}
+
+Manifest claims_of(const Manifest& manifest) {
+    Manifest claimed;
+    claimed.retired = files_no_longer_made(manifest, {});
+    return claimed;
 }
 
 }  // namespace skybake

@@ -71,7 +71,8 @@ struct ManifestAsset {
     std::optional<Certificate> error;  // none where it was not measured
     RangeCounts range;
     std::vector<Probe> probes;  // of tables
-    std::vector<std::pair<std::string, std::string>> details;
+    Conventions conventions;
+    Facts details;
     std::string parameters;    // TOML: the parameters that this asset depends on
     std::string content_hash;  // xxh3_hex of the texels as stored; of volumes: of level 0
     std::string release;       // the release that baked it
@@ -100,9 +101,12 @@ struct Manifest {
     std::string tool_name;
     std::string tool_version;
     std::string parameters = "{}";  // JSON text of an object: the resolved parameters of the recipe
-    std::vector<double> wavelengths_nm;  // one per channel
     std::vector<ManifestAsset> assets;
     std::vector<RetiredFile> retired;
+
+    // What a reader found that is not as it was written, one sentence for each place: nobody but
+    // `verify` tells it, and nothing of such a manifest is taken for a bake.
+    std::vector<std::string> alterations;
 };
 
 // An empty manifest of this release for a recipe.
@@ -112,14 +116,23 @@ Manifest new_manifest(const config::Recipe& recipe);
 std::string manifest_json(const Manifest& manifest);
 
 // Reads a manifest's text; `name` stands for it in diagnostics. E0304 with the field's place where
-// it is damaged, of another tool or format, or names a file outside of its folder.
+// it is damaged, of another tool or format, or names a file outside of its folder. Where it can be
+// read and has been changed since it was written, `alterations` say so: each asset has a hash of
+// its entry, and the manifest one of the rest (manifest_hash.h).
 config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name);
+
+// The files that a manifest of an earlier format claims, as retired ones, and nothing else. None
+// where the text is no manifest of this tool's, or none of an earlier format.
+std::optional<Manifest> parse_earlier_claims(std::string_view text);
 
 // Reads a manifest. E0300 where there is none, E0304 where it is damaged.
 config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file);
 
 // The same of `folder`/manifest.json.
 config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder);
+
+// parse_earlier_claims of `folder`/manifest.json; none where it cannot be read.
+std::optional<Manifest> read_earlier_claims(const std::filesystem::path& folder);
 
 // Where the manifest is that a user means by a folder or by the manifest itself, and the folder
 // that its paths are relative to.
@@ -135,6 +148,9 @@ Manifest merge_manifests(const Manifest& previous, Manifest fresh);
 
 // The files that `previous` lists, as its assets' or as retired ones, and `fresh` does not.
 std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Manifest& fresh);
+
+// What a manifest claims, as retired files, and nothing else.
+Manifest claims_of(const Manifest& manifest);
 
 // Whether the manifest lists the file (a path relative to its folder), or is that file itself.
 bool claims(const Manifest& manifest, const std::filesystem::path& file);

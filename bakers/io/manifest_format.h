@@ -3,7 +3,8 @@
 
 namespace skybake {
 
-// The version of the manifest's form. A reader refuses another one.
-inline constexpr int manifest_format = 1;
+// The version of the manifest's form. A reader refuses another one. What changed from one to the
+// next stands in the description of manifest_schema.json.
+inline constexpr int manifest_format = 2;
 
 }  // namespace skybake

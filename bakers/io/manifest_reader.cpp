@@ -10,6 +10,7 @@
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/io/manifest.h"
 #include "bakers/io/manifest_format.h"
+#include "bakers/io/manifest_hash.h"
 #include "bakers/io/release.h"
 #include "bakers/io/spelling.h"
 
@@ -88,6 +89,8 @@ class Node {
         return nodes;
     }
     std::size_t count() const { return elements().size(); }
+    bool is_text() const { return json_->is_string(); }
+    bool is_number() const { return json_->is_number(); }
     bool is_null() const { return json_->is_null(); }
     std::string dump() const { return json_->dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -153,9 +156,51 @@ ManifestFile read_file_entry(const Node& node, bool of_volume) {
     return file;
 }
 
+FactValue read_fact(const Node& node) {
+    if (node.is_text()) return node.text();
+    if (node.is_number()) return node.number();
+    return numbers(node);
+}
+
+Facts read_facts(const Node& node) {
+    Facts facts;
+    for (const auto& [name, value] : node.members()) facts.emplace_back(name, read_fact(value));
+    return facts;
+}
+
+// The enumerator of a word, told by `of`.
+template <class Enum>
+Enum read_word(const Node& node, std::optional<Enum> (*of)(std::string_view)) {
+    const std::optional<Enum> value = of(node.text());
+    if (!value) node.fail("no such word is known");
+    return *value;
+}
+
 AxisMapping read_axis(const Node& node) {
-    return {node["quantity"].text(), node["formula"].text(), node["convention"].text(),
-            node["first"].number(), node["last"].number()};
+    AxisMapping axis;
+    axis.quantity = node["quantity"].text();
+    axis.formula = node["formula"].text();
+    axis.convention = node["convention"].text();
+    axis.first = node["first"].number();
+    axis.last = node["last"].number();
+    axis.end_points = read_word(node["end_points"], end_points_of);
+    axis.wrap = read_word(node["wrap"], axis_wrap_of);
+    axis.filter = read_word(node["filter"], axis_filter_of);
+    axis.constants = read_facts(node["constants"]);
+    return axis;
+}
+
+Conventions read_conventions(const Node& node) {
+    const auto text = [&node](const char* name) {
+        return node.has(name) ? node[name].text() : std::string();
+    };
+    const auto list = [&node](const char* name) {
+        return node.has(name) ? numbers(node[name]) : std::vector<double>();
+    };
+    node["texel_origin"].text();
+    return {text("length_unit"),   text("coefficient_unit"), text("angle_unit"),
+            text("radiance_unit"), list("solar_irradiance"), list("wavelengths_nm"),
+            text("up_axis")};
 }
 
 std::optional<Certificate> read_certificate(const Node& node) {
@@ -281,36 +326,72 @@ ManifestAsset read_asset(const Node& node) {
     asset.error = read_certificate(node["error"]);
     asset.range = {node["range"]["below_normal"].integer<long>(0),
                    node["range"]["above_range"].integer<long>(0)};
-    for (const auto& [key, value] : node["details"].members()) {
-        asset.details.emplace_back(key, value.text());
-    }
+    asset.conventions = read_conventions(node["conventions"]);
+    asset.details = read_facts(node["details"]);
     asset.parameters = node["parameters"].text();
     asset.content_hash = node["content_hash"].text();
     asset.release = node["release"].text();
     if (node.has("key")) read_identity(node, asset);
+    node["hash"].text();
     of_volume ? read_volume(node, asset) : read_table(node, asset);
     return asset;
 }
 
-Manifest read_whole(const Node& node) {
-    Manifest manifest;
-    manifest.tool_name = node["tool"]["name"].text();
-    if (manifest.tool_name != tool_name()) {
+void check_tool(const Node& node) {
+    if (node["tool"]["name"].text() != tool_name()) {
         node["tool"]["name"].fail(fmt::format("not of {}'s", tool_name()));
     }
-    manifest.tool_version = node["tool"]["version"].text();
-    if (node["format"].integer<int>(0) != manifest_format) {
-        node["format"].fail(fmt::format("this release reads format {}", manifest_format));
+}
+
+// What another release wrote is as good as the day it was written, but not for this release.
+void check_format(const Node& node) {
+    const int format = node["format"].integer<int>(0);
+    if (format == manifest_format) return;
+    node["format"].fail(fmt::format(
+        "release {} wrote format {}, and this release reads format {}; {}",
+        node["tool"]["version"].text(), format, manifest_format,
+        format < manifest_format ? "bake the recipe into this folder again to bring it up to date"
+                                 : "use that release or a later one"));
+}
+
+std::vector<RetiredFile> read_retired(const Node& node) {
+    std::vector<RetiredFile> files;
+    if (!node.has("retired")) return files;
+    for (const Node& file : node["retired"].elements()) {
+        files.push_back({path_within_folder(file["path"]), file["xxh3"].text()});
     }
+    return files;
+}
+
+Manifest read_whole(const Json& json) {
+    const Node node(json, "");
+    Manifest manifest;
+    check_tool(node);
+    check_format(node);
+    manifest.tool_name = node["tool"]["name"].text();
+    manifest.tool_version = node["tool"]["version"].text();
     node["parameters"].members();  // an object it must be
     manifest.parameters = node["parameters"].dump();
-    manifest.wavelengths_nm = numbers(node["conventions"]["wavelengths_nm"]);
-    for (const Node& asset : node["assets"].elements())
+    for (const Node& asset : node["assets"].elements()) {
         manifest.assets.push_back(read_asset(asset));
-    if (!node.has("retired")) return manifest;
-    for (const Node& file : node["retired"].elements()) {
-        manifest.retired.push_back({path_within_folder(file["path"]), file["xxh3"].text()});
     }
+    manifest.retired = read_retired(node);
+    node["hash"].text();
+    manifest.alterations = manifest_alterations(json);
+    return manifest;
+}
+
+std::optional<Manifest> read_earlier_claims(const Json& json) {
+    const Node node(json, "");
+    Manifest manifest;
+    check_tool(node);
+    if (node["format"].integer<int>(0) >= manifest_format) return std::nullopt;
+    for (const Node& asset : node["assets"].elements()) {
+        for (const Node& file : asset["files"].elements()) {
+            manifest.retired.push_back({path_within_folder(file["path"]), file["xxh3"].text()});
+        }
+    }
+    for (RetiredFile& file : read_retired(node)) manifest.retired.push_back(std::move(file));
     return manifest;
 }
 
@@ -331,8 +412,7 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
                             fmt::format("cannot read `{}` as a manifest: {}", name, reason))}};
     };
     try {
-        const Json json = Json::parse(text);
-        return {read_whole(Node(json, "")), {}};
+        return {read_whole(Json::parse(text)), {}};
     } catch (const Damage& damage) {
         return damaged(damage.what);
     } catch (const nlohmann::json::parse_error& error) {
@@ -340,6 +420,16 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
         return damaged(fmt::format("not JSON at {}", place_in(text, byte)));
     } catch (const std::exception& error) {
         return damaged(error.what());
+    }
+}
+
+std::optional<Manifest> parse_earlier_claims(std::string_view text) {
+    try {
+        return read_earlier_claims(Json::parse(text));
+    } catch (const Damage&) {
+        return std::nullopt;
+    } catch (const std::exception&) {
+        return std::nullopt;
     }
 }
 

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/conventions.h"
 #include "bakers/io/manifest.h"
 #include "bakers/io/manifest_format.h"
+#include "bakers/io/manifest_hash.h"
 #include "bakers/io/spelling.h"
 #include "config/key_path.h"
 #include "config/toml_source.h"
@@ -38,12 +40,40 @@ Json to_json(const ManifestInput& input) { return {{"file", input.file}, {"xxh3"
 
 Json to_json(const RetiredFile& file) { return {{"path", file.path}, {"xxh3", file.xxh3}}; }
 
+// Whole numbers without a point, as people write counts.
+Json number_json(double number) {
+    constexpr double largest_whole = 9007199254740992;  // 2^53: beyond, doubles skip numbers
+    const bool whole = std::trunc(number) == number && std::fabs(number) <= largest_whole;
+    if (!whole || (number == 0 && std::signbit(number))) return number;
+    return static_cast<std::int64_t>(number);
+}
+
+Json to_json(const FactValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return number_json(*number);
+    Json numbers = Json::array();
+    for (const double number : std::get<std::vector<double>>(value)) {
+        numbers.push_back(number_json(number));
+    }
+    return numbers;
+}
+
+Json to_json(const Facts& facts) {
+    Json json = Json::object();
+    for (const auto& [name, value] : facts) json[name] = to_json(value);
+    return json;
+}
+
 Json to_json(const AxisMapping& axis) {
     return {{"quantity", axis.quantity},
             {"formula", axis.formula},
             {"convention", axis.convention},
             {"first", axis.first},
-            {"last", axis.last}};
+            {"last", axis.last},
+            {"end_points", spell(axis.end_points)},
+            {"wrap", spell(axis.wrap)},
+            {"filter", spell(axis.filter)},
+            {"constants", to_json(axis.constants)}};
 }
 
 Json to_json(const std::optional<Certificate>& certificate) {
@@ -119,14 +149,35 @@ void add_volume(const ManifestAsset& asset, Json& json) {
     json["mips"] = array_of(std::vector(asset.levels.begin() + 1, asset.levels.end()));
 }
 
+// What does not apply to the asset is left out.
+Json to_json(const Conventions& conventions, bool of_volume) {
+    Json json = Json::object();
+    const auto add_text = [&json](const char* name, const std::string& text) {
+        if (!text.empty()) json[name] = text;
+    };
+    add_text("length_unit", conventions.length_unit);
+    add_text("coefficient_unit", conventions.coefficient_unit);
+    add_text("angle_unit", conventions.angle_unit);
+    add_text("radiance_unit", conventions.radiance_unit);
+    if (!conventions.solar_irradiance.empty()) {
+        json["solar_irradiance"] = to_json(FactValue(conventions.solar_irradiance));
+    }
+    if (!conventions.wavelengths_nm.empty()) {
+        json["wavelengths_nm"] = to_json(FactValue(conventions.wavelengths_nm));
+    }
+    add_text("up_axis", conventions.up_axis);
+    json["texel_origin"] =
+        of_volume ? "first voxel u = 0, v = 0, w = 0" : "first column u = 0, first row v = 0";
+    return json;
+}
+
 Json to_json(const ManifestAsset& asset) {
     Json files = Json::array();
     for (const ManifestFile& file : asset.files) files.push_back(to_json(file, asset.is_volume()));
-    Json details = Json::object();
-    for (const auto& [key, value] : asset.details) details[key] = value;
     Json json = {{"name", asset.name},        {"kind", asset.kind}, {"content", asset.content},
                  {"files", std::move(files)}, {"size", asset.size}, {"channels", asset.channels}};
     if (!asset.is_volume()) json["compression"] = spell(asset.compression);
+    json["conventions"] = to_json(asset.conventions, asset.is_volume());
     json["mapping"] = mapping_json(asset);
     json["timing"] = {{"bake_s", asset.timing.bake_s},
                       {"write_s", asset.timing.write_s},
@@ -139,26 +190,17 @@ Json to_json(const ManifestAsset& asset) {
     } else {
         json["probes"] = array_of(asset.probes);
     }
-    json["details"] = std::move(details);
+    json["details"] = to_json(asset.details);
     json["parameters"] = asset.parameters;
     json["content_hash"] = asset.content_hash;
     json["release"] = asset.release;
-    if (asset.key.empty()) return json;
-    json["key"] = asset.key;
-    json["certification"] = asset.certification;
-    json["inputs"] = array_of(asset.inputs);
+    if (!asset.key.empty()) {
+        json["key"] = asset.key;
+        json["certification"] = asset.certification;
+        json["inputs"] = array_of(asset.inputs);
+    }
+    json["hash"] = entry_hash(json);
     return json;
-}
-
-Json conventions_json(const Manifest& manifest) {
-    return {{"length_unit", conventions::length_unit},
-            {"coefficient_unit", conventions::coefficient_unit},
-            {"angle_unit", conventions::angle_unit},
-            {"radiance_unit", conventions::radiance_unit},
-            {"solar_irradiance", conventions::solar_irradiance},
-            {"wavelengths_nm", manifest.wavelengths_nm},
-            {"up_axis", conventions::up_axis},
-            {"texel_origin", conventions::texel_origin}};
 }
 
 Json to_json(const config::Value& value) {
@@ -196,10 +238,10 @@ std::string manifest_json(const Manifest& manifest) {
     if (!parameters.is_object()) parameters = Json::object();
     Json json = {{"format", manifest_format},
                  {"tool", {{"name", manifest.tool_name}, {"version", manifest.tool_version}}},
-                 {"conventions", conventions_json(manifest)},
                  {"parameters", std::move(parameters)},
                  {"assets", std::move(assets)}};
     if (!manifest.retired.empty()) json["retired"] = array_of(manifest.retired);
+    json["hash"] = manifest_hash(json);
     return text_of(json, 2) + "\n";
 }
 

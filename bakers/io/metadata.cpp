@@ -6,16 +6,25 @@
 #include <algorithm>
 
 #include "bakers/core/hash.h"
-#include "bakers/io/conventions.h"
 #include "bakers/io/release.h"
 
 namespace skybake {
 namespace {
 
-std::string details_text(const std::vector<std::pair<std::string, std::string>>& details) {
+std::string details_text(const Facts& details) {
     std::string text;
-    for (const auto& [key, value] : details) text += fmt::format("{} = {}\n", key, value);
+    for (const auto& [name, value] : details) {
+        text += fmt::format("{} = {}\n", name, fact_text(value));
+    }
     return text;
+}
+
+// One number where all colours have the same.
+std::string irradiance_text(const std::vector<double>& irradiance) {
+    const bool alike = std::all_of(irradiance.begin(), irradiance.end(),
+                                   [&](double value) { return value == irradiance.front(); });
+    return alike ? fmt::format("{}", irradiance.front())
+                 : fmt::format("{}", fmt::join(irradiance, ", "));
 }
 
 std::string statistics_text(const std::vector<std::string>& channels, const ManifestLevel& level) {
@@ -62,6 +71,7 @@ ManifestAsset describe(const BakedTable& table) {
     if (table.certified) asset.error = table.certificate;
     asset.range = table.range;
     asset.probes = table.probes;
+    asset.conventions = table.conventions;
     asset.details = table.details;
     asset.parameters = table.parameters;
     asset.content_hash = xxh3_hex(stored_bytes(table.image, table.pixel_type));
@@ -79,6 +89,7 @@ ManifestAsset describe(const BakedVolume& volume) {
     asset.axes.assign(volume.axes.begin(), volume.axes.end());
     if (volume.certified) asset.error = volume.certificate;
     asset.range = volume.range;
+    asset.conventions = volume.conventions;
     asset.details = volume.details;
     asset.parameters = volume.parameters;
     asset.release = release();
@@ -91,13 +102,26 @@ ManifestAsset describe(const BakedVolume& volume) {
     return asset;
 }
 
-std::string_view units_line() {
-    static const std::string line = fmt::format(
-        "lengths and altitudes {}, coefficients {}, angles as cosines, radiance {} for a solar "
-        "irradiance E = {}",
-        conventions::length_unit, conventions::coefficient_unit, conventions::radiance_unit,
-        conventions::solar_irradiance);
-    return line;
+std::string units_line(const Conventions& conventions) {
+    std::vector<std::string> parts;
+    if (!conventions.length_unit.empty()) {
+        parts.push_back(fmt::format("lengths and altitudes {}", conventions.length_unit));
+    }
+    if (!conventions.coefficient_unit.empty()) {
+        parts.push_back(fmt::format("coefficients {}", conventions.coefficient_unit));
+    }
+    if (!conventions.angle_unit.empty()) {
+        parts.push_back(conventions.angle_unit == "cosine"
+                            ? "angles as cosines"
+                            : fmt::format("angles {}", conventions.angle_unit));
+    }
+    if (!conventions.solar_irradiance.empty()) {
+        parts.push_back(fmt::format(
+            "{} for a solar irradiance E = {}",
+            conventions.radiance_unit.empty() ? "values" : "radiance " + conventions.radiance_unit,
+            irradiance_text(conventions.solar_irradiance)));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string error_line(const std::optional<Certificate>& certificate) {
@@ -125,7 +149,7 @@ std::string axis_line(const AxisMapping& axis) {
 Attributes exr_attributes(const ManifestAsset& asset) {
     Attributes attributes = shared_attributes(asset);
     attributes.emplace_back("skybake/content_hash", asset.content_hash);
-    attributes.emplace_back("skybake/units", units_line());
+    attributes.emplace_back("skybake/units", units_line(asset.conventions));
     std::sort(attributes.begin(), attributes.end());
     return attributes;
 }

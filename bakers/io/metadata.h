@@ -49,8 +49,8 @@ Attributes exr_attributes(const BakedTable& table);
 //   skybake/statistics    minimum, maximum, mean and histogram, one channel a line
 Attributes volume_attributes(const ManifestAsset& asset, const ManifestFile& file);
 
-// The units that all files and manifests share, in one line.
-std::string_view units_line();
+// The units of an asset in one line.
+std::string units_line(const Conventions& conventions);
 
 // The error figures in one line: "texel max 1e-7 rms 2e-8 (1024 points); lookup max ..."
 std::string error_line(const std::optional<Certificate>& certificate);

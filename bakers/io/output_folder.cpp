@@ -44,6 +44,20 @@ std::optional<config::Diagnostic> obstacle(const fs::path& folder, bool to_be_wr
     return std::nullopt;
 }
 
+// A manifest that another release wrote, or that somebody has changed, says which files are
+// skybake's: they may be written again. What it says of their making is not to be built on.
+void take_previous(std::optional<Manifest> manifest, OutputFolder& folder) {
+    if (!manifest) {
+        folder.previous = read_earlier_claims(folder.path);
+        if (folder.previous) folder.reason = "manifest.json is of an earlier format";
+    } else if (!manifest->alterations.empty()) {
+        folder.previous = claims_of(*manifest);
+        folder.reason = "manifest.json has been changed since the last bake";
+    } else {
+        folder.previous = std::move(manifest);
+    }
+}
+
 config::Diagnostic foreign(const fs::path& file, const std::string& why) {
     config::Diagnostic diagnostic =
         file_error("E0303", file.string(), fmt::format("`{}` is there and {}", file.string(), why));
@@ -58,14 +72,14 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
                                                     bool to_be_written) {
     if (auto diagnostic = obstacle(folder, to_be_written)) return {{}, {std::move(*diagnostic)}};
 
-    OutputFolder result{folder, std::nullopt};
+    OutputFolder result{folder, std::nullopt, {}};
     std::error_code error;
     std::string manifest_fault = "is not a manifest of skybake's";
     const bool has_manifest = fs::exists(fs::symlink_status(folder / manifest_name, error));
     if (has_manifest) {
         config::Outcome<Manifest> manifest = read_manifest(folder);
         if (!manifest.diagnostics.empty()) manifest_fault += ": " + manifest.diagnostics[0].message;
-        result.previous = std::move(manifest.value);
+        take_previous(std::move(manifest.value), result);
     }
     if (force) return {std::move(result), {}};
 

@@ -15,6 +15,10 @@ namespace skybake {
 struct OutputFolder {
     std::filesystem::path path;
     std::optional<Manifest> previous;  // the manifest of an earlier bake
+
+    // Why nothing is known of what the folder holds but which files are skybake's: a clause that
+    // says what is wrong with its manifest. Empty: all is known.
+    std::string reason = {};
 };
 
 // Looks, and changes nothing: call it before a long bake. `files` are the names that will be

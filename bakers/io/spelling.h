@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "bakers/core/baked_table.h"
 #include "config/parameters.h"
 
 namespace skybake {
@@ -15,6 +16,13 @@ std::string_view spell(config::VdbCompression compression);  // "none", "zip", "
 std::string_view spell(config::VolumeFormat format);         // "exr", "vdb", "bin"
 std::string_view spell(config::VolumeLayout layout);         // "stack", "atlas"
 
+std::string_view spell(TexelConvention end_points);  // "texel_centres", "texture_edges"
+std::string_view spell(AxisWrap wrap);               // "clamp", "repeat"
+std::string_view spell(AxisFilter filter);           // "linear", "nearest"
+
+std::optional<TexelConvention> end_points_of(std::string_view word);
+std::optional<AxisWrap> axis_wrap_of(std::string_view word);
+std::optional<AxisFilter> axis_filter_of(std::string_view word);
 std::optional<config::PixelType> pixel_type_of(std::string_view word);
 std::optional<config::Compression> compression_of(std::string_view word);
 std::optional<config::VolumeFormat> volume_format_of(std::string_view word);

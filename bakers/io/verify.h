@@ -45,7 +45,8 @@ struct FolderCheck {
 // Re-reads every file that a manifest lists and makes every check that can still be made: presence,
 // byte count, hash of the file, size, channels, pixel type, each attribute against the manifest,
 // hash of the texels, finiteness, each probe (within its tolerance); of volumes the layout and the
-// extremes of their values too. `path` is the manifest or its folder. Volumes are read as streams.
+// extremes of their values too. What it cannot measure is under the manifest's hashes, so that no
+// change of the manifest passes. `path` is the manifest or its folder. Volumes are read as streams.
 // `further` checks are made of tables, `of_folder` of all together. E0300 where there is no
 // manifest, E0304 where it is damaged.
 config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,

@@ -40,6 +40,9 @@ std::array<AxisMapping, 3> axes_of(const std::array<int, 3>& size, NoiseSampling
     for (std::size_t i = 0; i < 3; ++i) {
         axes[i].quantity = fmt::format("{}_tile", kNames[i]);
         axes[i].last = 1;
+        axes[i].end_points = TexelConvention::end_points_on_edges;
+        axes[i].wrap = AxisWrap::repeat;
+        axes[i].constants = {{"offset", centered[i] ? 0 : 0.5 / size[i]}};
         if (centered[i]) {
             axes[i].formula = fmt::format("{} = {}", kCoordinates[i], kNames[i]);
             axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
@@ -131,10 +134,11 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
     set_files(bake, volume);
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the tile is a metre wide
     volume.up_axis = "+z";
+    volume.conventions.up_axis = volume.up_axis;
 
     const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
     volume.details.emplace_back("distinct_octaves",
-                                std::to_string(distinct_octaves(field->plan())));
+                                static_cast<double>(distinct_octaves(field->plan())));
     VolumeLevel level;
     level.size = bake.size;
     level.voxels = field;

@@ -74,6 +74,11 @@ std::array<AxisMapping, 3> axes_of(const BakedVolume& of, const CellGrid& grid) 
         axes[i].convention =
             fmt::format("{}; cell k has voxels {} k to {} k + {}, look up nearest",
                         i < 2 ? "repeats" : "clamped", grid.cell, grid.cell, grid.cell - 1);
+        axes[i].filter = AxisFilter::nearest;
+        axes[i].constants = {{"first_m", axes[i].first},
+                             {"extent_m", axes[i].last - axes[i].first},
+                             {"cell_m", edge},
+                             {"cell_voxels", static_cast<double>(grid.cell)}};
     }
     return axes;
 }
@@ -120,10 +125,10 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
     if (bake.rule == OccupancyRule::thesis) {
         occupied = occupied_cells_as_in_thesis(source, grid, threshold, options);
         volume.details.emplace_back("unsafe_cells",
-                                    fmt::format("{}", unsafe_cells(occupied, exact)));
+                                    static_cast<double>(unsafe_cells(occupied, exact)));
     }
-    volume.details.emplace_back("occupied_share", fmt::format("{}", occupied_share(occupied)));
-    volume.details.emplace_back("smallest_safe_share", fmt::format("{}", occupied_share(exact)));
+    volume.details.emplace_back("occupied_share", occupied_share(occupied));
+    volume.details.emplace_back("smallest_safe_share", occupied_share(exact));
     const auto cells = std::make_shared<const CellSource>(std::move(ranges), std::move(occupied),
                                                           bake.contents, bake.pixel_type);
     volume.bake_seconds +=
@@ -184,15 +189,16 @@ Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBak
     }
     volume.minimum_m = of.volume.minimum_m;
     volume.up_axis = of.volume.up_axis;
-    const auto add = [&](const char* key, const auto& value) {
-        volume.details.emplace_back(key, fmt::format("{}", value));
+    volume.conventions = of.volume.conventions;
+    const auto add = [&](const char* key, FactValue value) {
+        volume.details.emplace_back(key, std::move(value));
     };
     add("of", bake.of);
     add("channel", of.volume.channel_names[channel_named(of.volume, bake.channel)]);
-    add("cell", bake.cell);
+    add("cell", static_cast<double>(bake.cell));
     add("filter", word_of("filter", bake.filter));
     add("rule", word_of("rule", bake.rule));
-    add("threshold", of.threshold);
+    add("threshold", to_shortest(of.threshold));
 
     auto cells = make_cells(of, bake, grid, options, volume);
     if (!cells.value) return {{}, std::move(cells.diagnostics)};

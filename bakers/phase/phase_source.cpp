@@ -50,7 +50,7 @@ PhaseSource source_of_particles(const config::Particles& particles,
         source.error = std::max(source.error, scattering->error);
         const std::string at = fmt::format("_{:.6g}_nm", wavelength.meters * 1e9);
         const auto add = [&](const char* name, double value) {
-            source.facts.emplace_back(name + at, fmt::format("{:.9g}", value));
+            source.facts.emplace_back(name + at, to_digits(value, 9));
         };
         add("extinction_cross_section_um2", scattering->extinction_cross_section_m2 * 1e12);
         add("single_scattering_albedo",

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/core/facts.h"
 #include "bakers/phase/phase_function.h"
 #include "config/parameters.h"
 
@@ -14,7 +15,7 @@ namespace skybake {
 struct PhaseSource {
     std::vector<PhaseFunction> functions;                       // one per wavelength
     std::vector<std::shared_ptr<const TabulatedPhase>> tables;  // to be inverted
-    std::vector<std::pair<std::string, std::string>> facts;     // of particles: cross-sections
+    Facts facts;                                                // of particles: cross-sections
     std::string text;                                           // "particles fog", "layer mie"
     double error = 0;  // of the functions themselves, relative: what averages over sizes leave
 };

@@ -110,6 +110,9 @@ void describe(const PhaseBake& bake, const PhaseSource& source, PhaseSpacing spa
         table.certificate.scale = "relative";
     }
     table.axes[1] = {"none", "one row", convention, 0, 0};
+    table.conventions.length_unit.clear();
+    table.conventions.coefficient_unit.clear();
+    if (!inverse) table.conventions.angle_unit = "deg";
     table.certificate.reference = source.error > 0
                                       ? fmt::format(
                                             "Lorenz-Mie series averaged over sizes, itself "
@@ -118,8 +121,15 @@ void describe(const PhaseBake& bake, const PhaseSource& source, PhaseSpacing spa
                                       : "closed form";
 }
 
-std::string list_text(const std::vector<double>& values) {
-    return fmt::format("{:.7g}", fmt::join(values, ", "));
+// Each parameter of the form, and how good the fit is, under a name of its own.
+void add_fit(const PhaseFit& fit, const std::string& channel, Facts& details) {
+    const std::string name = fmt::format("fit_{}{}", fit.form, channel);
+    const auto names = parameter_names(fit.form);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        details.emplace_back(fmt::format("{}_{}", name, names[i]), to_digits(fit.parameters[i], 6));
+    }
+    details.emplace_back(name + "_misplaced", to_digits(fit.misplaced, 4));
+    details.emplace_back(name + "_largest_ratio", to_digits(fit.largest_ratio, 4));
 }
 
 // What a runtime needs that computes in place of looking up.
@@ -132,22 +142,13 @@ void add_facts(const PhaseBake& bake, const PhaseSource& source, BakedTable& tab
         // Of spheres the series has it to more digits than the table.
         const PhaseFunction& function = source.functions[c];
         const double mean_cosine = function.table ? function.g : moments[1];
-        table.details.emplace_back("mean_cosine" + channel, fmt::format("{:.9g}", mean_cosine));
-        table.details.emplace_back("legendre_moments" + channel, list_text(moments));
+        table.details.emplace_back("mean_cosine" + channel, to_digits(mean_cosine, 9));
+        table.details.emplace_back("legendre_moments" + channel, to_digits(moments, 7));
         // Closed forms are alike in all channels.
         if (c == 0 || source.functions[c] != source.functions[c - 1]) {
             fits = fit_phase(source.functions[c]);
         }
-        for (const PhaseFit& fit : fits) {
-            std::string text;
-            const auto names = parameter_names(fit.form);
-            for (std::size_t i = 0; i < names.size(); ++i) {
-                text += fmt::format("{} {:.6g}, ", names[i], fit.parameters[i]);
-            }
-            table.details.emplace_back(fmt::format("fit_{}{}", fit.form, channel),
-                                       fmt::format("{}misplaced {:.4g}, largest_ratio {:.4g}", text,
-                                                   fit.misplaced, fit.largest_ratio));
-        }
+        for (const PhaseFit& fit : fits) add_fit(fit, channel, table.details);
     }
 }
 

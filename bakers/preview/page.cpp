@@ -68,6 +68,13 @@ Json error_json(const std::optional<Certificate>& error) {
             {"advice", error->advice}};
 }
 
+// Names and values in words, in their order.
+Json details_json(const Facts& details) {
+    Json json = Json::array();
+    for (const auto& [name, value] : details) json.push_back({name, fact_text(value)});
+    return json;
+}
+
 Json to_json(const ManifestAsset& entry) {
     Json files = Json::array();
     for (const ManifestFile& file : entry.files) {
@@ -104,7 +111,7 @@ Json to_json(const ManifestAsset& entry) {
                  {"threads", entry.timing.threads},
                  {"files", std::move(files)},
                  {"statistics", std::move(statistics)},
-                 {"details", entry.details},
+                 {"details", details_json(entry.details)},
                  {"content_hash", entry.content_hash},
                  {"parameters", entry.parameters}};
     if (entry.is_volume()) json["seam_error"] = entry.seam_error;

@@ -57,7 +57,7 @@ Outcome<AssetReport> report_cloud_volume(const config::Recipe& recipe, const con
                                          const ReportOptions& options) {
     const auto& asked = std::get<CloudVolumeBake>(bake.asset);
     const config::Cloud& cloud = cloud_named(recipe.parameters, asked.cloud);
-    std::vector<std::pair<std::string, std::string>> details;
+    Facts details;
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, asked, details);
     if (!inputs.value) return {{}, inputs.diagnostics};
     const std::size_t channels =

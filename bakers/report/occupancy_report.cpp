@@ -215,7 +215,7 @@ Outcome<AssetReport> report_occupancy(const config::Recipe& recipe, const config
     const auto& asset = std::get<OccupancyBake>(bake.asset);
     auto of = std::get<CloudVolumeBake>(bake_named(recipe.parameters, asset.of).asset);
     const config::Cloud& cloud = cloud_named(recipe.parameters, of.cloud);
-    std::vector<std::pair<std::string, std::string>> details;
+    Facts details;
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, of, details);
     if (!inputs.value) return {{}, inputs.diagnostics};
     const std::array<int, 3> asked = of.size;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -35,15 +34,12 @@ namespace {
 constexpr int kRepetitions = 9;
 constexpr int kQuickRepetitions = 3;
 
-// The quadrature level, from 0, that a bake chose: "4 of 9" among its details.
+// The quadrature level, from 0, that a bake chose; its details count from 1.
 int chosen_level(const BakedTable& table) {
-    int level = 1;
-    for (const auto& [key, text] : table.details) {
-        if (key == "quadrature_level") {
-            std::from_chars(text.data(), text.data() + text.size(), level);
-        }
+    for (const auto& [name, value] : table.details) {
+        if (name == "quadrature_level") return static_cast<int>(std::get<double>(value)) - 1;
     }
-    return level - 1;
+    return 0;
 }
 
 // What the report is about: for multiple scattering the converged method, which the paper's is one

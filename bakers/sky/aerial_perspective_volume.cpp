@@ -146,6 +146,26 @@ std::string content_text(const AerialPerspectiveBake& bake) {
     return fmt::format("R, G, B: {}; A: {}, mean of R, G, B", light, passing);
 }
 
+// The camera in the digits that people write. Distance is view_distance_km times w to the
+// `exponent`.
+void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, BakedVolume& volume) {
+    const double heading = to_digits(bake.heading.radians * kDegrees, 9);
+    const double pitch = to_digits(bake.pitch.radians * kDegrees, 9);
+    const double fov = to_digits(bake.fov.radians * kDegrees, 9);
+    const bool squared = bake.slices == config::SliceSpacing::squared;
+    volume.axes[0].constants = {
+        {"heading_deg", heading}, {"fov_deg", fov}, {"aspect", bake.aspect}};
+    volume.axes[1].constants = {{"pitch_deg", pitch}, {"fov_deg", fov}};
+    volume.axes[2].constants = {{"view_distance_km", bake.view_distance.kilometers()},
+                                {"exponent", squared ? 2.0 : 1.0}};
+    for (AxisMapping& axis : volume.axes) axis.end_points = TexelConvention::end_points_on_edges;
+    volume.conventions.angle_unit = "deg";
+    volume.conventions.up_axis = volume.up_axis;
+    if (bake.content == AerialContent::transmittance) return;
+    volume.conventions.radiance_unit = "1/sr";
+    volume.conventions.solar_irradiance.assign(colours, 1);
+}
+
 void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>& colour_names,
               BakedVolume& volume) {
     const std::string convention = "clamps; voxel i samples (i + 1/2) / size";
@@ -168,7 +188,7 @@ void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>&
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
     volume.up_axis = "-y";
     const auto add = [&](const char* name, double value) {
-        volume.details.emplace_back(name, fmt::format("{:.9g}", value));
+        volume.details.emplace_back(name, to_digits(value, 9));
     };
     add("camera_altitude_km", bake.altitude.kilometers());
     add("sun_elevation_deg", bake.sun_elevation.radians * kDegrees);
@@ -176,6 +196,7 @@ void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>&
     add("pitch_deg", bake.pitch.radians * kDegrees);
     add("fov_deg", bake.fov.radians * kDegrees);
     add("aspect", bake.aspect);
+    describe_axes(bake, colour_names.size(), volume);
 }
 
 }  // namespace

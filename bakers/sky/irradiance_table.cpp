@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/core/finish_table.h"
 #include "bakers/core/relative_error.h"
 #include "bakers/sky/sky_irradiance.h"
@@ -48,7 +49,7 @@ std::string content_text(const IrradianceBake& bake) {
     return fmt::format("{}: by the sun and {}", surface, sky);
 }
 
-void describe(const IrradianceBake& bake, double thickness_km, BakedTable& table) {
+void describe(const IrradianceBake& bake, const Shell& shell, BakedTable& table) {
     const bool twilight = bake.mapping == config::MultipleScatteringMapping::twilight;
     table.kind = "irradiance";
     table.content = content_text(bake);
@@ -57,7 +58,11 @@ void describe(const IrradianceBake& bake, double thickness_km, BakedTable& table
                      twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
                      "end points on texel centres", -1, 1};
     table.axes[1] = {"altitude_km", "x = sqrt(altitude / (R_top - R_ground))",
-                     "end points on texel centres", 0, thickness_km};
+                     "end points on texel centres", 0, shell.thickness_km};
+    table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
+    table.axes[1].constants = shell_constants(shell);
+    table.conventions.angle_unit = "cosine";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =
@@ -111,7 +116,7 @@ TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
 config::Outcome<BakedTable> bake_irradiance(const SkyLight& light, const IrradianceBake& bake,
                                             const BakeOptions& options, BakedTable table) {
     const auto mapping = bake.mapping;
-    describe(bake, light.shell().thickness_km, table);
+    describe(bake, light.shell(), table);
     AccuracyRequest request;
     request.size = bake.size;
     request.max_texel_error = bake.max_texel_error;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/core/finish_table.h"
 #include "bakers/core/relative_error.h"
 #include "bakers/core/stack_tables.h"
@@ -23,7 +24,34 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 
-void describe(const SkyViewBake& bake, const SkyViewCamera& camera, BakedTable& table) {
+// The suns whose tables stand one below the other, and the camera, in the digits that people write.
+Facts sky_view_facts(const SkyViewBake& bake) {
+    std::vector<double> elevations;
+    for (const config::Angle& elevation : bake.sun_elevations) {
+        elevations.push_back(elevation.radians * kDegrees);
+    }
+    return {{"sun_elevations_deg", to_digits(std::move(elevations), 9)},
+            {"camera_altitude_km", to_digits(bake.altitude.kilometers(), 9)}};
+}
+
+void describe_axes(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell& shell,
+                   BakedTable& table) {
+    table.axes[0].constants = {{"range_deg", 180.0}};
+    table.axes[1].constants = shell_constants(shell);
+    const Facts numbers = {{"dip_deg", camera.dip() * kDegrees},
+                           {"range_below_deg", camera.range_below() * kDegrees},
+                           {"range_above_deg", camera.range_above() * kDegrees},
+                           {"tables", static_cast<double>(bake.sun_elevations.size())}};
+    for (const Facts& more : {numbers, sky_view_facts(bake)}) {
+        table.axes[1].constants.insert(table.axes[1].constants.end(), more.begin(), more.end());
+    }
+    table.conventions.angle_unit = "deg";
+    table.conventions.radiance_unit = "1/sr";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+}
+
+void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell& shell,
+              BakedTable& table) {
     const std::size_t suns = bake.sun_elevations.size();
     table.kind = "sky_view";
     const bool from_strips =
@@ -57,14 +85,9 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, BakedTable& 
     table.compression = bake.compression;
     table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
     table.certificate.scale = kRelativeErrorScale;
-    std::string elevations;
-    for (const config::Angle& elevation : bake.sun_elevations) {
-        elevations +=
-            fmt::format("{}{:.6g}", elevations.empty() ? "" : ", ", elevation.radians * kDegrees);
-    }
-    table.details.emplace_back("sun_elevations_deg", elevations);
-    table.details.emplace_back("camera_altitude_km",
-                               fmt::format("{:.9g}", bake.altitude.kilometers()));
+    describe_axes(bake, camera, shell, table);
+    const Facts facts = sky_view_facts(bake);
+    table.details.insert(table.details.end(), facts.begin(), facts.end());
 }
 
 }  // namespace
@@ -105,7 +128,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
 config::Outcome<BakedTable> bake_sky_view(const SkyLight& light, const SkyViewBake& bake,
                                           const BakeOptions& options, BakedTable table) {
     const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
-    describe(bake, camera, table);
+    describe(bake, camera, light.shell(), table);
     AccuracyRequest request;
     request.size = bake.size;
     request.quick = {256, 1};

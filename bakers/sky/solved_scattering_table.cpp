@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/atmosphere/shell_constants.h"
 #include "bakers/core/finish_table.h"
 #include "bakers/core/relative_error.h"
 #include "bakers/core/stack_tables.h"
@@ -99,7 +100,7 @@ TableModel moment_model(const SolvedLight& light, const SolvedLight& finer_light
 }
 
 void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int degree,
-              double thickness_km, BakedTable& table) {
+              const Shell& shell, BakedTable& table) {
     const bool twilight = bake.mapping == MultipleScatteringMapping::twilight;
     const int parts = moment_count(degree);
     table.kind = "multiple_scattering";
@@ -128,7 +129,14 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
                                              "v = (l (l + 1) / 2 + m + v of its table) / {}",
                                              parts, "(l (l + 1) / 2 + m)", parts)
                                : "x = altitude / (R_top - R_ground)",
-                     "end points on texel centres", 0, thickness_km};
+                     "end points on texel centres", 0, shell.thickness_km};
+    table.axes[0].constants = {{"first", columns.first}, {"share", columns.last - columns.first}};
+    table.axes[1].constants = shell_constants(shell);
+    table.axes[1].constants.emplace_back("tables", static_cast<double>(parts));
+    table.axes[1].constants.emplace_back("degree", static_cast<double>(degree));
+    table.conventions.angle_unit = "cosine";
+    table.conventions.radiance_unit = "1/sr";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     table.pixel_type = bake.pixel_type;
     table.compression = bake.compression;
     table.certificate.reference =
@@ -189,7 +197,7 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
     const bool moments = bake.content == MultipleScatteringContent::moments;
     const int degree = moments ? bake.degree : 0;
     const SunColumns columns = sun_columns(bake.mapping, scene, shell_of(medium.air));
-    describe(bake, columns, degree, thickness_km, table);
+    describe(bake, columns, degree, shell_of(medium.air), table);
 
     config::Outcome<BakedTable> outcome;
     const bool fitted = bake.content == MultipleScatteringContent::fitted;
@@ -217,9 +225,9 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
         return outcome;
     }
     table.details.emplace_back("method", "solved");
-    table.details.emplace_back("orders", std::to_string(light.applications + 1));
-    table.details.emplace_back("left_out", fmt::format("{:.1e}", light.left_out));
-    table.details.emplace_back("energy_error", fmt::format("{:.1e}", balance.largest_error()));
+    table.details.emplace_back("orders", light.applications + 1.0);
+    table.details.emplace_back("left_out", to_digits(light.left_out, 2));
+    table.details.emplace_back("energy_error", to_digits(balance.largest_error(), 2));
 
     SolvedLight finer_light;
     if (options.certification != Certification::off || bake.max_error) {

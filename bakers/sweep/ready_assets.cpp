@@ -37,7 +37,7 @@ std::optional<ReadyAsset> ReadyAssets::find(const std::string& key) {
     }
     if (folder.empty()) return std::nullopt;
     auto manifest = read_manifest(folder);
-    if (!manifest.value) return std::nullopt;
+    if (!manifest.value || !manifest.value->alterations.empty()) return std::nullopt;
     for (ManifestAsset& asset : manifest.value->assets) {
         if (asset.key == key) return ReadyAsset{std::move(folder), std::move(asset)};
     }

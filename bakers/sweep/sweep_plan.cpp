@@ -33,7 +33,6 @@ bool is_settled(const FolderPlan& plan, const config::Recipe& recipe) {
                        return asset.name == planned.bake->name;
                    });
     return same_assets && previous.tool_version == fresh.tool_version &&
-           previous.wavelengths_nm == fresh.wavelengths_nm &&
            parse(previous.parameters) == parse(fresh.parameters);
 }
 

@@ -106,6 +106,51 @@ TEST_F(Cache, VerifyRemovesDamage) {
     EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
 }
 
+// Of equal recipes.
+TEST_F(Cache, WhatAnotherReleaseOrVersionMadeIsNeverRead) {
+    const AssetIdentity now =
+        *asset_identity(bake_.recipe, bake_.recipe.parameters.bakes.at(0), Certification::quick)
+             .value;
+    ASSERT_EQ(now.key, asset(0).entry.key);
+    AssetIdentity other_release = now;
+    other_release.release = "0.0.9";
+    AssetIdentity other_version = now;
+    --other_version.baker_version;
+    for (AssetIdentity* other : {&other_release, &other_version}) {
+        other->key = key_of(*other);
+        ReadyAsset made_by_other = asset(0);
+        made_by_other.entry.release = other->release;
+        sign(*other, made_by_other.entry);
+        cache_.offer(made_by_other);
+        ASSERT_TRUE(cache_.find(other->key).has_value());
+        EXPECT_FALSE(cache_.find(now.key).has_value());
+    }
+    TestBake again(recipe_of(small_recipe), folder_ / "again");
+    again.bake.sources = {&cache_};
+    EXPECT_EQ(again.states(), std::vector<AssetState>(3, AssetState::baked));
+    EXPECT_EQ(TestBake(recipe_of(small_recipe), folder_ / "third").states().size(), 3U);
+    EXPECT_TRUE(cache_.find(now.key).has_value());  // offered by the bake
+}
+
+// An entry whose manifest was changed is none: a bake takes its place.
+TEST_F(Cache, AChangedEntryMakesRoom) {
+    cache_.offer(asset(0));
+    const fs::path manifest = cache_.find(asset(0).entry.key)->folder / "manifest.json";
+    std::string text = read_bytes(manifest);
+    const std::size_t at = text.find("\"points\": ");
+    ASSERT_NE(at, std::string::npos);
+    text.insert(at + 10, "1");
+    write_bytes(manifest, text);
+    EXPECT_EQ(verify_cache(folder_ / "cache").value->damaged, std::vector<fs::path>{manifest});
+    cache_.offer(asset(0));
+    ASSERT_TRUE(cache_.find(asset(0).entry.key).has_value());
+    write_bytes(manifest, text);
+    EXPECT_FALSE(cache_.find(asset(0).entry.key).has_value());
+    EXPECT_FALSE(fs::exists(manifest));
+    cache_.offer(asset(0));
+    EXPECT_TRUE(cache_.find(asset(0).entry.key).has_value());
+}
+
 TEST_F(Cache, GarbageIsWhatWasUsedLeastRecently) {
     for (std::size_t i = 0; i < 3; ++i) cache_.offer(asset(i));
     std::uint64_t all = 0;

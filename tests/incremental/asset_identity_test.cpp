@@ -1,8 +1,11 @@
 #include "bakers/incremental/asset_identity.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <set>
 
+#include "bakers/io/release.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {
@@ -43,6 +46,21 @@ TEST(AssetIdentity, EachThingThatDecidesBytesMatters) {
     EXPECT_EQ(keys.size(), 9U);
     EXPECT_EQ(key(recipe_of(small_recipe), 1), with("noise.shape.seed=77"));
     EXPECT_EQ(key(recipe_of(small_recipe), 1), with("bake.transmittance.size=[64, 8]"));
+}
+
+TEST(AssetIdentity, ReleaseAndVersionAreInTheKey) {
+    const config::Recipe recipe = recipe_of(small_recipe);
+    for (const config::Bake& bake : recipe.parameters.bakes) {
+        const AssetIdentity now = *asset_identity(recipe, bake, Certification::quick).value;
+        EXPECT_EQ(now.release, release());
+        EXPECT_EQ(key_of(now), now.key);
+        AssetIdentity other = now;
+        other.release += "1";
+        EXPECT_NE(key_of(other), now.key);
+        other = now;
+        ++other.baker_version;
+        EXPECT_NE(key_of(other), now.key);
+    }
 }
 
 constexpr const char* cloud_recipe = R"(
@@ -88,7 +106,8 @@ TEST(AssetIdentity, DifferencesNameWhatHasChanged) {
     const auto identity = asset_identity(recipe, recipe.parameters.bakes[0], Certification::quick);
     ManifestAsset entry;
     entry.parameters = identity.value->parameters;
-    entry.details = {{"baker_version", std::to_string(identity.value->baker_version)}};
+    entry.release = release();
+    entry.details = {{"baker_version", static_cast<double>(identity.value->baker_version)}};
     sign(*identity.value, entry);
     EXPECT_EQ(differences(*identity.value, entry), std::vector<std::string>{});
 
@@ -104,6 +123,14 @@ TEST(AssetIdentity, DifferencesNameWhatHasChanged) {
                        "coverage.png has other content", "--certify quick → off"}));
     EXPECT_EQ(differences(*other.value, entry, 2),
               (std::vector<std::string>{all[0], all[1], "4 more"}));
+    entry.release = "0.0.1";
+    entry.details = {{"baker_version", 0.0}};
+    EXPECT_EQ(differences(*identity.value, entry), std::vector<std::string>{});  // the key decides
+    entry.key = "another";
+    EXPECT_EQ(differences(*identity.value, entry),
+              (std::vector<std::string>{fmt::format("release 0.0.1 → {}", release()),
+                                        fmt::format("cloud_volume baker version 0 → {}",
+                                                    identity.value->baker_version)}));
     entry.key.clear();
     EXPECT_EQ(differences(*other.value, entry),
               std::vector<std::string>{"baked by a release without keys"});

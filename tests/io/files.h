@@ -153,7 +153,10 @@ inline BakedTable sample_table(const std::string& name = "transmittance") {
                          "a larger size"};
     table.probes = sample_probes(table.image);
     table.parameters = "[atmosphere]\nground_radius = \"6360000 m\"\n";
-    table.details = {{"nodes", "12"}};
+    table.axes[0].constants = {{"ground_radius_km", 6360.0}, {"names", "of a planet"}};
+    table.axes[1].constants = {{"tables", std::vector<double>{1, 0.1, -2}}};
+    table.conventions = {"km", "1/km", "cosine", "1/sr", {1, 1, 1}, {680, 550, 440}, ""};
+    table.details = {{"nodes", 12.0}};
     return table;
 }
 
@@ -161,7 +164,6 @@ inline BakedTable sample_table(const std::string& name = "transmittance") {
 inline Manifest write_sample_bake(const std::filesystem::path& folder,
                                   const std::vector<std::string>& names) {
     Manifest manifest = new_manifest({});
-    manifest.wavelengths_nm = {680, 550, 440};
     for (const std::string& name : names) {
         auto table = encode_table(sample_table(name));
         EXPECT_TRUE(table.value.has_value());

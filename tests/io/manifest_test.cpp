@@ -1,7 +1,10 @@
 #include "bakers/io/manifest.h"
 
+#include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
+#include "bakers/io/manifest_hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {
@@ -101,11 +104,124 @@ TEST(Manifest, NamesThePlaceOfDamageInAVolume) {
 }
 
 TEST(Manifest, KeepsEveryBitOfANumber) {
-    Manifest manifest = new_manifest({});
-    manifest.wavelengths_nm = {0.1, 1.0 / 3, 680, 5e-324, std::numeric_limits<double>::max()};
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
+    const std::vector<double> numbers = {
+        0.1, 1.0 / 3, 680, 5e-324, std::numeric_limits<double>::max(), 9.1e15, -0.0, -12.0, 1e300};
+    manifest.assets[0].conventions.wavelengths_nm = numbers;
+    manifest.assets[0].axes[1].constants = {{"a", 0.0}, {"b", numbers}, {"c", "12"}};
+    manifest.assets[0].details = {{"list", std::vector<double>()}, {"one", std::vector<double>{1}}};
     const auto read = parse_manifest(manifest_json(manifest), "manifest.json");
     ASSERT_TRUE(read.value.has_value());
-    EXPECT_EQ(read.value->wavelengths_nm, manifest.wavelengths_nm);
+    const ManifestAsset& asset = read.value->assets[0];
+    EXPECT_EQ(asset.conventions.wavelengths_nm, numbers);
+    EXPECT_TRUE(std::signbit(asset.conventions.wavelengths_nm[6]));
+    EXPECT_EQ(asset.axes[1].constants, manifest.assets[0].axes[1].constants);
+    EXPECT_EQ(asset.details, manifest.assets[0].details);
+}
+
+TEST(Manifest, ConventionsAndAxesReadBack) {
+    const TemporaryFolder folder;
+    Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
+    manifest.assets[0].axes[0].wrap = AxisWrap::repeat;
+    manifest.assets[0].axes[1].filter = AxisFilter::nearest;
+    manifest.assets[0].axes[1].end_points = TexelConvention::end_points_on_edges;
+    const auto read = parse_manifest(manifest_json(manifest), "manifest.json");
+    ASSERT_TRUE(read.value.has_value());
+    const ManifestAsset& asset = read.value->assets[0];
+    EXPECT_EQ(asset.conventions.length_unit, "km");
+    EXPECT_EQ(asset.conventions.coefficient_unit, "1/km");
+    EXPECT_EQ(asset.conventions.angle_unit, "cosine");
+    EXPECT_EQ(asset.conventions.radiance_unit, "1/sr");
+    EXPECT_EQ(asset.conventions.solar_irradiance, (std::vector<double>{1, 1, 1}));
+    EXPECT_EQ(asset.conventions.up_axis, "");
+    EXPECT_EQ(asset.axes[0].wrap, AxisWrap::repeat);
+    EXPECT_EQ(asset.axes[0].filter, AxisFilter::linear);
+    EXPECT_EQ(asset.axes[0].end_points, TexelConvention::end_points_on_texel_centres);
+    EXPECT_EQ(asset.axes[1].wrap, AxisWrap::clamp);
+    EXPECT_EQ(asset.axes[1].filter, AxisFilter::nearest);
+    EXPECT_EQ(asset.axes[1].end_points, TexelConvention::end_points_on_edges);
+}
+
+// Of the text with one piece replaced, which can still be read.
+std::vector<std::string> alterations_with(const std::string& piece, const std::string& other) {
+    std::string text = sample_text();
+    const std::size_t at = text.find(piece);
+    EXPECT_NE(at, std::string::npos) << piece;
+    text.replace(at, piece.size(), other);
+    const auto manifest = parse_manifest(text, "manifest.json");
+    if (!manifest.value) {
+        ADD_FAILURE() << manifest.diagnostics[0].message;
+        return {};
+    }
+    return manifest.value->alterations;
+}
+
+TEST(Manifest, TellsWhereItHasBeenChanged) {
+    const auto one = [](const std::string& piece, const std::string& other) {
+        const std::vector<std::string> alterations = alterations_with(piece, other);
+        EXPECT_EQ(alterations.size(), 1u) << piece;
+        return alterations.empty() ? "" : alterations[0];
+    };
+    EXPECT_TRUE(one("\"solar_irradiance\": [", "\"solar_irradiance\": [2, ")
+                    .starts_with("`assets[0]`, the entry of `transmittance`, has been changed"));
+    EXPECT_TRUE(one("\"error\": null", "\"error\": null, \"extra\": 1")
+                    .starts_with("`assets[1]`, the entry of `second`"));
+    EXPECT_TRUE(one("\"bake_s\": 0.004", "\"bake_s\": 0.005").starts_with("`assets[0]`"));
+    EXPECT_TRUE(
+        one("\"parameters\": {}", "\"parameters\": {\"a\": 1}").starts_with("the manifest"));
+    EXPECT_TRUE(one("\"version\": \"", "\"version\": \"1").starts_with("the manifest"));
+    EXPECT_TRUE(alterations_with("\n  ", "\n\n    ").empty());  // neither spaces nor lines
+}
+
+TEST(Manifest, HashesAreNotTakenFromTheirOwnEntry) {
+    const auto json = nlohmann::ordered_json::parse(sample_text());
+    auto without = json;
+    without["assets"][0].erase("hash");
+    EXPECT_EQ(entry_hash(json["assets"][0]), json["assets"][0]["hash"]);
+    EXPECT_EQ(entry_hash(without["assets"][0]), json["assets"][0]["hash"]);
+    EXPECT_EQ(manifest_hash(json), json["hash"]);
+    auto swapped = json;
+    std::swap(swapped["assets"][0], swapped["assets"][1]);
+    EXPECT_NE(manifest_hash(swapped), json["hash"]);
+}
+
+// A manifest as release 0.1.0 wrote it, as far as its claims go.
+constexpr const char* earlier_text = R"({
+  "format": 1,
+  "tool": {"name": "skybake", "version": "0.1.0"},
+  "conventions": {"length_unit": "km", "wavelengths_nm": [680, 550, 440]},
+  "parameters": {},
+  "assets": [{"name": "t", "files": [{"path": "t.exr", "xxh3": "0123"}]},
+             {"name": "n", "files": [{"path": "n.exr", "xxh3": "45"}, {"path": "n.bin", "xxh3": "67"}]}],
+  "retired": [{"path": "old.exr", "xxh3": "89"}]
+})";
+
+TEST(Manifest, SaysWhatToDoAboutOtherFormats) {
+    const auto earlier = parse_manifest(earlier_text, "manifest.json");
+    ASSERT_EQ(testing::first_code(earlier.diagnostics), "E0304");
+    const std::string& message = earlier.diagnostics[0].message;
+    EXPECT_NE(message.find("release 0.1.0 wrote format 1"), std::string::npos) << message;
+    EXPECT_NE(message.find("bake the recipe into this folder again"), std::string::npos) << message;
+    EXPECT_NE(message_with("\"format\": 2", "\"format\": 3").find("a later one"),
+              std::string::npos);
+}
+
+TEST(Manifest, ClaimsOfEarlierFormatsAreFiles) {
+    const auto claimed = parse_earlier_claims(earlier_text);
+    ASSERT_TRUE(claimed.has_value());
+    EXPECT_TRUE(claimed->assets.empty());
+    std::string files;
+    for (const RetiredFile& file : claimed->retired) files += file.path + ":" + file.xxh3 + " ";
+    EXPECT_EQ(files, "t.exr:0123 n.exr:45 n.bin:67 old.exr:89 ");
+    EXPECT_FALSE(parse_earlier_claims(sample_text()).has_value());  // of this format
+    for (const auto& [piece, other] : {std::pair{"t.exr", "../t.exr"},
+                                       {"skybake", "other"},
+                                       {"\"xxh3\": \"45\"", "\"xxh3\": 45"}}) {
+        std::string text = earlier_text;
+        text.replace(text.find(piece), std::string_view(piece).size(), other);
+        EXPECT_FALSE(parse_earlier_claims(text).has_value()) << other;
+    }
 }
 
 TEST(Manifest, NestsParametersByPath) {
@@ -127,7 +243,6 @@ TEST(Manifest, NamesThePlaceOfDamage) {
               std::string::npos);
     EXPECT_NE(message_with("\"assets\"", "\"asset\"").find("`assets` is missing"),
               std::string::npos);
-    EXPECT_NE(message_with("\"format\": 1", "\"format\": 2").find("format 1"), std::string::npos);
     EXPECT_NE(message_with("\"skybake\"", "\"other\"").find("not of skybake's"), std::string::npos);
     EXPECT_NE(message_with("\"uv\": [", "\"uv\": [1, ").find("2 values"), std::string::npos);
     EXPECT_NE(message_with("\"assets\": [", "\"assets\": [[").find("not JSON at line"),

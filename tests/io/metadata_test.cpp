@@ -36,6 +36,20 @@ TEST(Metadata, SaysEverythingOfATable) {
               xxh3_hex(stored_bytes(table.image, table.pixel_type)));
 }
 
+TEST(Metadata, UnitsAreThoseOfTheAsset) {
+    Conventions of_radiance = {"km", "1/km", "cosine", "1/sr", {1, 1, 1}};
+    EXPECT_EQ(units_line(of_radiance),
+              "lengths and altitudes km, coefficients 1/km, angles as cosines, radiance 1/sr for a "
+              "solar irradiance E = 1");
+    of_radiance.solar_irradiance = {1.474, 1.8504, 1.91198};
+    of_radiance.radiance_unit = "solar_irradiance/sr";
+    of_radiance.angle_unit = "deg";
+    EXPECT_EQ(units_line(of_radiance),
+              "lengths and altitudes km, coefficients 1/km, angles deg, radiance "
+              "solar_irradiance/sr for a solar irradiance E = 1.474, 1.8504, 1.91198");
+    EXPECT_EQ(units_line({}), "");
+}
+
 TEST(Metadata, NamesFitIntoOldReaders) {
     for (const auto& [name, value] : exr_attributes(testing::sample_table())) {
         EXPECT_LE(name.size(), 31u);

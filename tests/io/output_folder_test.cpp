@@ -78,6 +78,36 @@ TEST(OutputFolder, OtherFilesDoNotMatter) {
     EXPECT_TRUE(inspect_output_folder(folder.path(), files, false).value.has_value());
 }
 
+TEST(OutputFolder, OfAChangedManifestOnlyClaimsCount) {
+    const TemporaryFolder folder;
+    testing::write_sample_bake(folder.path(), {"transmittance"});
+    std::string text = testing::read_bytes(folder / "manifest.json");
+    const std::size_t at = text.find("\"bake_s\": 0.004");
+    ASSERT_NE(at, std::string::npos);
+    text[at + 14] = '5';
+    testing::write_bytes(folder / "manifest.json", text);
+    const auto result = inspect_output_folder(folder.path(), files, false);
+    ASSERT_TRUE(result.value.has_value());
+    EXPECT_NE(result.value->reason.find("has been changed"), std::string::npos);
+    EXPECT_TRUE(result.value->previous->assets.empty());
+    EXPECT_EQ(result.value->previous->retired.at(0).path, "transmittance.exr");
+}
+
+TEST(OutputFolder, EarlierFormatsClaimTheirFiles) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "transmittance.exr", "texels");
+    testing::write_bytes(folder / "manifest.json",
+                         R"({"format": 1, "tool": {"name": "skybake", "version": "0.1.0"},
+                             "assets": [{"files": [{"path": "transmittance.exr", "xxh3": "0"}]}]})");
+    const auto result = inspect_output_folder(folder.path(), files, false);
+    ASSERT_TRUE(result.value.has_value());
+    EXPECT_NE(result.value->reason.find("earlier format"), std::string::npos);
+    EXPECT_TRUE(claims(*result.value->previous, "transmittance.exr"));
+    testing::write_bytes(folder / "second.exr", "mine");
+    const std::vector<std::string> second = {"second.exr"};
+    EXPECT_EQ(first_code(inspect_output_folder(folder.path(), second, false).diagnostics), "E0303");
+}
+
 TEST(OutputFolder, AManifestDoesNotClaimItsNeighbours) {
     const TemporaryFolder folder;
     testing::write_sample_bake(folder.path(), {"second"});

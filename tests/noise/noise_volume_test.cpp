@@ -66,7 +66,7 @@ TEST(NoiseVolume, DescribesItsVoxels) {
     }
     // Octave 8 of G and B is one.
     ASSERT_FALSE(volume.details.empty());
-    EXPECT_EQ(volume.details[0], (std::pair<std::string, std::string>{"distinct_octaves", "6"}));
+    EXPECT_EQ(volume.details[0], (Facts::value_type{"distinct_octaves", 6.0}));
 }
 
 TEST(NoiseVolume, CertifiesTexelsAndLookups) {

@@ -147,7 +147,7 @@ TEST(OccupancyGrid, OfTheThesisSaysWhatItLoses) {
         return detail.first == "unsafe_cells";
     });
     ASSERT_NE(unsafe, details.end());
-    EXPECT_GT(std::stol(unsafe->second), 0);
+    EXPECT_GT(std::get<double>(unsafe->second), 0);
 }
 
 // The proof, with a cell cleared by hand.

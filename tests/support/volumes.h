@@ -70,7 +70,12 @@ inline BakedVolume plain_volume(const std::array<int, 3>& size, int channels,
     volume.levels[0].size = size;
     volume.levels[0].voxels = std::make_shared<FunctionVoxels>(std::move(function));
     volume.parameters = "[noise.shape]\nseed = 7\n";
-    volume.details = {{"baker_version", "1"}};
+    for (AxisMapping& axis : volume.axes) {
+        axis.end_points = TexelConvention::end_points_on_edges;
+        axis.wrap = AxisWrap::repeat;
+    }
+    volume.conventions.up_axis = "+z";
+    volume.details = {{"baker_version", 1.0}};
     return volume;
 }
 

@@ -1,0 +1,461 @@
+// Conventions and constants of manifests are those of each asset: places of probes are turned into
+// texture coordinates by the manifest's numbers alone, as a runtime does it.
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+#include "bakers/registry.h"
+#include "tests/incremental/bakes.h"
+
+namespace skybake {
+namespace conventions_test {
+namespace {
+
+using namespace skybake::testing;
+
+// Every asset, in the smallest sizes that bake.
+constexpr const char* all_assets = R"(
+preset = "earth"
+[scene]
+sun_elevation = ["-10 deg", "60 deg"]
+[bake.transmittance]
+size = [16, 8]
+[bake.ue]
+asset = "transmittance"
+mapping = "ue"
+size = [16, 8]
+[bake.closure]
+asset = "multiple_scattering"
+mapping = "twilight"
+size = [8, 4]
+max_texel_error = "20 %"
+[bake.solved]
+asset = "multiple_scattering"
+method = "solved"
+size = [8, 4]
+[bake.moments]
+asset = "multiple_scattering"
+method = "solved"
+mapping = "twilight"
+content = "moments"
+degree = 2
+size = [8, 4]
+[bake.sky]
+asset = "sky_view"
+altitude = "1.5 km"
+sun_elevations = ["30 deg", "3 deg", "-4 deg"]
+orders = "single"
+size = [16, 12]
+[bake.aerial]
+asset = "aerial_perspective"
+altitude = "500 m"
+sun_elevation = "20 deg"
+heading = "30 deg"
+pitch = "5 deg"
+fov = "50 deg"
+aspect = 1.5
+view_distance = "32 km"
+orders = "single"
+size = [4, 4, 4]
+[bake.irradiance]
+content = "direct"
+size = [8, 4]
+[bake.hillaire_irradiance]
+asset = "irradiance"
+content = "direct"
+mapping = "hillaire"
+size = [8, 4]
+[bake.angle]
+asset = "phase"
+layer = "mie"
+spacing = "angle"
+size = 32
+[bake.peaks]
+asset = "phase"
+layer = "mie"
+spacing = "peaks"
+size = 32
+[bake.shares]
+asset = "phase"
+layer = "mie"
+content = "inverse_cumulative"
+size = 32
+[bake.b_transmittance]
+asset = "bruneton"
+table = "transmittance"
+size = [8, 4, 1]
+[bake.b_scattering]
+asset = "bruneton"
+table = "scattering"
+orders = 1
+size = [16, 8, 4]
+nu_size = 4
+[bake.t_scattering]
+asset = "bruneton"
+table = "scattering"
+convention = "takram"
+orders = 1
+size = [16, 8, 4]
+nu_size = 4
+[bake.t_irradiance]
+asset = "bruneton"
+table = "irradiance"
+convention = "takram"
+orders = 1
+size = [4, 4, 1]
+[bake.to_top]
+asset = "optical_depth"
+size = [16, 4, 1]
+[bake.along]
+asset = "optical_depth"
+table = "between"
+coordinates = "distance"
+size = [16, 4, 4]
+[bake.density]
+asset = "optical_depth"
+table = "density"
+size = [8, 1, 1]
+[bake.phases]
+asset = "optical_depth"
+table = "phase"
+size = [8, 1, 1]
+[noise.shape]
+sampling = "slices_at_corners"
+[noise.shape.channels.Y]
+type = "worley"
+frequency = 4
+[bake.noise]
+asset = "noise_volume"
+noise = "shape"
+size = [8, 8, 8]
+[clouds.c]
+noise = "shape"
+extent = ["6 km", "5 km", "1.5 km"]
+base_altitude = "1200 m"
+[bake.cloud]
+asset = "cloud_volume"
+cloud = "c"
+size = [24, 20, 6]
+formats = ["exr"]
+[bake.cells]
+asset = "occupancy"
+of = "cloud"
+formats = ["exr"]
+)";
+
+FactValue constant(const AxisMapping& axis, const std::string& name) {
+    for (const auto& [key, value] : axis.constants) {
+        if (key == name) return value;
+    }
+    throw std::out_of_range(axis.quantity + " " + name);
+}
+double number(const AxisMapping& axis, const std::string& name) {
+    return std::get<double>(constant(axis, name));
+}
+std::vector<double> list(const AxisMapping& axis, const std::string& name) {
+    return std::get<std::vector<double>>(constant(axis, name));
+}
+double at(const Probe& probe, const std::string& name) {
+    for (const auto& [key, value] : probe.at) {
+        if (key == name) return value;
+    }
+    throw std::out_of_range(name);
+}
+
+// The texture coordinate of x along one of `count` texels.
+double coordinate(const AxisMapping& axis, double x, int count) {
+    return axis.end_points == TexelConvention::end_points_on_edges
+               ? x
+               : (0.5 + x * (count - 1)) / count;
+}
+
+class AssetConventions : public ::testing::Test {
+  protected:
+    // Baked once for all tests; what a reader of the manifest knows.
+    static const Manifest& manifest() {
+        static const Manifest read = [] {
+            const TemporaryFolder folder;
+            TestBake bake(recipe_of(all_assets), folder.path());
+            bake.bake.certification = Certification::off;
+            const auto baked = bake.run();
+            EXPECT_TRUE(baked.value.has_value())
+                << (baked.diagnostics.empty() ? "" : baked.diagnostics[0].message);
+            return *read_manifest(folder.path()).value;
+        }();
+        return read;
+    }
+    static const ManifestAsset& asset(const std::string& name) {
+        for (const ManifestAsset& entry : manifest().assets) {
+            if (entry.name == name) return entry;
+        }
+        throw std::out_of_range(name);
+    }
+    template <class CoordinatesOf>
+    static void expect_probes(const std::string& name, const CoordinatesOf& coordinates_of) {
+        const ManifestAsset& entry = asset(name);
+        ASSERT_GE(entry.probes.size(), 16U) << name;
+        for (const Probe& probe : entry.probes) {
+            const std::array<double, 2> uv = coordinates_of(entry, probe);
+            EXPECT_NEAR(uv[0], probe.uv[0], 2e-6) << name;
+            EXPECT_NEAR(uv[1], probe.uv[1], 2e-6) << name;
+        }
+    }
+};
+
+std::array<double, 2> transmittance_place(double ground, double top, double altitude, double mu) {
+    const double r = ground + altitude;
+    const double rho = std::sqrt(std::max(r * r - ground * ground, 0.0));
+    const double h = std::sqrt(top * top - ground * ground);
+    const double d = std::sqrt(std::max(top * top - r * r * (1 - mu * mu), 0.0)) - r * mu;
+    const double d_min = top - r;
+    return {(d - d_min) / (rho + h - d_min), rho / h};
+}
+
+TEST_F(AssetConventions, TransmittanceByItsConstants) {
+    for (const char* name : {"transmittance", "ue"}) {
+        expect_probes(name, [](const ManifestAsset& entry, const Probe& probe) {
+            const AxisMapping& u = entry.axes[0];
+            const AxisMapping& v = entry.axes[1];
+            const auto x =
+                transmittance_place(number(u, "ground_radius_km"), number(v, "top_radius_km"),
+                                    at(probe, "altitude_km"), at(probe, "cos_zenith"));
+            return std::array{coordinate(u, x[0], entry.size[0]),
+                              coordinate(v, x[1], entry.size[1])};
+        });
+    }
+}
+
+double sun_place(const ManifestAsset& entry, double mu) {
+    const AxisMapping& u = entry.axes[0];
+    const double root = mu < 0 ? -std::sqrt(-mu) : std::sqrt(mu);
+    const double whole = entry.mapping == "twilight" ? (1 + root) / 2 : (1 + mu) / 2;
+    return coordinate(u, (whole - number(u, "first")) / number(u, "share"), entry.size[0]);
+}
+
+TEST_F(AssetConventions, MultipleScatteringByItsConstants) {
+    EXPECT_LT(number(asset("solved").axes[0], "share"), 1);  // cropped by the scene
+    for (const char* name : {"closure", "solved"}) {
+        expect_probes(name, [](const ManifestAsset& entry, const Probe& probe) {
+            const AxisMapping& v = entry.axes[1];
+            const double y = at(probe, "altitude_km") / number(v, "thickness_km");
+            return std::array{sun_place(entry, at(probe, "sun_cos_zenith")),
+                              coordinate(v, y, entry.size[1])};
+        });
+    }
+    expect_probes("moments", [](const ManifestAsset& entry, const Probe& probe) {
+        const AxisMapping& v = entry.axes[1];
+        const double tables = number(v, "tables");
+        EXPECT_EQ(number(v, "degree"), 2);
+        const double l = at(probe, "l");
+        const double y = at(probe, "altitude_km") / number(v, "thickness_km");
+        const int rows = entry.size[1] / static_cast<int>(tables);
+        return std::array{sun_place(entry, at(probe, "sun_cos_zenith")),
+                          (l * (l + 1) / 2 + at(probe, "m") + coordinate(v, y, rows)) / tables};
+    });
+}
+
+TEST_F(AssetConventions, SkyViewByItsConstants) {
+    expect_probes("sky", [](const ManifestAsset& entry, const Probe& probe) {
+        const AxisMapping& v = entry.axes[1];
+        const std::vector<double> suns = list(v, "sun_elevations_deg");
+        EXPECT_EQ(suns, (std::vector<double>{30, 3, -4}));
+        EXPECT_EQ(number(v, "camera_altitude_km"), 1.5);
+        const double dip =
+            std::acos(number(v, "ground_radius_km") / (number(v, "ground_radius_km") + 1.5));
+        EXPECT_NEAR(number(v, "dip_deg"), dip * 180 / std::numbers::pi, 1e-6);
+        double sun = 0;
+        while (std::fabs(suns[static_cast<std::size_t>(sun)] - at(probe, "sun_elevation_deg")) >
+               1e-6) {
+            ++sun;
+        }
+        const double tables = number(v, "tables");
+        const int rows = entry.size[1] / static_cast<int>(tables);
+        const double angle = at(probe, "above_horizon_deg");
+        double y = angle < 0 ? 0.5 - 0.5 * std::sqrt(-angle / number(v, "range_below_deg"))
+                             : 0.5 + 0.5 * std::sqrt(angle / number(v, "range_above_deg"));
+        // Sky and ground do not mix: each keeps to its own rows (sky_view_mapping.h).
+        const double own = rows % 2 == 0 ? 0.5 * rows / (rows - 1.0) : 0.5;
+        y = angle < 0 ? std::min(y, 1 - own) : std::max(y, own);
+        return std::array{
+            coordinate(entry.axes[0], at(probe, "azimuth_deg") / number(entry.axes[0], "range_deg"),
+                       entry.size[0]),
+            (sun + coordinate(v, y, rows)) / tables};
+    });
+}
+
+TEST_F(AssetConventions, IrradianceAndPhaseByTheirConstants) {
+    for (const char* name : {"irradiance", "hillaire_irradiance"}) {
+        expect_probes(name, [](const ManifestAsset& entry, const Probe& probe) {
+            const AxisMapping& v = entry.axes[1];
+            const double y = std::sqrt(at(probe, "altitude_km") / number(v, "thickness_km"));
+            return std::array{sun_place(entry, at(probe, "sun_cos_zenith")),
+                              coordinate(v, y, entry.size[1])};
+        });
+    }
+    for (const char* name : {"angle", "peaks"}) {
+        expect_probes(name, [](const ManifestAsset& entry, const Probe& probe) {
+            const double theta = at(probe, "scattering_angle_deg") / 180;
+            const double half = theta * std::numbers::pi / 2;
+            const double scale = std::pow(2, -0.75);
+            double x = theta;
+            if (entry.mapping == "peaks") {
+                x = theta <= 0.5 ? scale * std::sqrt(std::sin(half))
+                                 : 1 - scale * std::sqrt(std::max(std::cos(half), 0.0));
+            }
+            return std::array{coordinate(entry.axes[0], x, entry.size[0]), 0.5};
+        });
+    }
+}
+
+TEST_F(AssetConventions, VolumesHaveTheRecipesNumbers) {
+    const ManifestAsset& cloud = asset("cloud");
+    const ManifestAsset& cells = asset("cells");
+    const std::array<double, 3> extent = {6000, 5000, 1500};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(number(cloud.axes[i], "first_m"), i == 2 ? 1200 : 0);
+        EXPECT_EQ(number(cloud.axes[i], "extent_m"), extent[i]);
+        EXPECT_EQ(number(cells.axes[i], "cell_voxels"), 4);
+        EXPECT_EQ(number(cells.axes[i], "cell_m"), 4 * extent[i] / cloud.size[i]);
+        EXPECT_EQ(number(cells.axes[i], "first_m"), i == 2 ? 1200 : 0);
+        EXPECT_EQ(number(cells.axes[i], "extent_m"),
+                  number(cells.axes[i], "cell_m") * cells.size[i]);
+        EXPECT_EQ(cells.axes[i].filter, AxisFilter::nearest);
+        EXPECT_EQ(cloud.axes[i].filter, AxisFilter::linear);
+        EXPECT_EQ(number(asset("noise").axes[i], "offset"), i == 2 ? 0.5 / 8 : 0);
+    }
+    const std::vector<AxisMapping>& aerial = asset("aerial").axes;
+    EXPECT_EQ(number(aerial[0], "heading_deg"), 30);
+    EXPECT_EQ(number(aerial[1], "pitch_deg"), 5);
+    EXPECT_EQ(number(aerial[0], "fov_deg"), 50);
+    EXPECT_EQ(number(aerial[1], "fov_deg"), 50);
+    EXPECT_EQ(number(aerial[0], "aspect"), 1.5);
+    EXPECT_EQ(number(aerial[2], "view_distance_km"), 32);
+    EXPECT_EQ(number(aerial[2], "exponent"), 2);
+}
+
+TEST_F(AssetConventions, BrunetonsTablesByTheirConstants) {
+    for (const char* name : {"b_scattering", "t_scattering"}) {
+        const ManifestAsset& entry = asset(name);
+        const AxisMapping& u = entry.axes[0];
+        const double ground = number(u, "ground_radius_km");
+        const double top = number(u, "top_radius_km");
+        const auto distance = [&](double mu) {
+            return std::sqrt(top * top - ground * ground * (1 - mu * mu)) - ground * mu;
+        };
+        const double share =
+            (distance(number(u, "sun_cos_zenith_min")) - distance(1)) / (distance(0) - distance(1));
+        EXPECT_NEAR(number(u, "largest_share"), share, 1e-9 * share) << name;
+        EXPECT_EQ(number(u, "nu_size") * number(u, "sun_size"), entry.size[0]) << name;
+    }
+    EXPECT_EQ(number(asset("t_scattering").axes[0], "sun_cos_zenith_min"), -0.5);
+    EXPECT_GT(number(asset("b_transmittance").axes[1], "thickness_km"), 0);
+}
+
+TEST_F(AssetConventions, ColumnsByTheirConstants) {
+    for (const char* name : {"to_top", "along"}) {
+        const ManifestAsset& entry = asset(name);
+        const std::vector<double> first = list(entry.axes[0], "first");
+        const std::vector<double> count = list(entry.axes[0], "count");
+        ASSERT_EQ(first.size(), count.size());
+        EXPECT_EQ(count.size(), entry.name == "along" ? 3U : 2U);
+        double next = 0;
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            EXPECT_EQ(first[i], next);
+            next += count[i];
+        }
+        EXPECT_EQ(next, entry.size[0]);
+        const std::string fine = fact_text(to_digits(number(entry.axes[1], "fine_km"), 9));
+        EXPECT_NE(entry.axes[1].formula.find("h / " + fine), std::string::npos)
+            << entry.axes[1].formula;
+    }
+    EXPECT_EQ(number(asset("density").axes[0], "fine_km"),
+              number(asset("to_top").axes[1], "fine_km"));
+    EXPECT_EQ(number(asset("phases").axes[0], "range_deg"), 180);
+}
+
+TEST_F(AssetConventions, AreThoseOfTheAsset) {
+    const std::vector<double> wavelengths = {680, 550, 440};
+    const std::vector<double> one = {1, 1, 1};
+    const std::vector<double> takram = {1.474, 1.8504, 1.91198};
+    const std::vector<double> none;
+    struct Wanted {
+        std::string name, length, angle, radiance;
+        std::vector<double> irradiance, wavelengths;
+        std::string up;
+    };
+    const std::vector<Wanted> all = {
+        {"transmittance", "km", "cosine", "", none, wavelengths, ""},
+        {"ue", "km", "cosine", "", none, wavelengths, ""},
+        {"closure", "km", "cosine", "1/sr", one, wavelengths, ""},
+        {"solved", "km", "cosine", "1/sr", one, wavelengths, ""},
+        {"moments", "km", "cosine", "1/sr", one, wavelengths, ""},
+        {"sky", "km", "deg", "1/sr", one, wavelengths, ""},
+        {"aerial", "km", "deg", "1/sr", one, wavelengths, "-y"},
+        {"irradiance", "km", "cosine", "", one, wavelengths, ""},
+        {"hillaire_irradiance", "km", "cosine", "", one, wavelengths, ""},
+        {"angle", "", "deg", "", none, wavelengths, ""},
+        {"peaks", "", "deg", "", none, wavelengths, ""},
+        {"shares", "", "", "", none, wavelengths, ""},
+        {"b_transmittance", "km", "cosine", "", none, wavelengths, ""},
+        {"b_scattering", "km", "cosine", "1/sr", one, wavelengths, ""},
+        {"t_scattering", "km", "cosine", "solar_irradiance/sr", takram, wavelengths, ""},
+        {"t_irradiance", "km", "cosine", "", takram, wavelengths, ""},
+        {"to_top", "km", "", "", none, wavelengths, ""},
+        {"along", "km", "", "", none, wavelengths, ""},
+        {"density", "km", "", "", none, wavelengths, ""},
+        {"phases", "km", "deg", "", none, wavelengths, ""},
+        {"noise", "", "", "", none, none, "+z"},
+        {"cloud", "m", "", "", none, none, "+z"},
+        {"cells", "m", "", "", none, none, "+z"},
+    };
+    EXPECT_EQ(all.size(), manifest().assets.size());
+    for (const Wanted& wanted : all) {
+        const Conventions& found = asset(wanted.name).conventions;
+        EXPECT_EQ(found.length_unit, wanted.length) << wanted.name;
+        EXPECT_EQ(found.coefficient_unit, wanted.length.empty() ? "" : "1/" + wanted.length)
+            << wanted.name;
+        EXPECT_EQ(found.angle_unit, wanted.angle) << wanted.name;
+        EXPECT_EQ(found.radiance_unit, wanted.radiance) << wanted.name;
+        EXPECT_EQ(found.solar_irradiance, wanted.irradiance) << wanted.name;
+        EXPECT_EQ(found.wavelengths_nm, wanted.wavelengths) << wanted.name;
+        EXPECT_EQ(found.up_axis, wanted.up) << wanted.name;
+    }
+    // Every kind of asset is among them.
+    std::set<std::string> kinds;
+    for (const config::Bake& bake : recipe_of(all_assets).parameters.bakes) {
+        kinds.insert(std::string(baker_of(bake).asset));
+    }
+    EXPECT_EQ(kinds.size(), bakers().size());
+}
+
+TEST_F(AssetConventions, AxesWrapAsLookupsAreMade) {
+    for (const ManifestAsset& entry : manifest().assets) {
+        const std::array<bool, 3> repeats =
+            entry.is_volume() ? repeating_axes(entry.mapping) : std::array<bool, 3>{};
+        for (std::size_t i = 0; i < entry.axes.size(); ++i) {
+            EXPECT_EQ(entry.axes[i].wrap == AxisWrap::repeat, repeats[i]) << entry.name << i;
+            const bool says_edges =
+                entry.axes[i].convention.find("texel centres") == std::string::npos;
+            EXPECT_EQ(entry.axes[i].end_points == TexelConvention::end_points_on_edges, says_edges)
+                << entry.name << i;
+        }
+    }
+}
+
+// "Numbers in `details` are numbers": no text of a detail begins as a number does.
+TEST_F(AssetConventions, DetailsKeepNumbersAsNumbers) {
+    for (const ManifestAsset& entry : manifest().assets) {
+        for (const auto& [name, value] : entry.details) {
+            const auto* text = std::get_if<std::string>(&value);
+            if (text == nullptr || text->empty()) continue;
+            EXPECT_EQ(text->find_first_of("0123456789"), std::string::npos)
+                << entry.name << " " << name << " " << *text;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace conventions_test
+}  // namespace skybake
