@@ -366,7 +366,8 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0304", "damaged, or not the kind of file that is wanted",
         "The file cannot be read as what it is to be, or lacks the metadata that skybake "
-        "writes into every file. A map over a cloud is a PNG, TIFF or OpenEXR picture "
+        "writes into every file. A manifest of another format says in its message which release "
+        "wrote it: bake its recipe again. A map over a cloud is a PNG, TIFF or OpenEXR picture "
         "with values from 0 to 1.",
         "", "", input_or_output},
 
