@@ -302,6 +302,7 @@ void describe_constants(const OpticalDepthBake& bake, const ColumnTable& table,
         if (axis.quantity != "none") axis.constants = scale;
     }
     if (!has_paths(bake)) return;
+    volume.details.emplace_back("mean_density_exponent", 8.0);
     std::vector<double> first;
     std::vector<double> count;
     for (const CourseTexels& texels : table.courses()) {

@@ -403,6 +403,32 @@ std::string place_in(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, before.size() - start + 1);
 }
 
+// How deep objects and arrays stand in each other.
+int nesting(std::string_view text) {
+    int depth = 0;
+    int deepest = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string && c == '\\') ++i;
+        if (c == '"') in_string = !in_string;
+        if (in_string) continue;
+        if (c == '{' || c == '[') deepest = std::max(deepest, ++depth);
+        if (c == '}' || c == ']') --depth;
+    }
+    return deepest;
+}
+
+// Copies, texts and hashes of a JSON value are made by recursion: what nests deeper than any
+// manifest does could exhaust the stack.
+Json parse_json(std::string_view text) {
+    constexpr int most = 100;
+    if (nesting(text) > most) {
+        throw Damage{fmt::format("its objects and arrays nest more than {} deep", most)};
+    }
+    return Json::parse(text);
+}
+
 }  // namespace
 
 config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name) {
@@ -412,7 +438,7 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
                             fmt::format("cannot read `{}` as a manifest: {}", name, reason))}};
     };
     try {
-        return {read_whole(Json::parse(text)), {}};
+        return {read_whole(parse_json(text)), {}};
     } catch (const Damage& damage) {
         return damaged(damage.what);
     } catch (const nlohmann::json::parse_error& error) {
@@ -425,7 +451,7 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
 
 std::optional<Manifest> parse_earlier_claims(std::string_view text) {
     try {
-        return read_earlier_claims(Json::parse(text));
+        return read_earlier_claims(parse_json(text));
     } catch (const Damage&) {
         return std::nullopt;
     } catch (const std::exception&) {

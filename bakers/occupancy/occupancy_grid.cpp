@@ -54,13 +54,16 @@ std::vector<std::string> grid_names(const std::vector<OccupancyContent>& content
     return names;
 }
 
+bool is_unorm(const OccupancyBake& bake) {
+    return bake.pixel_type == config::PixelType::unorm8 ||
+           bake.pixel_type == config::PixelType::unorm16;
+}
+
 std::string content_of(const OccupancyBake& bake) {
-    const bool unorm = bake.pixel_type == config::PixelType::unorm8 ||
-                       bake.pixel_type == config::PixelType::unorm16;
     return fmt::format(
         "cells of {} voxels: {} (occupied: 1 or 0; leap: Chebyshev distance in cells to the "
         "nearest occupied one{}; minimum, maximum: of lookups within the cell)",
-        bake.cell, fmt::join(grid_names(bake.contents), ", "), unorm ? ", over 255" : "");
+        bake.cell, fmt::join(grid_names(bake.contents), ", "), is_unorm(bake) ? ", over 255" : "");
 }
 
 std::array<AxisMapping, 3> axes_of(const BakedVolume& of, const CellGrid& grid) {
@@ -199,6 +202,8 @@ Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBak
     add("filter", word_of("filter", bake.filter));
     add("rule", word_of("rule", bake.rule));
     add("threshold", to_shortest(of.threshold));
+    const auto leap = std::find(bake.contents.begin(), bake.contents.end(), OccupancyContent::leap);
+    if (leap != bake.contents.end()) add("leap_scale", is_unorm(bake) ? kFarthestLeap : 1.0);
 
     auto cells = make_cells(of, bake, grid, options, volume);
     if (!cells.value) return {{}, std::move(cells.diagnostics)};

@@ -142,6 +142,7 @@ formats = ["exr"]
 [bake.cells]
 asset = "occupancy"
 of = "cloud"
+contents = ["occupied", "leap"]
 formats = ["exr"]
 )";
 
@@ -325,6 +326,7 @@ TEST_F(AssetConventions, VolumesHaveTheRecipesNumbers) {
         EXPECT_EQ(cloud.axes[i].filter, AxisFilter::linear);
         EXPECT_EQ(number(asset("noise").axes[i], "offset"), i == 2 ? 0.5 / 8 : 0);
     }
+    EXPECT_EQ(fact_named(cells.details, "leap_scale"), "1");  // half holds cells as they are
     const std::vector<AxisMapping>& aerial = asset("aerial").axes;
     EXPECT_EQ(number(aerial[0], "heading_deg"), 30);
     EXPECT_EQ(number(aerial[1], "pitch_deg"), 5);
@@ -366,6 +368,7 @@ TEST_F(AssetConventions, ColumnsByTheirConstants) {
             next += count[i];
         }
         EXPECT_EQ(next, entry.size[0]);
+        EXPECT_EQ(fact_named(entry.details, "mean_density_exponent"), "8");
         const std::string fine = fact_text(to_digits(number(entry.axes[1], "fine_km"), 9));
         EXPECT_NE(entry.axes[1].formula.find("h / " + fine), std::string::npos)
             << entry.axes[1].formula;

@@ -285,6 +285,14 @@ TEST(Manifest, SurvivesDeepNesting) {
     EXPECT_EQ(testing::first_code(parse_manifest(deep, "deep").diagnostics), "E0304");
     const std::string closed = deep + std::string(200000, ']');
     EXPECT_EQ(testing::first_code(parse_manifest(closed, "deep").diagnostics), "E0304");
+    const std::string within = "\"parameters\": {\"a\": " + closed + "}";
+    EXPECT_NE(message_with("\"parameters\": {}", within).find("nest more than 100 deep"),
+              std::string::npos);
+    const std::string brackets(200, '[');
+    EXPECT_EQ(alterations_with("\"parameters\": {}",
+                               "\"parameters\": {\"a\\\"" + brackets + "\": \"" + brackets + "\"}")
+                  .size(),
+              1u);  // in texts they do not count
 }
 
 TEST(Manifest, MergesByName) {
