@@ -150,6 +150,40 @@ TEST(VerifyCommand, ListsEveryFailure) {
     EXPECT_EQ(document["failures"].size(), 4u);
 }
 
+TEST(VerifyCommand, TellsAnEditedManifestOnce) {
+    using skybake::testing::read_bytes;
+    using skybake::testing::write_bytes;
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance", "second"});
+    std::string text = read_bytes(folder / "manifest.json");
+    const std::size_t at = text.rfind("\"solar_irradiance\": [");
+    ASSERT_NE(at, std::string::npos);
+    text.insert(at + 21, "2, ");
+    write_bytes(folder / "manifest.json", text);
+    const Result result = run_words({"verify", folder.path().string()});
+    EXPECT_EQ(result.code, 1);
+    EXPECT_TRUE(contains(result.out,
+                         "manifest.json: hash: `assets[1]`, the entry of `second`, has "
+                         "been changed since the bake wrote it"))
+        << result.out;
+    const json document = json::parse(run_words({"verify", folder.path().string(), "--json"}).out);
+    // What the manifest says of the units stands in the file too.
+    ASSERT_EQ(document["failures"].size(), 2u) << document;
+    EXPECT_EQ(document["failures"][0]["check"], "hash");
+    EXPECT_EQ(document["failures"][1]["check"], "metadata");
+}
+
+TEST(VerifyCommand, SaysWhatToDoAboutAnEarlierFormat) {
+    const TemporaryFolder folder;
+    skybake::testing::write_bytes(
+        folder / "manifest.json",
+        R"({"format": 1, "tool": {"name": "skybake", "version": "0.0.9"}, "assets": []})");
+    const Result result = run_words({"verify", folder.path().string()});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "release 0.0.9 wrote format 1")) << result.error;
+    EXPECT_TRUE(contains(result.error, "bake the recipe into this folder again")) << result.error;
+}
+
 TEST(VerifyCommand, NeedsAManifest) {
     const TemporaryFolder folder;
     const Result result = run_words({"verify", folder.path().string()});
