@@ -208,7 +208,7 @@ contents = ["leap"]
 TOML
 }
 
-# same A B: every file equal, wall times in the manifest aside
+# same A B: every file equal, wall times in the manifest and the hashes over them aside
 same() {
     local recipe file
     for recipe in "${recipes[@]}" noise clouds sky; do
@@ -216,8 +216,8 @@ same() {
         for file in "$1/$recipe"/*; do
             [[ $file == */manifest.json ]] || cmp "$file" "$2/$recipe/${file##*/}"
         done
-        diff <(sed -E 's/"(bake_s|write_s|threads)": [^,]*/"\1"/' "$1/$recipe/manifest.json") \
-            <(sed -E 's/"(bake_s|write_s|threads)": [^,]*/"\1"/' "$2/$recipe/manifest.json")
+        diff <(sed -E 's/"(bake_s|write_s|threads|hash)": [^,]*/"\1"/' "$1/$recipe/manifest.json") \
+            <(sed -E 's/"(bake_s|write_s|threads|hash)": [^,]*/"\1"/' "$2/$recipe/manifest.json")
     done
     echo "same bytes: $1 $2"
 }

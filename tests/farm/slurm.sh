@@ -168,7 +168,7 @@ echo "$requeues task requeued"
 # --- The same at home -----------------------------------------------------------------------------
 
 "$skybake" sweep sky.toml -o home -q >/dev/null
-without_times() { sed -z 's/"timing": {[^}]*}//g' "$1"; }
+without_times() { sed -z 's/"timing": {[^}]*}//g; s/"hash": "[^"]*"//g' "$1"; }
 compared=0
 while read -r file; do
     if ! cmp <(without_times "home/$file") <(without_times "farm/$file"); then

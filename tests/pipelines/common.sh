@@ -62,7 +62,7 @@ bake() {
     "$program" bake "${options[@]}" -o "$2" "${@:3}" >/dev/null
 }
 
-# sums FOLDER: a line for each file, times in the manifest aside
+# sums FOLDER: a line for each file, times in the manifest and the hashes over them aside
 sums() {
     (
         cd "$1"
@@ -72,7 +72,7 @@ sums() {
         ((${#files[@]})) || exit 0
         md5sum -- "${files[@]}" | sed '/ manifest.json$/d'
         [[ ! -e manifest.json ]] ||
-            sed -E 's/"(bake_s|write_s|threads)": [^,]*/"\1"/' manifest.json | md5sum | sed 's/-/manifest.json/'
+            sed -E 's/"(bake_s|write_s|threads|hash)": [^,]*/"\1"/' manifest.json | md5sum | sed 's/-/manifest.json/'
     )
 }
 

@@ -21,9 +21,9 @@ inline const std::string small_recipe =
     "[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"\nsize = [8, 8, 8]\n"
     "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [8, 8, 8]\nformats = [\"exr\"]\n";
 
-// Every file below a folder, without the wall times in manifests.
+// Every file below a folder, without the wall times in manifests and the hashes over them.
 inline std::map<std::string, std::string> files_below(const std::filesystem::path& folder) {
-    static const std::regex timing(R"("timing": \{[^}]*\})");
+    static const std::regex timing(R"("timing": \{[^}]*\}|"hash": "[^"]*")");
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         if (!entry.is_regular_file()) continue;
