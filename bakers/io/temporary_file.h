@@ -20,7 +20,8 @@ class TemporaryFile {
     bool valid() const { return file_.valid(); }
     int descriptor() const { return file_.get(); }
     const std::filesystem::path& path() const { return path_; }
-    // False where it cannot; errno says why.
+    // Replaces what is at the target, a symbolic link among others. False where it cannot; errno
+    // says why.
     bool rename_to(const std::filesystem::path& target);
 
   private:
