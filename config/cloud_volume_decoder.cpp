@@ -56,8 +56,7 @@ struct CloudVolumeResolver {
                 return report_too_many(voxels.count, axis, cloud);
             }
             size[axis] = static_cast<int>(voxels.count);
-            extent[axis] =
-                voxels.longer ? voxels.count * edge.meters : cloud.extent[axis].meters;
+            extent[axis] = voxels.longer ? voxels.count * edge.meters : cloud.extent[axis].meters;
             longer = longer || voxels.longer;
         }
         derive("size", size);
@@ -76,12 +75,13 @@ struct CloudVolumeResolver {
     void warn_of_longer_extent(const Cloud& cloud, const std::array<double, 3>& extent) const {
         decoder.diagnostics.warning(
             "W0210", size_place(),
-            fmt::format("`{}` does not divide the extent of cloud `{}`: {} x {} x {} becomes {} x {} "
-                        "x {}",
-                        join_path(bake.path, "voxel_size"), cloud.name,
-                        spell_length(cloud.extent[0].meters), spell_length(cloud.extent[1].meters),
-                        spell_length(cloud.extent[2].meters), spell_length(extent[0]),
-                        spell_length(extent[1]), spell_length(extent[2])),
+            fmt::format(
+                "`{}` does not divide the extent of cloud `{}`: {} x {} x {} becomes {} x {} "
+                "x {}",
+                join_path(bake.path, "voxel_size"), cloud.name,
+                spell_length(cloud.extent[0].meters), spell_length(cloud.extent[1].meters),
+                spell_length(cloud.extent[2].meters), spell_length(extent[0]),
+                spell_length(extent[1]), spell_length(extent[2])),
             "voxels have just this size, and the cloud is stretched to whole ones");
     }
 

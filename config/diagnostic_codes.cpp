@@ -478,23 +478,24 @@ constexpr std::array codes = {
         "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
         "convention = \"takram\"",
         0},
-    DiagnosticCode{"W0210", "an extent that is rounded up",
-                   "A cloud volume with `voxel_size` has cubes of exactly that edge. Where the "
-                   "cloud's extent is no whole number of them, the volume is made longer by a part "
-                   "of a voxel, and the cloud is stretched to it: towers, maps and noise keep their "
-                   "places in the tile, and the tile repeats with the longer extent. The manifest's "
-                   "axes state it.",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "voxel_size = \"70 m\"",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "voxel_size = \"75 m\"",
-                   0},
+    DiagnosticCode{
+        "W0210", "an extent that is rounded up",
+        "A cloud volume with `voxel_size` has cubes of exactly that edge. Where the "
+        "cloud's extent is no whole number of them, the volume is made longer by a part "
+        "of a voxel, and the cloud is stretched to it: towers, maps and noise keep their "
+        "places in the tile, and the tile repeats with the longer extent. The manifest's "
+        "axes state it.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "voxel_size = \"70 m\"",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "voxel_size = \"75 m\"",
+        0},
     DiagnosticCode{"W0211", "voxels that are no cubes",
                    "A VDB file states the edges of its voxels along each axis, and theirs differ. "
                    "Many programs take them to be equal: OpenVDB's own ray tracer refuses such a "
@@ -511,29 +512,31 @@ constexpr std::array codes = {
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    0},
-    DiagnosticCode{"W0212", "an image that engines do not import",
-                   "Unreal, Unity, Godot and the graphics interfaces below them take images of at "
-                   "most 16384 rows and columns; Godot 3 aborts the import. An atlas lays the "
-                   "slices in rows and columns. Without `layout`, a volume whose stack would be too "
-                   "high is one.",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [256, 256, 128]\n"
-                   "layout = \"stack\"",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [256, 256, 128]",
-                   0},
-    DiagnosticCode{"W0213", "an atlas with empty cells",
-                   "Engines take the number of slices of an atlas to be its columns times its rows. "
-                   "Where the slices do not fill the cells, they read some slices of zeros at the "
-                   "end, and the volume no longer tiles. Without `columns` skybake chooses a "
-                   "divisor of the number of slices; a prime number of them has none that fits.",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
-                   "layout = \"atlas\"\ncolumns = 6",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
-                   "layout = \"atlas\"\ncolumns = 8",
-                   0},
+    DiagnosticCode{
+        "W0212", "an image that engines do not import",
+        "Unreal, Unity, Godot and the graphics interfaces below them take images of at "
+        "most 16384 rows and columns; Godot 3 aborts the import. An atlas lays the "
+        "slices in rows and columns. Without `layout`, a volume whose stack would be too "
+        "high is one.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [256, 256, 128]\n"
+        "layout = \"stack\"",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [256, 256, 128]",
+        0},
+    DiagnosticCode{
+        "W0213", "an atlas with empty cells",
+        "Engines take the number of slices of an atlas to be its columns times its rows. "
+        "Where the slices do not fill the cells, they read some slices of zeros at the "
+        "end, and the volume no longer tiles. Without `columns` skybake chooses a "
+        "divisor of the number of slices; a prime number of them has none that fits.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
+        "layout = \"atlas\"\ncolumns = 6",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
+        "layout = \"atlas\"\ncolumns = 8",
+        0},
     DiagnosticCode{"W0301", "the cache does not keep what was baked",
                    "The bake has succeeded, but its assets could not be put into the cache: its "
                    "folder may not be written to, or the disk is full. The next bake elsewhere "

@@ -111,9 +111,9 @@ struct OccupancyResolver {
                         shorten(*text_of(bake.at("of"))), cell));
     }
 
-    // The volume repeats along x and y. A cell that sticks out of the tile would repeat with another
-    // period than the volume: a runtime that repeats both would find other cells than those that
-    // its voxels lie in. One cell that holds the whole tile is the same everywhere.
+    // The volume repeats along x and y. A cell that sticks out of the tile would repeat with
+    // another period than the volume: a runtime that repeats both would find other cells than those
+    // that its voxels lie in. One cell that holds the whole tile is the same everywhere.
     void check_tiling(const CloudVolumeBake& volume, int cell) const {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const bool tiles = volume.size[axis] % cell == 0 || volume.size[axis] < cell;

@@ -74,25 +74,27 @@ const std::array cloud_volume_table = {
                       .exclusive_group = "size",
                       .exclusive_side = "counted"},
                      &CloudVolumeBake::size},
-    CloudVolumeField{{.key = "extent",
-                      .kind = Kind::lengths,
-                      .range = cloud_extent_range,
-                      .documentation = "what the voxels span, to which the cloud is stretched; left "
-                                       "out: the cloud's extent",
-                      .hint = "voxel_size sets it where it does not divide the cloud's extent",
-                      .exclusive_group = "size",
-                      .exclusive_side = "counted"},
-                     &CloudVolumeBake::extent},
-    CloudVolumeField{{.key = "voxel_size",
-                      .kind = Kind::length,
-                      .range = voxel_size_range,
-                      .documentation = "edge of a voxel, a cube, in place of size; the cloud's extent "
-                                       "is rounded up to whole voxels",
-                      .hint = "\"12 m\"",
-                      .exclusive_group = "size",
-                      .exclusive_side = "measured",
-                      .only_shown = true},
-                     {}},
+    CloudVolumeField{
+        {.key = "extent",
+         .kind = Kind::lengths,
+         .range = cloud_extent_range,
+         .documentation = "what the voxels span, to which the cloud is stretched; left "
+                          "out: the cloud's extent",
+         .hint = "voxel_size sets it where it does not divide the cloud's extent",
+         .exclusive_group = "size",
+         .exclusive_side = "counted"},
+        &CloudVolumeBake::extent},
+    CloudVolumeField{
+        {.key = "voxel_size",
+         .kind = Kind::length,
+         .range = voxel_size_range,
+         .documentation = "edge of a voxel, a cube, in place of size; the cloud's extent "
+                          "is rounded up to whole voxels",
+         .hint = "\"12 m\"",
+         .exclusive_group = "size",
+         .exclusive_side = "measured",
+         .only_shown = true},
+        {}},
 };
 
 const std::array occupancy_table = {

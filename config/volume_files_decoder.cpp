@@ -126,9 +126,10 @@ void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
     const bool has_full = full.columns * full.rows == size[2];
     decoder.diagnostics.warning(
         "W0213", layout_place(bake),
-        fmt::format("the atlas of [{}] has {} cells for {} slices, and engines take all of them for "
-                    "slices",
-                    bake.path, cells, size[2]),
+        fmt::format(
+            "the atlas of [{}] has {} cells for {} slices, and engines take all of them for "
+            "slices",
+            bake.path, cells, size[2]),
         has_full ? fmt::format("columns = {} leaves no cell empty", full.columns)
                  : fmt::format("{} slices fill no atlas of at most {} by {} texels", size[2],
                                largest_image_edge, largest_image_edge));
@@ -204,8 +205,8 @@ void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving
     resolve_levels(bake, size, halving, decoder);
 }
 
-// Edges are quotients of doubles, and those of equal voxels may differ by their rounding, some 1e-16
-// of them. OpenVDB takes edges that differ by less than 5e-7 m for equal.
+// Edges are quotients of doubles, and those of equal voxels may differ by their rounding, some
+// 1e-16 of them. OpenVDB takes edges that differ by less than 5e-7 m for equal.
 void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
                  const Place& size_place, Decoder& decoder) {
     constexpr double rounding = 1e-12;

@@ -151,8 +151,7 @@ void remove_abandoned(const fs::path& cache) {
     for (const fs::path& path : pending) {
         const FileDescriptor folder(
             ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
-        const bool abandoned =
-            folder.valid() && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
+        const bool abandoned = folder.valid() && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
         if (abandoned) fs::remove_all(path, error);
     }
 }

@@ -5,8 +5,8 @@
 // process left behind is removed by the next write of the same file, even of the same bytes.
 //
 // A symbolic link at the place of a file is replaced by the file. It is never followed: what it
-// points to may lie outside of the folder and belong to somebody else. Links into /dev and /proc, such
-// as /dev/stdout itself, are refused.
+// points to may lie outside of the folder and belong to somebody else. Links into /dev and /proc,
+// such as /dev/stdout itself, are refused.
 #pragma once
 
 #include <filesystem>

@@ -95,9 +95,8 @@ Attributes joined_attributes(const Attributes& attributes) {
     }
     const Attributes others = result;
     for (const auto& [name, pieces] : split) {
-        const bool has_whole = std::any_of(others.begin(), others.end(), [&](const auto& other) {
-            return other.first == name;
-        });
+        const bool has_whole = std::any_of(others.begin(), others.end(),
+                                           [&](const auto& other) { return other.first == name; });
         if (are_complete(pieces) && !has_whole) {
             append_joined(name, pieces, result);
         } else {

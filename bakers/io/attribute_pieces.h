@@ -23,7 +23,8 @@ inline constexpr std::size_t longest_attribute = 250;
 Attributes split_attributes(const Attributes& attributes);
 
 // The texts that were split. Pieces that are not complete from NAME.0 on, or that stand beside an
-// attribute NAME, keep their own names, and so do attributes of others than skybake. Sorted by name.
+// attribute NAME, keep their own names, and so do attributes of others than skybake. Sorted by
+// name.
 Attributes joined_attributes(const Attributes& attributes);
 
 }  // namespace skybake

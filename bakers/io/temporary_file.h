@@ -31,8 +31,8 @@ class TemporaryFile {
     bool renamed_ = false;
 };
 
-// Removes temporaries of `target` that no process is writing. Errors are not reported: a leftover is
-// untidy, not wrong.
+// Removes temporaries of `target` that no process is writing. Errors are not reported: a leftover
+// is untidy, not wrong.
 void remove_stale_temporaries(const std::filesystem::path& target);
 
 // The same of all targets in a folder.

@@ -190,8 +190,8 @@ pixel_type = "float"
 [bake.field_grid]
 asset = "occupancy"
 of = "field"
+cell = 1
 formats = ["vdb", "exr", "bin"]
-mips = "all"
 [bake.thesis_grid]
 asset = "occupancy"
 of = "thesis"
@@ -205,6 +205,8 @@ asset = "occupancy"
 of = "thesis"
 rule = "thesis"
 contents = ["leap"]
+formats = ["vdb", "exr", "bin"]
+mips = 2
 TOML
 }
 

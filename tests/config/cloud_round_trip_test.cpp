@@ -155,8 +155,7 @@ std::string any_divisible_size() {
 
 std::string any_bakes() {
     const bool divisible = coin();
-    std::string text =
-        "[bake.o]\nasset = 'occupancy'\nof = 'v'\n" + any_files(divisible && coin());
+    std::string text = "[bake.o]\nasset = 'occupancy'\nof = 'v'\n" + any_files(divisible && coin());
     text += fmt::format("cell = {}\n", divisible ? *rc::gen::element(1, 2, 4, 8, 16) : 1);
     if (coin()) text += "filter = " + any_of("nearest", "trilinear", "tricubic") + "\n";
     if (coin()) text += "rule = " + any_of("exact", "thesis") + "\n";

@@ -94,9 +94,10 @@ TEST(CloudVolumeDecoder, VoxelsAreOfExactlyThatSize) {
     const CloudVolumeBake flat = warned("voxel_size = '300 m'\nformats = 'bin'", "W0210");
     EXPECT_EQ(flat.size, (Size{4, 7, 2}));
     expect_extent(flat, 1200, 2100, 600);
-    EXPECT_EQ(fault("voxel_size = '30 m'").message,
-              "`bake.c.voxel_size` does not divide the extent of cloud `c`: 1000 m x 2000 m x 500 m "
-              "becomes 1020 m x 2010 m x 510 m");
+    EXPECT_EQ(
+        fault("voxel_size = '30 m'").message,
+        "`bake.c.voxel_size` does not divide the extent of cloud `c`: 1000 m x 2000 m x 500 m "
+        "becomes 1020 m x 2010 m x 510 m");
 }
 
 // 0.1 is no double, and 500 / 0.1 and the like are whole numbers but for rounding.
@@ -135,7 +136,8 @@ TEST(CloudVolumeDecoder, WarnsOfVoxelsThatAreNoCubes) {
               "them so");
     EXPECT_EQ(volume("size = [64, 32, 16]\nformats = ['exr', 'bin']").size, (Size{64, 32, 16}))
         << "only VDB files state edges";
-    EXPECT_EQ(volume("size = [64, 32, 16]\nextent = ['64 m', '32 m', '16 m']").extent[0].meters, 64);
+    EXPECT_EQ(volume("size = [64, 32, 16]\nextent = ['64 m', '32 m', '16 m']").extent[0].meters,
+              64);
 }
 
 TEST(CloudVolumeDecoder, ItsCloudIsThere) {

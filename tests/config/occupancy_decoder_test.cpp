@@ -73,12 +73,13 @@ TEST(OccupancyDecoder, LevelsAndColumnsAreThoseOfItsCells) {
 // The diagnostics of an occupancy of a volume of this size, whose voxels are cubes of a metre; not
 // that small volumes have few of them for a lattice cell.
 std::vector<Diagnostic> of_size(int x, int y, int z, const std::string& keys) {
-    auto diagnostics = parse(fmt::format("[bake.o]\nasset = 'occupancy'\nof = 'v'\n{}\n[bake.v]\n"
-                             "asset = 'cloud_volume'\ncloud = 'c'\nsize = [{}, {}, {}]\n"
-                             "[clouds.c]\nnoise = 'n'\nextent = ['{} m', '{} m', '{} m']\n"
-                             "[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 1\n",
-                             keys, x, y, z, x, y, z))
-                           .diagnostics;
+    auto diagnostics =
+        parse(fmt::format("[bake.o]\nasset = 'occupancy'\nof = 'v'\n{}\n[bake.v]\n"
+                          "asset = 'cloud_volume'\ncloud = 'c'\nsize = [{}, {}, {}]\n"
+                          "[clouds.c]\nnoise = 'n'\nextent = ['{} m', '{} m', '{} m']\n"
+                          "[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 1\n",
+                          keys, x, y, z, x, y, z))
+            .diagnostics;
     std::erase_if(diagnostics, [](const Diagnostic& one) { return one.code == "W0203"; });
     return diagnostics;
 }
@@ -102,7 +103,8 @@ TEST(OccupancyDecoder, CellsTileAsTheVolumeDoes) {
 
 // 12 cells are 6, then 3, which have no half.
 TEST(OccupancyDecoder, LevelsHalveTheCells) {
-    for (const auto& size : {std::array{48, 16, 16}, std::array{16, 48, 16}, std::array{16, 16, 48}}) {
+    for (const auto& size :
+         {std::array{48, 16, 16}, std::array{16, 48, 16}, std::array{16, 16, 48}}) {
         EXPECT_TRUE(of_size(size[0], size[1], size[2], "mips = 3").empty());
         const auto diagnostics = of_size(size[0], size[1], size[2], "mips = 4");
         ASSERT_EQ(diagnostics.size(), 1u);
@@ -113,15 +115,17 @@ TEST(OccupancyDecoder, LevelsHalveTheCells) {
 }
 
 TEST(OccupancyDecoder, WarnsOfCellsThatAreNoCubes) {
-    const std::string volume = "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nformats = 'bin'\n"
-                               "size = [16, 16, 16]\n";
+    const std::string volume =
+        "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nformats = 'bin'\n"
+        "size = [16, 16, 16]\n";
     const std::string grid = "[bake.o]\nasset = 'occupancy'\nof = 'v'\n";
     EXPECT_TRUE(parse(grid + volume + cloud_recipe("")).diagnostics.empty());
     const Diagnostic warning =
         only_diagnostic(grid + "formats = 'vdb'\n" + volume + cloud_recipe(""));
     EXPECT_EQ(warning.code, "W0211");
-    EXPECT_EQ(warning.message,
-              "the voxels of [bake.o] are no cubes: 250 x 500 x 125 m, and the VDB file has them so");
+    EXPECT_EQ(
+        warning.message,
+        "the voxels of [bake.o] are no cubes: 250 x 500 x 125 m, and the VDB file has them so");
 }
 
 TEST(OccupancyDecoder, ContentsMakeAPicture) {

@@ -49,8 +49,7 @@ TEST(SliceSheet, NoFullSheetIsNearerToASquare) {
         RC_ASSERT(chosen[0] * chosen[1] == size[2]);
         for (int columns = 1; columns <= size[2]; ++columns) {
             if (size[2] % columns != 0) continue;
-            RC_ASSERT(longer_edge(size, chosen) <=
-                      longer_edge(size, {columns, size[2] / columns}));
+            RC_ASSERT(longer_edge(size, chosen) <= longer_edge(size, {columns, size[2] / columns}));
         }
     }));
 }

@@ -126,7 +126,8 @@ int expect_short(const std::string& file) {
     for (const FileAttribute& attribute : attributes_in(file)) {
         EXPECT_LT(attribute.value.size(), 250u) << attribute.name;
         EXPECT_LE(attribute.name.size(), 31u) << attribute.name;
-        split += attribute.name.size() > 2 && attribute.name.substr(attribute.name.size() - 2) == ".0";
+        split +=
+            attribute.name.size() > 2 && attribute.name.substr(attribute.name.size() - 2) == ".0";
     }
     return split;
 }
