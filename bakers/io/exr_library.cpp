@@ -121,7 +121,7 @@ struct ImageSize {
     double height = 0;
 };
 
-ImageSize image_size(const Imf::Header& header) {
+ImageSize size_of_image(const Imf::Header& header) {
     const Imath::Box2i window = header.dataWindow();
     return {static_cast<double>(window.max.x) - window.min.x + 1,
             static_cast<double>(window.max.y) - window.min.y + 1};
@@ -138,7 +138,7 @@ double bytes_per_texel(const Imf::Header& header) {
 // Whether a file of `bytes` bytes can hold the image: its texels, and for each block of rows its
 // place in the file, the row's number, the length of what is packed, and at least one byte of that.
 bool can_hold(std::uint64_t bytes, const Imf::Header& header, const Codec& codec) {
-    const ImageSize size = image_size(header);
+    const ImageSize size = size_of_image(header);
     const double file = static_cast<double>(bytes);
     const double texels = size.width * size.height * bytes_per_texel(header);
     const bool is_plain = codec.ours == Compression::none;
@@ -161,7 +161,7 @@ std::optional<std::string> unknown_layout(const Imf::Header& header, int version
         return "its data window is not its display window: cropped images are not read";
     }
     if (can_hold(bytes, header, *codec)) return std::nullopt;
-    const ImageSize size = image_size(header);
+    const ImageSize size = size_of_image(header);
     return fmt::format("its {} bytes cannot hold {} x {} texels", bytes, size.width, size.height);
 }
 

@@ -140,6 +140,7 @@ noise = "odd"
 size = [37, 29, 31]
 formats = ["exr", "vdb"]
 layout = "atlas"
+columns = 6
 compression = "piz"
 vdb_compression = "zip"
 pixel_type = "float"
