@@ -252,7 +252,7 @@ std::vector<std::string> occupancy_parameters(const Parameters& parameters, cons
     std::vector<std::string> patterns = cloud_volume_parameters(parameters, volume);
     const std::string path = config::join_path("bake", volume.name);
     // Not what its files are like.
-    for (const char* key : {"asset", "cloud", "size", "pixel_type"}) {
+    for (const char* key : {"asset", "cloud", "size", "extent", "pixel_type"}) {
         patterns.push_back(fmt::format("{}.{}", path, key));
     }
     return patterns;

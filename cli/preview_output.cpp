@@ -6,6 +6,7 @@
 
 #include "bakers/io/atomic_file.h"
 #include "bakers/io/output_folder.h"
+#include "bakers/io/temporary_file.h"
 #include "bakers/preview/preview_files.h"
 #include "cli/bake_progress.h"
 #include "cli/console.h"
@@ -48,6 +49,7 @@ ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console&
     page.retired = retired(request.output, earlier, names);
     const auto made = create_output_folder(request.output);
     if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
+    remove_stale_temporaries_in(request.output);
     const BakeProgress progress("write", console);
     AtomicFiles atomic;
     for (const PreviewFile& file : preview_files(page)) {

@@ -2,6 +2,7 @@
 
 #include "bakers/io/atomic_file.h"
 #include "bakers/io/output_folder.h"
+#include "bakers/io/temporary_file.h"
 #include "cli/bake_progress.h"
 #include "cli/console.h"
 
@@ -20,6 +21,7 @@ ExitCode write_report_files(const std::vector<ReportFile>& files,
                             const std::filesystem::path& folder, Console& console) {
     const auto made = create_output_folder(folder);
     if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
+    remove_stale_temporaries_in(folder);
     const BakeProgress progress("write", console);
     AtomicFiles atomic;
     for (const ReportFile& file : files) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "config/cloud_channels.h"
+#include "config/cloud_extent.h"
 #include "config/key_path.h"
 #include "config/named_reference.h"
 #include "config/octave_checks.h"
@@ -35,23 +35,54 @@ struct CloudVolumeResolver {
                                   "give size = [512, 512, 128], or voxel_size = \"12 m\"");
     }
 
-    // max(1, round(extent / voxel_size)); none if that is out of the range of a size.
-    std::optional<VoxelCounts> size_of(const Cloud& cloud, double voxel_size) const {
+    void report_too_many(double voxels, std::size_t axis, const Cloud& cloud) const {
+        decoder.diagnostics.error(
+            "E0110", size_place(),
+            fmt::format("`{}` makes {} voxels along {}", join_path(bake.path, "voxel_size"),
+                        spell_number(voxels), "xyz"[axis]),
+            fmt::format("at most {} of {}", bake.at("size").field->range.maximum,
+                        spell_length(cloud.extent[axis].meters)));
+    }
+
+    // Voxels of exactly this edge: as many as the extent has, and where that is no whole number the
+    // extent becomes longer. None if that is out of the range of a size.
+    void resolve_voxels(const Cloud& cloud, Length edge) const {
         VoxelCounts size{};
-        const double most = bake.at("size").field->range.maximum;
+        std::array<double, 3> extent{};
+        bool longer = false;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double voxels = std::round(cloud.extent[axis].meters / voxel_size);
-            if (voxels > most) {
-                decoder.diagnostics.error(
-                    "E0110", size_place(),
-                    fmt::format("`{}` makes {} voxels along {}", join_path(bake.path, "voxel_size"),
-                                spell_number(voxels), "xyz"[axis]),
-                    fmt::format("at most {} of {}", most, spell_length(cloud.extent[axis].meters)));
-                return std::nullopt;
+            const WholeVoxels voxels = whole_voxels(cloud.extent[axis], edge);
+            if (voxels.count > bake.at("size").field->range.maximum) {
+                return report_too_many(voxels.count, axis, cloud);
             }
-            size[axis] = std::max(1, static_cast<int>(voxels));
+            size[axis] = static_cast<int>(voxels.count);
+            extent[axis] = voxels.longer ? voxels.count * edge.meters : cloud.extent[axis].meters;
+            longer = longer || voxels.longer;
         }
-        return size;
+        derive("size", size);
+        if (!longer) return;
+        derive("extent", extent);
+        warn_of_longer_extent(cloud, extent);
+    }
+
+    template <class T>
+    void derive(std::string_view key, const T& value) const {
+        DecodedField& decoded = bake.at(key);
+        decoded.value = value;
+        decoded.derived = true;
+    }
+
+    void warn_of_longer_extent(const Cloud& cloud, const std::array<double, 3>& extent) const {
+        decoder.diagnostics.warning(
+            "W0210", size_place(),
+            fmt::format(
+                "`{}` does not divide the extent of cloud `{}`: {} x {} x {} becomes {} x {} "
+                "x {}",
+                join_path(bake.path, "voxel_size"), cloud.name,
+                spell_length(cloud.extent[0].meters), spell_length(cloud.extent[1].meters),
+                spell_length(cloud.extent[2].meters), spell_length(extent[0]),
+                spell_length(extent[1]), spell_length(extent[2])),
+            "voxels have just this size, and the cloud is stretched to whole ones");
     }
 
     void resolve_size(const Cloud* cloud) const {
@@ -61,10 +92,18 @@ struct CloudVolumeResolver {
         const bool known = cloud && cloud->extent[0].meters > 0 && voxel_size.value;
         if (!known) return;
         size.value.reset();
-        if (const auto voxels = size_of(*cloud, std::get<double>(*voxel_size.value))) {
-            size.value = *voxels;
-            size.derived = true;
+        resolve_voxels(*cloud, Length{std::get<double>(*voxel_size.value)});
+    }
+
+    void check_voxels(const Cloud& cloud, const VoxelCounts& size) const {
+        if (cloud.extent[0].meters <= 0) return;
+        CloudVolumeBake voxels;
+        voxels.size = size;
+        if (const auto& extent = bake.at("extent").value) {
+            const auto& meters = std::get<std::array<double, 3>>(*extent);
+            voxels.extent = {Length{meters[0]}, Length{meters[1]}, Length{meters[2]}};
         }
+        check_cubes(bake, voxel_edges(cloud, voxels), size_place(), decoder);
     }
 
     void check_noise(std::string_view name, std::span<const Noise> noises, CloudChannels channels,
@@ -120,6 +159,7 @@ void resolve_cloud_volume(DecodedSection& bake, std::span<const Cloud> clouds,
     resolver.check_noise(cloud->noise, noises, cloud->channels, cloud->noise_scale, size);
     resolver.check_noise(cloud->detail, noises, CloudChannels::density, cloud->detail_scale, size);
     resolver.warn_of_narrow_towers(*cloud, size);
+    resolver.check_voxels(*cloud, size);
 }
 
 }  // namespace skybake::config

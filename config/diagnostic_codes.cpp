@@ -220,12 +220,12 @@ constexpr std::array codes = {
                    "`cloud` names the [clouds.NAME] to bake, and the recipe has none of that name.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"d\"\n"
                    "size = [64, 64, 16]",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    usage},
@@ -234,13 +234,13 @@ constexpr std::array codes = {
                    "wanted. The recipe has no bake of that name, or it is of another asset.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"c\"",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"",
@@ -250,14 +250,14 @@ constexpr std::array codes = {
                    "its noise, where these are several and not packed.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"\n"
                    "channel = \"G\"",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[bake.v]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"\n"
@@ -349,6 +349,25 @@ constexpr std::array codes = {
         "[bake.scattering]\nasset = \"bruneton\"\nconvention = \"takram\"",
         "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\nconvention = \"takram\"",
         usage},
+    DiagnosticCode{"E0150", "cells that do not tile",
+                   "A cloud volume repeats along x and y, and so do the cells of its occupancy. If "
+                   "the cell does not divide the size, the last cell sticks out of the tile, and a "
+                   "runtime that repeats both finds other cells than those that its voxels lie in. "
+                   "In the same way each level of `mips` needs an even number of cells, or one "
+                   "cell, along each axis of the level before.",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [66, 64, 16]\n[bake.o]\n"
+                   "asset = \"occupancy\"\nof = \"v\"",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]\n[bake.o]\n"
+                   "asset = \"occupancy\"\nof = \"v\"",
+                   usage},
 
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",
@@ -437,14 +456,14 @@ constexpr std::array codes = {
                    "depends on where they happen to lie. Each bake warns once.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[clouds.c.towers.0]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[clouds.c.towers.0]\n"
                    "center = [0.5, 0.5]\nsigma = [0.01, 0.1]\n"
                    "amplitude = 1\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1 km\"]\n[clouds.c.towers.0]\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[clouds.c.towers.0]\n"
                    "center = [0.5, 0.5]\nsigma = [0.1, 0.1]\n"
                    "amplitude = 1\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
@@ -459,6 +478,65 @@ constexpr std::array codes = {
         "convention = \"takram\"\nsize = [128, 64, 16]",
         "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
         "convention = \"takram\"",
+        0},
+    DiagnosticCode{
+        "W0210", "an extent that is rounded up",
+        "A cloud volume with `voxel_size` has cubes of exactly that edge. Where the "
+        "cloud's extent is no whole number of them, the volume is made longer by a part "
+        "of a voxel, and the cloud is stretched to it: towers, maps and noise keep their "
+        "places in the tile, and the tile repeats with the longer extent. The manifest's "
+        "axes state it.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "voxel_size = \"70 m\"",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "voxel_size = \"75 m\"",
+        0},
+    DiagnosticCode{"W0211", "voxels that are no cubes",
+                   "A VDB file states the edges of its voxels along each axis, and theirs differ. "
+                   "Many programs take them to be equal: OpenVDB's own ray tracer refuses such a "
+                   "grid, and others show it stretched. Choose a size in the proportions of the "
+                   "extent, or voxel_size instead.",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 64]",
+                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
+                   "[clouds.c]\nnoise = \"n\"\n"
+                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+                   "size = [64, 64, 16]",
+                   0},
+    DiagnosticCode{
+        "W0212", "an image that engines do not import",
+        "Unreal, Unity, Godot and the graphics interfaces below them take images of at "
+        "most 16384 rows and columns; Godot 3 aborts the import. An atlas lays the "
+        "slices in rows and columns. Without `layout`, a volume whose stack would be too "
+        "high is one.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [256, 256, 128]\n"
+        "layout = \"stack\"",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [256, 256, 128]",
+        0},
+    DiagnosticCode{
+        "W0213", "an atlas with empty cells",
+        "Engines take the number of slices of an atlas to be its columns times its rows. "
+        "Where the slices do not fill the cells, they read some slices of zeros at the "
+        "end, and the volume no longer tiles. Without `columns` skybake chooses a "
+        "divisor of the number of slices; a prime number of them has none that fits.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
+        "layout = \"atlas\"\ncolumns = 6",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[bake.n]\n"
+        "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
+        "layout = \"atlas\"\ncolumns = 8",
         0},
     DiagnosticCode{"W0301", "the cache does not keep what was baked",
                    "The bake has succeeded, but its assets could not be put into the cache: its "

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "config/cloud_channels.h"
+#include "config/cloud_extent.h"
 #include "config/key_path.h"
 #include "config/named_reference.h"
 #include "config/suggest.h"
@@ -99,7 +101,55 @@ struct OccupancyResolver {
         return count;
     }
 
-    // Cells along each axis, those that stick out among them.
+    void report_untiled(const CloudVolumeBake& volume, int cell, std::size_t axis) const {
+        const DecodedField& said = bake.at("cell");
+        decoder.diagnostics.error(
+            "E0150", said.source ? said.source->place : bake.at("of").source->place,
+            fmt::format("cells of {} voxels do not tile the {} voxels of `{}` along {}", cell,
+                        volume.size[axis], shorten(*text_of(bake.at("of"))), "xy"[axis]),
+            fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size",
+                        shorten(*text_of(bake.at("of"))), cell));
+    }
+
+    // The volume repeats along x and y. A cell that sticks out of the tile would repeat with
+    // another period than the volume: a runtime that repeats both would find other cells than those
+    // that its voxels lie in. One cell that holds the whole tile is the same everywhere.
+    void check_tiling(const CloudVolumeBake& volume, int cell) const {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const bool tiles = volume.size[axis] % cell == 0 || volume.size[axis] < cell;
+            if (!tiles) return report_untiled(volume, cell, axis);
+        }
+    }
+
+    // A level of half an odd number of cells, rounded up, spans more than the level before, and one
+    // texture coordinate does not serve both.
+    void check_halving(const VoxelCounts& cells) const {
+        const DecodedField& mips = bake.at("mips");
+        if (!mips.value) return;
+        const int halvings = static_cast<int>(std::get<double>(*mips.value)) - 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            int left = cells[axis];
+            int done = 0;
+            for (; done < halvings && left % 2 == 0; ++done) left /= 2;
+            if (done >= halvings || left == 1) continue;
+            decoder.diagnostics.error(
+                "E0150", mips.source->place,
+                fmt::format("the {} cells of [{}] along {} cannot be halved {} time{}", cells[axis],
+                            bake.path, "xyz"[axis], halvings, halvings == 1 ? "" : "s"),
+                fmt::format("at most {} levels, or another size", done + 1));
+            return;
+        }
+    }
+
+    void check_voxels(const CloudVolumeBake& volume, int cell) const {
+        const Cloud* cloud = find_by_name(sources.clouds, volume.cloud);
+        if (!cloud || cloud->extent[0].meters <= 0) return;
+        std::array<double, 3> edges = voxel_edges(*cloud, volume);
+        for (double& edge : edges) edge *= cell;
+        check_cubes(bake, edges, bake.at("of").source->place, decoder);
+    }
+
+    // Cells along each axis, those that stick out above among them.
     VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) const {
         VoxelCounts cells{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -120,9 +170,12 @@ void resolve_occupancy(DecodedSection& bake, const OccupancySources& sources, De
     resolver.check_channel(*volume);
     const DecodedField& cell = bake.at("cell");
     if (!cell.value || volume->size[0] == 0) return;
-    const VoxelCounts cells =
-        resolver.cells_of(*volume, static_cast<int>(std::get<double>(*cell.value)));
+    const int edge = static_cast<int>(std::get<double>(*cell.value));
+    const VoxelCounts cells = resolver.cells_of(*volume, edge);
     resolve_volume_files(bake, cells, Halving::up, decoder);
+    resolver.check_tiling(*volume, edge);
+    resolver.check_halving(cells);
+    resolver.check_voxels(*volume, edge);
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }
 

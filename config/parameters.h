@@ -308,8 +308,9 @@ struct Cloud {
 };
 
 struct CloudVolumeBake : VolumeFiles {
-    std::string cloud;          // NAME of a [clouds.NAME]
-    std::array<int, 3> size{};  // voxels along x, y and height
+    std::string cloud;               // NAME of a [clouds.NAME]
+    std::array<int, 3> size{};       // voxels along x, y and height
+    std::array<Length, 3> extent{};  // that they span, x, y, z; 0: the cloud's
 };
 
 // The filter that a runtime looks the volume up with.

@@ -8,6 +8,7 @@ namespace skybake::config {
 namespace {
 
 constexpr Range voxel_size_range{1e-3, 1e8};
+constexpr Range cloud_extent_range{1e-3, 1e8};
 constexpr Range cell_range{1, 16};
 
 constexpr std::string_view olajos_2016 = "Olajos 2016, Real-Time Rendering of Volumetric Clouds";
@@ -70,16 +71,30 @@ const std::array cloud_volume_table = {
                       .range = voxel_range,
                       .documentation = "voxels along x, y and z, which is up",
                       .hint = "[512, 512, 128]",
-                      .exclusive_group = "size"},
-                     &CloudVolumeBake::size},
-    CloudVolumeField{{.key = "voxel_size",
-                      .kind = Kind::length,
-                      .range = voxel_size_range,
-                      .documentation = "in place of size: extent / voxel_size voxels, rounded",
-                      .hint = "\"12 m\"",
                       .exclusive_group = "size",
-                      .only_shown = true},
-                     {}},
+                      .exclusive_side = "counted"},
+                     &CloudVolumeBake::size},
+    CloudVolumeField{
+        {.key = "extent",
+         .kind = Kind::lengths,
+         .range = cloud_extent_range,
+         .documentation = "what the voxels span, to which the cloud is stretched; left "
+                          "out: the cloud's extent",
+         .hint = "voxel_size sets it where it does not divide the cloud's extent",
+         .exclusive_group = "size",
+         .exclusive_side = "counted"},
+        &CloudVolumeBake::extent},
+    CloudVolumeField{
+        {.key = "voxel_size",
+         .kind = Kind::length,
+         .range = voxel_size_range,
+         .documentation = "edge of a voxel, a cube, in place of size; the cloud's extent "
+                          "is rounded up to whole voxels",
+         .hint = "\"12 m\"",
+         .exclusive_group = "size",
+         .exclusive_side = "measured",
+         .only_shown = true},
+        {}},
 };
 
 const std::array occupancy_table = {

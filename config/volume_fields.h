@@ -65,12 +65,15 @@ std::vector<Row> with_file_fields(const std::array<Row, count>& own, const FileW
           .kind = Kind::choice,
           .choices = layout_choices,
           .fallback = R"("stack")",
-          .documentation = "where the slices lie in the EXR file"},
+          .documentation = "where the slices lie in the EXR file; left out: an atlas where a stack "
+                           "would have more than 16384 rows"},
          &VolumeFiles::layout},
         {{.key = "columns",
           .kind = Kind::integer,
           .range = column_range,
-          .documentation = "slices in a row of the atlas; left out: near to a square",
+          .documentation =
+              "slices in a row of the atlas; left out: a divisor of the slices, near to "
+              "a square",
           .selector = "layout",
           .selected_by = atlas},
          &VolumeFiles::columns},

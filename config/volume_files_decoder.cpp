@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "config/key_path.h"
+#include "config/slice_sheet.h"
 
 namespace skybake::config {
 namespace {
@@ -60,21 +61,88 @@ std::string spell_bytes(std::int64_t bytes) {
     return fmt::format("{:.3g} {}", number, units[unit]);
 }
 
-void check_columns(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+bool has_good_columns(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
     const DecodedField& decoded = bake.at("columns");
     const auto* columns = value_of<double>(decoded);
-    if (!columns) return;
-    // A row of an atlas is made whole: a longer one would take memory that grows with it.
-    constexpr double kWidest = 1 << 20;
-    const bool wide = *columns * size[0] > kWidest;
-    if (*columns <= size[2] && !wide) return;
+    if (!columns) return true;
+    const bool wide = *columns * size[0] > static_cast<double>(widest_sheet);
+    if (*columns <= size[2] && !wide) return true;
     decoder.diagnostics.error(
         "E0110", decoded.source->place,
         fmt::format("`{}` is out of range: {}", join_path(bake.path, "columns"),
                     static_cast<int>(*columns)),
         *columns > size[2] ? fmt::format("there are {} slices", size[2])
-                           : fmt::format("an atlas is at most {} voxels wide: {} columns", kWidest,
-                                         static_cast<int>(kWidest) / size[0]));
+                           : fmt::format("an atlas is at most {} voxels wide: {} columns",
+                                         widest_sheet, widest_sheet / size[0]));
+    return false;
+}
+
+bool has_format(const DecodedSection& bake, VolumeFormat format) {
+    const auto* formats = value_of<std::vector<ChoiceIndex>>(bake.at("formats"));
+    return formats && std::any_of(formats->begin(), formats->end(), [&](const ChoiceIndex choice) {
+               return static_cast<VolumeFormat>(choice.index) == format;
+           });
+}
+
+// The layout that the recipe names or, where it names none, one that engines can import.
+std::optional<VolumeLayout> resolve_layout(DecodedSection& bake, const VoxelCounts& size) {
+    DecodedField& decoded = bake.at("layout");
+    const auto* choice = value_of<ChoiceIndex>(decoded);
+    if (!choice) return std::nullopt;
+    const auto layout = static_cast<VolumeLayout>(choice->index);
+    const bool fits = std::int64_t{size[1]} * size[2] <= largest_image_edge;
+    if (decoded.source || layout == VolumeLayout::atlas || fits) return layout;
+    decoded.value = ChoiceIndex{static_cast<std::size_t>(VolumeLayout::atlas)};
+    decoded.derived = true;
+    return VolumeLayout::atlas;
+}
+
+// What decides the sheet, as far as the recipe says it.
+const Place& layout_place(const DecodedSection& bake) {
+    for (const std::string_view key : {"columns", "layout"}) {
+        if (bake.at(key).source) return bake.at(key).source->place;
+    }
+    return bake.place;
+}
+
+void warn_of_large_sheet(const DecodedSection& bake, const VoxelCounts& size,
+                         const SliceSheet& sheet, Decoder& decoder) {
+    const auto [width, height] = sheet_size(size, sheet);
+    if (std::max(width, height) <= largest_image_edge) return;
+    decoder.diagnostics.warning(
+        "W0212", layout_place(bake),
+        fmt::format("the EXR file of [{}] has {} columns and {} rows of texels, and engines import "
+                    "at most {}",
+                    bake.path, width, height, largest_image_edge),
+        sheet.columns == 1 ? "layout = \"atlas\" lays the slices side by side"
+                           : "other programs than engines may read it");
+}
+
+void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
+                         const SliceSheet& sheet, Decoder& decoder) {
+    const int cells = sheet.columns * sheet.rows;
+    if (cells == size[2]) return;
+    const SliceSheet full = slice_sheet(size, VolumeLayout::atlas, 0);
+    const bool has_full = full.columns * full.rows == size[2];
+    decoder.diagnostics.warning(
+        "W0213", layout_place(bake),
+        fmt::format(
+            "the atlas of [{}] has {} cells for {} slices, and engines take all of them for "
+            "slices",
+            bake.path, cells, size[2]),
+        has_full ? fmt::format("columns = {} leaves no cell empty", full.columns)
+                 : fmt::format("{} slices fill no atlas of at most {} by {} texels", size[2],
+                               largest_image_edge, largest_image_edge));
+}
+
+void resolve_sheet(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    if (!has_format(bake, VolumeFormat::exr)) return;
+    const auto layout = resolve_layout(bake, size);
+    if (!layout) return;
+    const auto* columns = value_of<double>(bake.at("columns"));
+    const SliceSheet sheet = slice_sheet(size, *layout, columns ? static_cast<int>(*columns) : 0);
+    warn_of_large_sheet(bake, size, sheet, decoder);
+    warn_of_empty_cells(bake, size, sheet, decoder);
 }
 
 // Down to one voxel: log2(longest edge), rounded as sizes are, + 1.
@@ -133,8 +201,24 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
 
 void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
                           Decoder& decoder) {
-    check_columns(bake, size, decoder);
+    if (has_good_columns(bake, size, decoder)) resolve_sheet(bake, size, decoder);
     resolve_levels(bake, size, halving, decoder);
+}
+
+// Edges are quotients of doubles, and those of equal voxels may differ by their rounding, some
+// 1e-16 of them. OpenVDB takes edges that differ by less than 5e-7 m for equal.
+void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
+                 const Place& size_place, Decoder& decoder) {
+    constexpr double rounding = 1e-12;
+    const auto [least, greatest] = std::minmax_element(edges.begin(), edges.end());
+    const bool are_cubes = *greatest - *least <= rounding * *greatest;
+    if (are_cubes || !has_format(bake, VolumeFormat::vdb)) return;
+    decoder.diagnostics.warning(
+        "W0211", size_place,
+        fmt::format("the voxels of [{}] are no cubes: {:.5g} x {:.5g} x {:.5g} m, and the VDB file "
+                    "has them so",
+                    bake.path, edges[0], edges[1], edges[2]),
+        "many programs take voxels of VDB files for cubes: `voxel_size` makes cubes");
 }
 
 void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,

@@ -15,6 +15,7 @@
 #include "bakers/core/low_discrepancy.h"
 #include "bakers/noise/noise_plan.h"
 #include "config/cloud_channels.h"
+#include "config/cloud_extent.h"
 
 namespace skybake {
 
@@ -111,8 +112,14 @@ std::shared_ptr<const CloudField> make_field(const Cloud& cloud, const CloudVolu
         make_cloud_plan(cloud, *inputs.base, inputs.detail, bake.size, inputs.maps));
 }
 
-BakedVolume describe(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
-                     std::shared_ptr<const CloudField> field, BakedVolume volume) {
+std::string spell_extent(const std::array<config::Length, 3>& extent) {
+    return fmt::format("{} x {} x {} m", extent[0].meters, extent[1].meters, extent[2].meters);
+}
+
+BakedVolume describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake,
+                     const CloudInputs& inputs, std::shared_ptr<const CloudField> field,
+                     BakedVolume volume) {
+    const Cloud cloud = config::stretched(recipe_cloud, bake);
     volume.kind = "cloud_volume";
     volume.content = content_of(cloud);
     volume.mapping = "layer";
@@ -121,15 +128,18 @@ BakedVolume describe(const Cloud& cloud, const CloudVolumeBake& bake, const Clou
     volume.grid_names = grid_names(volume.channel_names);
     volume.sparse = true;
     set_files(bake, volume);
-    for (std::size_t i = 0; i < 3; ++i) {
-        volume.voxel_size_m[i] = cloud.extent[i].meters / bake.size[i];
-    }
+    volume.voxel_size_m = config::voxel_edges(cloud, bake);
     volume.minimum_m = {0, 0, cloud.base_altitude.meters};
     volume.up_axis = "+z";
     volume.conventions.length_unit = "m";
     volume.conventions.coefficient_unit = "1/m";
     volume.conventions.up_axis = volume.up_axis;
     add_details(cloud, field->plan(), volume);
+    if (bake.extent[0].meters > 0) {
+        volume.details.emplace_back(
+            "extent", fmt::format("{}, to which the cloud's {} are stretched",
+                                  spell_extent(cloud.extent), spell_extent(recipe_cloud.extent)));
+    }
     VolumeLevel level;
     level.size = bake.size;
     level.repeats = repeating_axes(volume.mapping);

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <system_error>
+#include <utility>
 
 #include "bakers/incremental/copy_asset.h"
 #include "bakers/io/file_descriptor.h"
@@ -57,16 +57,11 @@ class PendingFolder {
         const fs::path parent = cache / "pending";
         fs::create_directories(parent, error);
         // Processes of other containers and machines may have this one's number.
-        for (bool is_new = false; !error && !is_new;) {
+        for (bool is_own = false; !error && !is_own;) {
             path_ = parent / fmt::format("{}-{}", ::getpid(), counter++);
-            is_new = fs::create_directory(path_, error);
+            is_own = fs::create_directory(path_, error) && lock();
         }
-        if (error) {
-            path_.clear();
-            return;
-        }
-        lock_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-        if (lock_.valid()) ::flock(lock_.get(), LOCK_EX | LOCK_NB);
+        if (error) path_.clear();
     }
     PendingFolder(const PendingFolder&) = delete;
     PendingFolder& operator=(const PendingFolder&) = delete;
@@ -78,6 +73,19 @@ class PendingFolder {
     const fs::path& path() const { return path_; }
 
   private:
+    // False where another process has taken the new folder for an abandoned one in the meantime: it
+    // holds the lock, or the folder is gone. Where there are no locks nothing is taken for
+    // abandoned.
+    bool lock() {
+        lock_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (!lock_.valid()) return errno != ENOENT;
+        if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+        struct stat named {};
+        struct stat opened {};
+        return ::lstat(path_.c_str(), &named) == 0 && ::fstat(lock_.get(), &opened) == 0 &&
+               named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
+    }
+
     fs::path path_;
     FileDescriptor lock_;
 };
@@ -116,6 +124,7 @@ std::vector<Diagnostic> store(const fs::path& cache, const ReadyAsset& asset) {
     const fs::path target = entry_folder(cache, asset.entry.key);
     fs::create_directories(target.parent_path(), error);
     if (error) return {unwritable(target, error.message())};
+    if (fs::is_symlink(target, error)) fs::remove(target, error);  // one that leads nowhere
     fs::rename(pending.path(), target, error);
     // Another process was faster: its entry holds the same.
     if (error && !fs::exists(target)) return {unwritable(target, error.message())};
@@ -131,24 +140,20 @@ std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entr
     return {};
 }
 
-// Locks are not known to all file systems, and a folder is there before it is locked: only what is
-// old is taken for abandoned.
+// What is in `pending` and nobody holds the lock of: its process is gone. Links are not followed.
 void remove_abandoned(const fs::path& cache) {
-    constexpr auto old_enough = std::chrono::hours(1);
-    const auto now = fs::file_time_type::clock::now();
     std::error_code error;
-    std::vector<fs::path> abandoned;
+    std::vector<fs::path> pending;
     for (fs::directory_iterator entry(cache / "pending", error), end; !error && entry != end;
          entry.increment(error)) {
-        std::error_code gone;
-        if (now - fs::last_write_time(entry->path(), gone) < old_enough || gone) continue;
-        const FileDescriptor folder(
-            ::open(entry->path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-        if (folder.valid() && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0) {
-            abandoned.push_back(entry->path());
-        }
+        pending.push_back(entry->path());
     }
-    for (const fs::path& folder : abandoned) fs::remove_all(folder, error);
+    for (const fs::path& path : pending) {
+        const FileDescriptor folder(
+            ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+        const bool abandoned = folder.valid() && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
+        if (abandoned) fs::remove_all(path, error);
+    }
 }
 
 CacheEntry describe(const fs::path& folder) {
@@ -163,7 +168,7 @@ CacheEntry describe(const fs::path& folder) {
         if (!gone) entry.bytes += bytes;
     }
     struct stat status {};
-    if (::stat((folder / manifest_name).c_str(), &status) == 0) {
+    if (::lstat((folder / manifest_name).c_str(), &status) == 0) {
         entry.last_use_s = status.st_mtim.tv_sec;
     }
     const auto manifest = read_manifest(folder);
@@ -214,13 +219,14 @@ std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
         return std::nullopt;
     }
     // Its last use. A cache that may only be read is used all the same.
-    ::utimensat(AT_FDCWD, (folder / manifest_name).c_str(), nullptr, 0);
+    ::utimensat(AT_FDCWD, (folder / manifest_name).c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
     return ReadyAsset{folder, manifest.value->assets[0]};
 }
 
 void AssetCache::reject(const ReadyAsset& asset) { remove_entry(folder_, asset.folder); }
 
 void AssetCache::offer(const ReadyAsset& asset) {
+    if (!std::exchange(tidied_, true)) remove_abandoned(folder_);
     std::error_code error;
     if (!is_key(asset.entry.key) || fs::exists(entry_folder(folder_, asset.entry.key), error)) {
         return;

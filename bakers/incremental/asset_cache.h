@@ -6,8 +6,9 @@
 //   FOLDER/pending/                     entries on their way in and out
 //
 // An entry appears and disappears as a whole, by a rename, so any number of processes may use a
-// cache at once, and one that is killed leaves at most something in `pending`. Files are compared
-// with their hashes whenever they are used: damage costs a bake, never a wrong texel.
+// cache at once, and one that is killed leaves at most something in `pending`, which the next one
+// that is offered an asset removes. Files are compared with their hashes whenever they are used:
+// damage costs a bake, never a wrong texel. Nothing is written through a symbolic link.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +39,7 @@ class AssetCache : public AssetSource {
   private:
     std::filesystem::path folder_;
     std::vector<config::Diagnostic> problems_;
+    bool tidied_ = false;  // what killed processes left in `pending` has been removed
 };
 
 struct CacheEntry {

@@ -20,6 +20,7 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
+using FileStatus = std::optional<struct stat>;
 
 config::Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
     return {{},
@@ -29,22 +30,6 @@ config::Outcome<WriteResult> failure(const fs::path& path, const std::string& re
 
 config::Outcome<WriteResult> failure(const fs::path& path, int error) {
     return failure(path, system_reason(error));
-}
-
-// The file that a chain of symbolic links ends at; it need not exist.
-fs::path resolve_links(const fs::path& path, std::error_code& error) {
-    constexpr int longest_chain = 40;  // what Linux follows
-    fs::path target = path;
-    for (int i = 0; i < longest_chain; ++i) {
-        std::error_code status_error;
-        if (fs::symlink_status(target, status_error).type() != fs::file_type::symlink)
-            return target;
-        const fs::path next = fs::read_symlink(target, error);
-        if (error) return target;
-        target = target.parent_path() / next;  // an absolute `next` replaces the whole
-    }
-    error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
-    return target;
 }
 
 // Fills `bytes` as far as the file goes; how many there were, or nothing where it cannot be read.
@@ -75,7 +60,7 @@ bool holds(int descriptor, std::string_view bytes) {
 
 bool is_unchanged(const fs::path& path, const struct stat& status, std::string_view bytes) {
     if (static_cast<std::uintmax_t>(status.st_size) != bytes.size()) return false;
-    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
     return file.valid() && holds(file.get(), bytes);
 }
 
@@ -108,7 +93,7 @@ int flush(int descriptor) {
 
 // Gives the temporary the permissions of the old file, once it has been written: they may forbid
 // that. Its owner may read it in any case, as the next bake has to. errno, or 0.
-int keep_mode(const TemporaryFile& temporary, const std::optional<struct stat>& old) {
+int keep_mode(const TemporaryFile& temporary, const FileStatus& old) {
     if (!old) return 0;
     const mode_t mode = (old->st_mode & 07777) | S_IRUSR;
     return ::fchmod(temporary.descriptor(), mode) == 0 ? 0 : errno;
@@ -120,35 +105,39 @@ int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress*
     return error != 0 ? error : flush(temporary.descriptor());
 }
 
-// Where a path leads, and what is there.
-struct Target {
-    fs::path path;
-    std::optional<struct stat> old;  // of a regular file
-};
+// Whether a link leads to a device or to an open file of a process, as /dev/stdout does: those
+// names belong to the system.
+bool belongs_to_system(const fs::path& link) {
+    std::error_code error;
+    const std::string target = fs::read_symlink(link, error).string();
+    return target.rfind("/dev/", 0) == 0 || target.rfind("/proc/", 0) == 0;
+}
 
-config::Outcome<Target> find_target(const fs::path& path) {
-    const auto refuse = [&path](const std::string& reason) -> config::Outcome<Target> {
+// What a file of this name would replace: the status of a regular file, or none where nothing is
+// there or a symbolic link, whose target is of no concern.
+config::Outcome<FileStatus> find_old(const fs::path& path) {
+    const auto refuse = [&path](const std::string& reason) -> config::Outcome<FileStatus> {
         return {{}, failure(path, reason).diagnostics};
     };
     if (!path.has_filename()) return refuse("it is a folder");
-    std::error_code link_error;
-    Target target{resolve_links(path, link_error), {}};
-    if (link_error) return refuse(link_error.message());
     struct stat status {};
-    if (::stat(target.path.c_str(), &status) == 0) {
-        if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
-        if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
-        target.old = status;
-    } else if (errno != ENOENT) {
-        return refuse(system_reason(errno));
+    if (::lstat(path.c_str(), &status) != 0) {
+        if (errno != ENOENT) return refuse(system_reason(errno));
+        return {FileStatus(), {}};
     }
-    return {std::move(target), {}};
+    if (S_ISLNK(status.st_mode)) {
+        if (belongs_to_system(path)) return refuse("it is a link to a device or an open file");
+        return {FileStatus(), {}};
+    }
+    if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
+    if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
+    return {FileStatus(status), {}};
 }
 
 // Whether two files hold the same bytes. False too where one cannot be read, or on interruption.
 bool same_bytes(const fs::path& first, const fs::path& second, const Progress* progress) {
     constexpr std::size_t piece = std::size_t{1} << 20;
-    const FileDescriptor a(::open(first.c_str(), O_RDONLY | O_CLOEXEC));
+    const FileDescriptor a(::open(first.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
     const FileDescriptor b(::open(second.c_str(), O_RDONLY | O_CLOEXEC));
     if (!a.valid() || !b.valid()) return false;
     std::string bytes(piece, '\0');
@@ -177,11 +166,9 @@ void rename_in_text(std::string& text, const std::string& temporary, const std::
 }  // namespace
 
 struct AtomicFiles::Staged {
-    Staged(fs::path path_, fs::path target_)
-        : path(std::move(path_)), target(std::move(target_)), temporary(target) {}
+    explicit Staged(fs::path path_) : path(std::move(path_)), temporary(path) {}
 
-    fs::path path;    // as the user knows it
-    fs::path target;  // where its links lead
+    fs::path path;
     TemporaryFile temporary;
 };
 
@@ -190,12 +177,13 @@ AtomicFiles::~AtomicFiles() = default;
 
 config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
                                                 const Progress* progress) {
-    config::Outcome<Target> target = find_target(path);
-    if (!target.value) return {{}, std::move(target.diagnostics)};
-    const auto& old = target.value->old;
-    if (old && is_unchanged(target.value->path, *old, bytes)) return {WriteResult::unchanged, {}};
+    const config::Outcome<FileStatus> found = find_old(path);
+    if (!found.value) return {{}, found.diagnostics};
+    const FileStatus& old = *found.value;
+    remove_stale_temporaries(path);
+    if (old && is_unchanged(path, *old, bytes)) return {WriteResult::unchanged, {}};
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path, target.value->path);
+    auto staged = begin(path);
     if (!staged.value) return {{}, std::move(staged.diagnostics)};
     const int error = fill((*staged.value)->temporary, bytes, progress);
     if (error == ECANCELED) return {WriteResult::interrupted, {}};
@@ -207,11 +195,12 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::strin
 
 config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& write,
                                                 const Progress* progress) {
-    config::Outcome<Target> target = find_target(path);
-    if (!target.value) return {{}, std::move(target.diagnostics)};
-    const auto& old = target.value->old;
+    const config::Outcome<FileStatus> found = find_old(path);
+    if (!found.value) return {{}, found.diagnostics};
+    const FileStatus& old = *found.value;
+    remove_stale_temporaries(path);
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path, target.value->path);
+    auto staged = begin(path);
     if (!staged.value) return {{}, std::move(staged.diagnostics)};
     const TemporaryFile& temporary = (*staged.value)->temporary;
     config::Outcome<bool> written = write(temporary.path());
@@ -222,7 +211,7 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
     if (!written.value) return {{}, std::move(written.diagnostics)};
     if (!*written.value || is_cancelled(progress)) return {WriteResult::interrupted, {}};
     if (const int error = flush(temporary.descriptor())) return failure(path, error);
-    if (old && same_bytes(target.value->path, temporary.path(), progress)) {
+    if (old && same_bytes(path, temporary.path(), progress)) {
         return {WriteResult::unchanged, std::move(written.diagnostics)};
     }
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
@@ -231,15 +220,10 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
     return {WriteResult::written, std::move(written.diagnostics)};
 }
 
-// An empty temporary beside the target.
-config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path,
-                                                                         const fs::path& target) {
-    const auto refuse = [&path](int error) -> config::Outcome<std::unique_ptr<Staged>> {
-        return {{}, failure(path, error).diagnostics};
-    };
-    remove_stale_temporaries(target);
-    auto staged = std::make_unique<Staged>(path, target);
-    if (!staged->temporary.valid()) return refuse(errno);
+// An empty temporary beside the file.
+config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path) {
+    auto staged = std::make_unique<Staged>(path);
+    if (!staged->temporary.valid()) return {{}, failure(path, errno).diagnostics};
     return {std::move(staged), {}};
 }
 
@@ -251,7 +235,7 @@ void AtomicFiles::take(AtomicFiles&& others) {
 std::vector<config::Diagnostic> AtomicFiles::commit() {
     for (; !staged_.empty(); staged_.pop_back()) {
         Staged& last = *staged_.back();
-        if (!last.temporary.rename_to(last.target)) return failure(last.path, errno).diagnostics;
+        if (!last.temporary.rename_to(last.path)) return failure(last.path, errno).diagnostics;
     }
     return {};
 }

@@ -2,7 +2,11 @@
 //
 // The bytes go to `.NAME.skybake-PID-N.tmp` in the same folder, are flushed to the disk and renamed
 // over the target. An error, an interruption or a full disk removes the temporary; what a killed
-// process left behind is removed by the next write of the same file.
+// process left behind is removed by the next write of the same file, even of the same bytes.
+//
+// A symbolic link at the place of a file is replaced by the file. It is never followed: what it
+// points to may lie outside of the folder and belong to somebody else. Links into /dev and /proc,
+// such as /dev/stdout itself, are refused.
 #pragma once
 
 #include <filesystem>
@@ -39,9 +43,9 @@ class AtomicFiles {
     ~AtomicFiles();
 
     // Brings `bytes` to the disk under a temporary name. An existing file keeps its permissions, a
-    // new one gets those of the umask. A symbolic link stays one: the file it points to is
-    // replaced. E0301 with the system's reason where the file cannot be written: no such folder,
-    // not permitted, read-only, disk full, a folder or a device of that name.
+    // new one gets those of the umask, and so does one that replaces a symbolic link. E0301 with
+    // the system's reason where the file cannot be written: no such folder, not permitted,
+    // read-only, disk full, a folder or a device of that name.
     config::Outcome<WriteResult> stage(const std::filesystem::path& path, std::string_view bytes,
                                        const Progress* progress = nullptr);
 
@@ -59,8 +63,7 @@ class AtomicFiles {
 
   private:
     struct Staged;
-    static config::Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path,
-                                                          const std::filesystem::path& target);
+    static config::Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path);
 
     std::vector<std::unique_ptr<Staged>> staged_;
 };

@@ -164,11 +164,9 @@ Outcome<ExrImage> damaged(const std::string& name, const std::string& reason) {
 
 Outcome<ExrImage> decode(std::string_view bytes, const std::string& name) {
     MemoryInput stream(bytes);
+    if (const auto reason = unreadable_header(stream, bytes.size())) return damaged(name, *reason);
     Imf::InputFile file(stream, 0);  // 0: no threads but this one
     const Imf::Header& header = file.header();
-    if (const auto reason = unknown_layout(header, file.version(), bytes.size())) {
-        return damaged(name, *reason);
-    }
     ExrFacts facts = facts_of(header);
     ExrImage image{
         Image2<float>(facts.width, facts.height, static_cast<int>(facts.channel_names.size())),

@@ -5,16 +5,14 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "bakers/core/image.h"
+#include "bakers/io/attribute_pieces.h"
 #include "config/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {
-
-using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 struct ExrImage {
     Image2<float> pixels;  // row 0 is the first scanline; with PixelType::half already rounded
@@ -22,19 +20,20 @@ struct ExrImage {
         channel_names;  // as in a texel: {"R", "G", "B"}, {"R", ..., "A"}, {"Y"}
     config::PixelType pixel_type = config::PixelType::float32;
     config::Compression compression = config::Compression::zip;
-    Attributes attributes;  // text attributes; a file keeps them in the order of their names
+    Attributes attributes;  // texts, sorted by name; a file holds long ones in pieces
 };
 
 // The bytes of the file. Equal images give equal bytes: no time, no thread count goes in.
 // E0401: a texel is NaN or infinite. E0402: a texel is beyond ±65504 in a half image.
-// E0500: an attribute name is longer than the 31 characters that old readers can hold, or the
-// image's own sizes contradict each other (a mistake of the program, not of the user).
+// E0500: an attribute's name, or that of one of its pieces, is longer than the 31 characters that
+// old readers can hold, or the image's own sizes contradict each other (a mistake of the program,
+// not of the user).
 config::Outcome<std::string> encode_exr(const ExrImage& image);
 
 // Reads an image of the profile; `name` stands for the file in diagnostics. Lines in decreasing Y
 // and a data window off the origin are accepted, other layouts (tiles, parts, deep data,
 // subsampling, integers, mixed types, lossy codecs) and damaged bytes are E0304. Never throws,
-// never crashes.
+// never crashes, and takes no memory for what the header claims and the bytes cannot hold.
 config::Outcome<ExrImage> decode_exr(std::string_view bytes, const std::string& name);
 
 // The same from a file. E0300 where it cannot be read.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ImfHeader.h>
+#include <ImfIO.h>
 
 #include <optional>
 #include <string>
@@ -24,16 +25,17 @@ struct ExrFacts {
 // The header of a file of our profile.
 Imf::Header make_exr_header(const ExrFacts& facts);
 
-// What an attribute's name breaks, in words, or nothing.
+// What an attribute's name breaks, in words, or nothing. Names are those of the file: of pieces.
 std::optional<std::string> bad_attribute_name(const Attributes& attributes);
 
-// Everything about the header of a file of `bytes` bytes that our readers do not take, or nothing.
-// `version` is the file's.
-std::optional<std::string> unknown_layout(const Imf::Header& header, int version,
-                                          std::uint64_t bytes);
+// What is in the header of a file of `bytes` bytes that our readers do not take, or that the file
+// cannot hold, or nothing. The library believes a header, and allocates what it claims: call this
+// before it opens the file. The stream stands at the file's beginning, and does so afterwards.
+// Throws what the library and the stream throw.
+std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes);
 
 // Of a header that our readers take: channels as texels hold them, colours as R G B [A] rather than
-// in the file's alphabetical order.
+// in the file's alphabetical order; texts whole.
 ExrFacts facts_of(const Imf::Header& header);
 
 // E0304.

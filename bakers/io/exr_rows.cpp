@@ -81,13 +81,11 @@ config::Outcome<ExrRows> ExrRows::open(const std::filesystem::path& path) {
     if (input.value->size() == 0) return {{}, {damaged_exr(path.string(), "it is empty")}};
     auto file = std::make_unique<File>(path.string(), std::move(*input.value));
     try {
-        file->image = std::make_unique<Imf::InputFile>(file->stream, 0);  // 0: no further threads
-        const Imf::Header& header = file->image->header();
-        if (const auto reason =
-                unknown_layout(header, file->image->version(), file->stream.size())) {
+        if (const auto reason = unreadable_header(file->stream, file->stream.size())) {
             return {{}, {damaged_exr(file->name, *reason)}};
         }
-        file->facts = facts_of(header);
+        file->image = std::make_unique<Imf::InputFile>(file->stream, 0);  // 0: no further threads
+        file->facts = facts_of(file->image->header());
     } catch (const std::exception& error) {
         return {{}, {file->diagnostic(error.what())}};
     }

@@ -16,7 +16,7 @@ constexpr std::size_t buffer_size = std::size_t{1} << 20;
 }  // namespace
 
 FileOutput::FileOutput(const std::filesystem::path& path)
-    : path_(path), file_(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC)) {
+    : path_(path), file_(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | O_NOFOLLOW)) {
     if (!file_.valid()) error_ = errno;
 }
 

@@ -15,7 +15,7 @@ namespace skybake {
 // After an error nothing more is written: `error` keeps the first.
 class FileOutput {
   public:
-    // Opens an existing file and empties it.
+    // Opens an existing file and empties it. A symbolic link is not followed: ELOOP.
     explicit FileOutput(const std::filesystem::path& path);
 
     void write(std::string_view bytes);

@@ -20,7 +20,8 @@ class TemporaryFile {
     bool valid() const { return file_.valid(); }
     int descriptor() const { return file_.get(); }
     const std::filesystem::path& path() const { return path_; }
-    // False where it cannot; errno says why.
+    // Replaces what is at the target, a symbolic link among others. False where it cannot; errno
+    // says why.
     bool rename_to(const std::filesystem::path& target);
 
   private:
@@ -30,8 +31,8 @@ class TemporaryFile {
     bool renamed_ = false;
 };
 
-// Removes temporaries of `target` that no process is writing. Errors are not reported: a leftover is
-// untidy, not wrong.
+// Removes temporaries of `target` that no process is writing. Errors are not reported: a leftover
+// is untidy, not wrong.
 void remove_stale_temporaries(const std::filesystem::path& target);
 
 // The same of all targets in a folder.

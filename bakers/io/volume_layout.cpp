@@ -2,38 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "config/slice_sheet.h"
+
 namespace skybake {
-namespace {
-
-int divided_up(int count, int by) { return (count - 1) / by + 1; }
-
-// The width grows and the height falls with the columns, so that halving finds the fewest.
-int fewest_columns(const std::array<int, 3>& size) {
-    int low = 1;
-    int high = size[2];  // one row of cells: enough wherever anything is
-    while (low < high) {
-        const int middle = low + (high - low) / 2;
-        const std::int64_t width = std::int64_t{middle} * size[0];
-        const std::int64_t height = std::int64_t{divided_up(size[2], middle)} * size[1];
-        if (width >= height) {
-            high = middle;
-        } else {
-            low = middle + 1;
-        }
-    }
-    return low;
-}
-
-}  // namespace
-
 SliceLayout volume_layout(const std::array<int, 3>& size, config::VolumeLayout kind, int columns) {
-    if (kind == config::VolumeLayout::stack) return {kind, 1, size[2]};
-    const int chosen = columns > 0 ? columns : fewest_columns(size);
-    return {kind, chosen, divided_up(size[2], chosen)};
+    const config::SliceSheet sheet = config::slice_sheet(size, kind, columns);
+    return {kind, sheet.columns, sheet.rows};
 }
 
 std::array<std::int64_t, 2> image_size(const std::array<int, 3>& size, const SliceLayout& layout) {
-    return {std::int64_t{size[0]} * layout.columns, std::int64_t{size[1]} * layout.rows};
+    return config::sheet_size(size, {layout.columns, layout.rows});
 }
 
 std::string layout_line(const std::array<int, 3>& size, const SliceLayout& layout) {

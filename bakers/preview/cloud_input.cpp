@@ -51,10 +51,12 @@ CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& a
     const config::Parameters& parameters = assets.recipe->parameters;
     const std::string& name = asset.entry.name;
     if (const auto* grid = section_named<OccupancyBake>(parameters, name)) {
-        input.cloud = cloud_of(parameters, section_named<CloudVolumeBake>(parameters, grid->of));
+        input.volume_bake = section_named<CloudVolumeBake>(parameters, grid->of);
+        input.cloud = cloud_of(parameters, input.volume_bake);
         input.occupancy = &asset;
         input.occupancy_bake = grid;
     } else if (const auto* volume = section_named<CloudVolumeBake>(parameters, name)) {
+        input.volume_bake = volume;
         input.cloud = cloud_of(parameters, volume);
         input.volume = &asset;
         add_occupancy(assets, input);

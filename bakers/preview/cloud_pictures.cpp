@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "bakers/preview/cloud_slices.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "bakers/preview/tone_curve.h"
+#include "config/cloud_extent.h"
 #include "config/recipe.h"
 
 namespace skybake {
@@ -137,16 +139,25 @@ bool holds_voxels(const PreviewAsset& asset) {
                entry.channels.size();
 }
 
+// With the extent that its volume has.
+std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input) {
+    if (input.cloud == nullptr) return std::nullopt;
+    if (input.volume_bake == nullptr) return *input.cloud;
+    return config::stretched(*input.cloud, *input.volume_bake);
+}
+
 }  // namespace
 
 std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int threads) {
     const bool has_grid = input.occupancy != nullptr && holds_voxels(*input.occupancy);
-    if (input.volume == nullptr || input.cloud == nullptr || !holds_voxels(*input.volume)) {
+    const std::optional<config::Cloud> cloud = cloud_as_baked(input);
+    if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) {
         if (!has_grid) return {};
-        return grid_pictures(*input.occupancy, input.occupancy_bake, input.cloud, input.draft);
+        return grid_pictures(*input.occupancy, input.occupancy_bake, cloud ? &*cloud : nullptr,
+                             input.draft);
     }
     const ManifestAsset& entry = input.volume->entry;
-    CloudMedium medium = cloud_medium(*input.cloud, input.volume->voxels.data(),
+    CloudMedium medium = cloud_medium(*cloud, input.volume->voxels.data(),
                                       {entry.size[0], entry.size[1], entry.size[2]},
                                       static_cast<int>(entry.channels.size()), threads);
     std::vector<PreviewPicture> pictures;

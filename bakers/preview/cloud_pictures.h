@@ -13,7 +13,8 @@ namespace skybake {
 
 // Any pointer but `cloud` may be null.
 struct CloudPreviewInput {
-    const config::Cloud* cloud = nullptr;  // that the volume is of
+    const config::Cloud* cloud = nullptr;                  // that the volume is of
+    const config::CloudVolumeBake* volume_bake = nullptr;  // what made it
     const PreviewAsset* volume = nullptr;
     const PreviewAsset* occupancy = nullptr;  // of that volume
     const config::OccupancyBake* occupancy_bake = nullptr;

@@ -25,6 +25,7 @@
 #include "bakers/report/sweep.h"
 #include "bakers/report/thread_time.h"
 #include "bakers/report/volume_sweep.h"
+#include "config/cloud_extent.h"
 
 namespace skybake {
 
@@ -214,7 +215,7 @@ Outcome<AssetReport> report_occupancy(const config::Recipe& recipe, const config
                                       const ReportOptions& options) {
     const auto& asset = std::get<OccupancyBake>(bake.asset);
     auto of = std::get<CloudVolumeBake>(bake_named(recipe.parameters, asset.of).asset);
-    const config::Cloud& cloud = cloud_named(recipe.parameters, of.cloud);
+    const config::Cloud cloud = config::stretched(cloud_named(recipe.parameters, of.cloud), of);
     Facts details;
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, of, details);
     if (!inputs.value) return {{}, inputs.diagnostics};

@@ -140,6 +140,7 @@ noise = "odd"
 size = [37, 29, 31]
 formats = ["exr", "vdb"]
 layout = "atlas"
+columns = 6
 compression = "piz"
 vdb_compression = "zip"
 pixel_type = "float"
@@ -190,8 +191,8 @@ pixel_type = "float"
 [bake.field_grid]
 asset = "occupancy"
 of = "field"
+cell = 1
 formats = ["vdb", "exr", "bin"]
-mips = "all"
 [bake.thesis_grid]
 asset = "occupancy"
 of = "thesis"
@@ -205,6 +206,8 @@ asset = "occupancy"
 of = "thesis"
 rule = "thesis"
 contents = ["leap"]
+formats = ["vdb", "exr", "bin"]
+mips = 2
 TOML
 }
 

@@ -130,27 +130,38 @@ std::string any_cloud() {
     return text;
 }
 
-std::string any_files() {
+std::string any_files(bool has_levels) {
     std::string text =
         coin()
             ? "formats = 'bin'\npixel_type = " + any_of("float", "half", "unorm8", "unorm16") + "\n"
             : "formats = ['vdb', 'exr']\npixel_type = " + any_of("float", "half") + "\n";
     if (coin()) text += "layout = 'atlas'\ncolumns = 1\n";
-    if (coin()) text += "mips = 'all'\n";
+    if (has_levels) text += "mips = 'all'\n";
     return text + "compression = " + any_of("none", "zip", "zips", "piz") +
            "\nvdb_compression = " + any_of("none", "zip", "blosc") + "\n";
 }
 
-std::string any_bakes() {
+std::string any_size() {
     const auto edge = [] { return *rc::gen::inRange(1, 300); };
-    std::string text = "[bake.o]\nasset = 'occupancy'\nof = 'v'\n" + any_files();
-    if (coin()) text += fmt::format("cell = {}\n", *rc::gen::element(1, 2, 4, 8, 16));
+    return coin() ? fmt::format("size = [{}, {}, {}]\n", edge(), edge(), edge())
+                  : fmt::format("voxel_size = '{} m'\n", any_number(7, 900));
+}
+
+// Powers of two, which cells and their levels divide.
+std::string any_divisible_size() {
+    const auto edge = [] { return 1 << *rc::gen::inRange(0, 9); };
+    return fmt::format("size = [{}, {}, {}]\n", edge(), edge(), edge());
+}
+
+std::string any_bakes() {
+    const bool divisible = coin();
+    std::string text = "[bake.o]\nasset = 'occupancy'\nof = 'v'\n" + any_files(divisible && coin());
+    text += fmt::format("cell = {}\n", divisible ? *rc::gen::element(1, 2, 4, 8, 16) : 1);
     if (coin()) text += "filter = " + any_of("nearest", "trilinear", "tricubic") + "\n";
     if (coin()) text += "rule = " + any_of("exact", "thesis") + "\n";
     if (coin()) text += "contents = ['maximum', 'occupied', 'leap']\n";
-    text += "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\n" + any_files();
-    return text + (coin() ? fmt::format("size = [{}, {}, {}]\n", edge(), edge(), edge())
-                          : fmt::format("voxel_size = '{} m'\n", any_number(7, 900)));
+    text += "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\n" + any_files(coin());
+    return text + (divisible ? any_divisible_size() : any_size());
 }
 
 TEST(CloudRoundTrip, ParametersAreARecipeOfTheSameCloud) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "config/cloud_extent.h"
 #include "tests/config/clouds.h"
 
 namespace skybake::config {
@@ -30,15 +31,15 @@ Diagnostic fault(const std::string& bake, const std::string& cloud = "") {
 using Size = std::array<int, 3>;
 
 TEST(CloudVolumeDecoder, HasItsDefaults) {
-    EXPECT_EQ(testing::spell(volume("size = [64, 32, 16]")), "c [64, 32, 16] 1 0 0 1 1 2 1");
+    EXPECT_EQ(testing::spell(volume("size = [32, 64, 16]")), "c [32, 64, 16] 1 0 0 1 1 2 1");
 }
 
 TEST(CloudVolumeDecoder, ReadsEveryKey) {
     EXPECT_EQ(testing::spell(
-                  volume("size = [64, 32, 16]\nformats = ['vdb', 'exr']\npixel_type = 'float'\n"
+                  volume("size = [32, 64, 16]\nformats = ['vdb', 'exr']\npixel_type = 'float'\n"
                          "layout = 'atlas'\ncolumns = 4\nmips = 'all'\ncompression = 'piz'\n"
                          "vdb_compression = 'none'")),
-              "c [64, 32, 16] 0 1 4 7 3 0 1 0");
+              "c [32, 64, 16] 0 1 4 7 3 0 1 0");
     EXPECT_EQ(volume("size = [16, 16, 16]\nformats = 'bin'\npixel_type = 'unorm8'").pixel_type,
               PixelType::unorm8);
 }
@@ -46,10 +47,7 @@ TEST(CloudVolumeDecoder, ReadsEveryKey) {
 // The cloud is 1 km by 2 km by 500 m.
 TEST(CloudVolumeDecoder, VoxelsHaveASize) {
     EXPECT_EQ(volume("voxel_size = '10 m'").size, (Size{100, 200, 50}));
-    EXPECT_EQ(volume("voxel_size = '30 m'").size, (Size{33, 67, 17})) << "rounded";
-    const Recipe flat = testing::valid_with_warnings(volume_recipe("voxel_size = '1001 m'"));
-    EXPECT_EQ(std::get<CloudVolumeBake>(flat.parameters.bakes.at(0).asset).size, (Size{1, 2, 1}))
-        << "and at least 1";
+    EXPECT_EQ(volume("voxel_size = '10 m'").extent[0].meters, 0) << "the cloud's";
     const Recipe recipe = valid(volume_recipe("voxel_size = '10 m'"));
     EXPECT_EQ(testing::value_at(recipe, "bake.c.size").origin, "derived");
     EXPECT_EQ(testing::all_parameters(recipe).find("voxel_size"), std::string::npos);
@@ -70,6 +68,78 @@ TEST(CloudVolumeDecoder, VoxelsHaveASize) {
         << "a later source chooses";
 }
 
+// The bake of a recipe that earns this warning.
+CloudVolumeBake warned(const std::string& keys, const std::string& code) {
+    const auto outcome = parse(volume_recipe(keys));
+    EXPECT_EQ(outcome.diagnostics.size(), 1u) << keys;
+    for (const Diagnostic& diagnostic : outcome.diagnostics) {
+        EXPECT_EQ(diagnostic.code, code) << diagnostic.message;
+        EXPECT_EQ(diagnostic.severity, Severity::warning);
+        EXPECT_EQ(diagnostic.where.line, 4);
+    }
+    if (!outcome.value) return {};
+    return std::get<CloudVolumeBake>(outcome.value->parameters.bakes.at(0).asset);
+}
+
+void expect_extent(const CloudVolumeBake& bake, double x, double y, double z) {
+    EXPECT_DOUBLE_EQ(bake.extent[0].meters, x);
+    EXPECT_DOUBLE_EQ(bake.extent[1].meters, y);
+    EXPECT_DOUBLE_EQ(bake.extent[2].meters, z);
+}
+
+TEST(CloudVolumeDecoder, VoxelsAreOfExactlyThatSize) {
+    const CloudVolumeBake thirty = warned("voxel_size = '30 m'", "W0210");
+    EXPECT_EQ(thirty.size, (Size{34, 67, 17})) << "rounded up";
+    expect_extent(thirty, 1020, 2010, 510);
+    const CloudVolumeBake flat = warned("voxel_size = '300 m'\nformats = 'bin'", "W0210");
+    EXPECT_EQ(flat.size, (Size{4, 7, 2}));
+    expect_extent(flat, 1200, 2100, 600);
+    EXPECT_EQ(
+        fault("voxel_size = '30 m'").message,
+        "`bake.c.voxel_size` does not divide the extent of cloud `c`: 1000 m x 2000 m x 500 m "
+        "becomes 1020 m x 2010 m x 510 m");
+}
+
+// 0.1 is no double, and 500 / 0.1 and the like are whole numbers but for rounding.
+TEST(CloudVolumeDecoder, RoundingIsNoPartOfAVoxel) {
+    for (int i = 1; i <= 100; ++i) {
+        const double edge = i / 10.0;  // nearest to i tenths
+        for (int count = 1; count <= 1000; ++count) {
+            const double extent = i * count / 10.0;
+            const WholeVoxels voxels = whole_voxels({extent}, {edge});
+            ASSERT_EQ(voxels.count, count) << edge;
+            ASSERT_FALSE(voxels.longer) << edge;
+            const WholeVoxels more = whole_voxels({extent * (1 + 1e-12)}, {edge});
+            ASSERT_EQ(more.count, count + 1) << edge;
+            ASSERT_TRUE(more.longer) << edge;
+        }
+    }
+    EXPECT_EQ(whole_voxels({1e-3}, {1e8}).count, 1);
+}
+
+// So they are in files: by size and extent, which make the same volume again.
+TEST(CloudVolumeDecoder, TheLongerExtentIsRecorded) {
+    const Recipe once = testing::valid_with_warnings(volume_recipe("voxel_size = '30 m'"));
+    const std::string carried = testing::all_parameters(once);
+    EXPECT_NE(carried.find("extent = [\"1020 m\", \"2010 m\", \"510 m\"]"), std::string::npos);
+    EXPECT_EQ(carried.find("voxel_size"), std::string::npos);
+    const Recipe twice = valid(carried);
+    EXPECT_EQ(testing::all_parameters(twice), carried);
+    expect_extent(std::get<CloudVolumeBake>(twice.parameters.bakes.at(0).asset), 1020, 2010, 510);
+    EXPECT_EQ(fault("voxel_size = '10 m'\nextent = ['1 km', '1 km', '1 km']").code, "E0109");
+}
+
+TEST(CloudVolumeDecoder, WarnsOfVoxelsThatAreNoCubes) {
+    EXPECT_EQ(warned("size = [64, 32, 16]", "W0211").size, (Size{64, 32, 16}));
+    EXPECT_EQ(fault("size = [64, 32, 16]").message,
+              "the voxels of [bake.c] are no cubes: 15.625 x 62.5 x 31.25 m, and the VDB file has "
+              "them so");
+    EXPECT_EQ(volume("size = [64, 32, 16]\nformats = ['exr', 'bin']").size, (Size{64, 32, 16}))
+        << "only VDB files state edges";
+    EXPECT_EQ(volume("size = [64, 32, 16]\nextent = ['64 m', '32 m', '16 m']").extent[0].meters,
+              64);
+}
+
 TEST(CloudVolumeDecoder, ItsCloudIsThere) {
     const Diagnostic slip = only_diagnostic(
         cloud_recipe("") + "[bake.x]\nasset = 'cloud_volume'\ncloud = 'd'\nsize = [8, 8, 8]\n");
@@ -86,23 +156,24 @@ TEST(CloudVolumeDecoder, ItsCloudIsThere) {
 }
 
 TEST(CloudVolumeDecoder, FilesAreThoseOfVolumes) {
-    EXPECT_EQ(fault("size = [16384, 16384, 16384]").code, "E0126");
-    EXPECT_EQ(fault("size = [8, 8, 8]\nmips = 5").code, "E0110");
-    EXPECT_EQ(fault("size = [8, 8, 8]\npixel_type = 'unorm8'").code, "E0131");
-    EXPECT_EQ(fault("size = [8, 8, 8]\nlayout = 'atlas'\ncolumns = 9").label, "there are 8 slices");
+    EXPECT_EQ(fault("size = [16384, 16384, 16384]\nformats = 'bin'").code, "E0126");
+    EXPECT_EQ(fault("size = [16, 32, 8]\nmips = 7").code, "E0110");
+    EXPECT_EQ(fault("size = [16, 32, 8]\npixel_type = 'unorm8'").code, "E0131");
+    EXPECT_EQ(fault("size = [16, 32, 8]\nlayout = 'atlas'\ncolumns = 9").label,
+              "there are 8 slices");
     EXPECT_EQ(fault("size = [8, 8, 16385]").code, "E0110");
 }
 
 // The noise has two cells a tile.
 TEST(CloudVolumeDecoder, OctavesAreScaled) {
-    EXPECT_EQ(volume("size = [8, 8, 8]").size[0], 8);
-    const Diagnostic coarse = fault("size = [16, 16, 16]", "noise_scale = [3, 1, 1]");
+    EXPECT_EQ(volume("size = [16, 32, 8]").size[0], 16);
+    const Diagnostic coarse = fault("size = [16, 32, 8]", "noise_scale = [3, 1, 1]");
     EXPECT_EQ(coarse.code, "W0203");
     EXPECT_EQ(coarse.where.line, 4);
     EXPECT_EQ(coarse.message,
               "octave 1 of channel Y of noise `n` (frequency 2 times [3, 1, 1]) has fewer than 4 "
-              "voxels a cell at size 16x16x16");
-    const Diagnostic detail = fault("size = [32, 32, 32]", "detail = 'd'\ndetail_scale = 2");
+              "voxels a cell at size 16x32x8");
+    const Diagnostic detail = fault("size = [32, 64, 16]", "detail = 'd'\ndetail_scale = 2");
     EXPECT_EQ(detail.code, "W0203") << "of the first channel alone";
     EXPECT_NE(detail.message.find("channel R of noise `d`"), std::string::npos);
     const auto nothing = only_diagnostic(
@@ -117,7 +188,7 @@ TEST(CloudVolumeDecoder, WarnsOfTowersBetweenVoxels) {
         return "[clouds.c.towers." + name + "]\ncenter = [0, 0]\namplitude = 1\nsigma = " + sigma +
                "\n";
     };
-    const std::string size = "size = [100, 50, 16]";
+    const std::string size = "size = [100, 50, 16]\nformats = 'bin'";
     const Diagnostic narrow = fault(size, tower("a", "[0.1, 0.1]") + tower("b", "[0.02, 0.019]") +
                                               tower("e", "[0.009, 1]") + tower("f", "[0.009, 1]"));
     EXPECT_EQ(narrow.code, "W0204");

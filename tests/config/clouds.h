@@ -75,6 +75,9 @@ inline std::string spell(const VolumeFiles& files) {
 
 inline std::string spell(const CloudVolumeBake& bake) {
     return fmt::format("{} {} ", bake.cloud, bake.size) +
+           (bake.extent[0].meters > 0 ? fmt::format("{} {} {} m ", bake.extent[0].meters,
+                                                    bake.extent[1].meters, bake.extent[2].meters)
+                                      : "") +
            spell(static_cast<const VolumeFiles&>(bake));
 }
 

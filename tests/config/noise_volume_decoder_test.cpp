@@ -176,5 +176,31 @@ TEST(NoiseVolumeDecoder, RefusesOctavesOfNothing) {
     EXPECT_EQ(code("", "type = 'perlin'\nfrequencies = [2, 64]\ngains = [1, 0]"), "none");
 }
 
+// Nobody has said how: then so that engines can import it.
+TEST(NoiseVolumeDecoder, AStackThatWouldBeTooHighIsAnAtlas) {
+    const NoiseVolumeBake high = volume("size = [64, 256, 128]");
+    EXPECT_EQ(high.layout, VolumeLayout::atlas);
+    EXPECT_EQ(high.columns, 0) << "each level chooses its own";
+    EXPECT_EQ(volume("size = [64, 128, 128]").layout, VolumeLayout::stack) << "16384 rows fit";
+    EXPECT_EQ(volume("size = [64, 256, 128]\nformats = 'bin'").layout, VolumeLayout::stack);
+    const Diagnostic asked = fault("layout = 'stack'\nsize = [64, 256, 128]");
+    EXPECT_EQ(asked.code, "W0212");
+    EXPECT_EQ(asked.severity, Severity::warning);
+    EXPECT_NE(asked.message.find("64 columns and 32768 rows"), std::string::npos) << asked.message;
+    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 128\nsize = [256, 64, 128]").code, "W0212");
+}
+
+TEST(NoiseVolumeDecoder, WarnsOfEmptyCells) {
+    const Diagnostic empty = fault("layout = 'atlas'\ncolumns = 12\nsize = [64, 64, 128]");
+    EXPECT_EQ(empty.code, "W0213");
+    EXPECT_NE(empty.message.find("132 cells for 128 slices"), std::string::npos) << empty.message;
+    EXPECT_EQ(empty.label, "columns = 16 leaves no cell empty");
+    const Diagnostic prime = fault("layout = 'atlas'\nsize = [128, 128, 131]");
+    EXPECT_EQ(prime.code, "W0213");
+    EXPECT_EQ(prime.label, "131 slices fill no atlas of at most 16384 by 16384 texels");
+    EXPECT_EQ(volume("layout = 'atlas'\nsize = [64, 64, 131]").layout, VolumeLayout::atlas)
+        << "in one row";
+}
+
 }  // namespace
 }  // namespace skybake::config

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <tuple>
+
 #include "tests/config/clouds.h"
 
 namespace skybake::config {
@@ -12,10 +15,10 @@ using testing::only_diagnostic;
 using testing::parse;
 using testing::valid;
 
-// The occupancy's keys begin on line 4; its volume, of 30x20x10 voxels, stands behind it.
+// The occupancy's keys begin on line 4; its volume, of 16x32x8 voxels, stands behind it.
 std::string occupancy_recipe(const std::string& keys, const std::string& cloud = "") {
     return "[bake.o]\nasset = 'occupancy'\nof = 'v'\n" + keys +
-           "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [30, 20, 10]\n" +
+           "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 32, 8]\n" +
            cloud_recipe(cloud);
 }
 
@@ -56,15 +59,73 @@ TEST(OccupancyDecoder, CellsArePowersOfTwo) {
     EXPECT_EQ(fault("cell = '4'").code, "E0103");
 }
 
-// 30x20x10 voxels are 8x5x3 cells of 4, and 30x20x10 of 1.
+// 16x32x8 voxels are 4x8x2 cells of 4, and 16x32x8 of 1.
 TEST(OccupancyDecoder, LevelsAndColumnsAreThoseOfItsCells) {
     EXPECT_EQ(occupancy("mips = 'all'").mips, 4);
     EXPECT_EQ(occupancy("mips = 'all'\ncell = 1").mips, 6);
     EXPECT_EQ(occupancy("mips = 'all'\ncell = 16").mips, 2);
-    EXPECT_EQ(fault("mips = 5").label, "8x5x3 has 4 levels down to one voxel");
-    EXPECT_EQ(occupancy("layout = 'atlas'\ncolumns = 3").columns, 3);
-    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 4").label, "there are 3 slices");
+    EXPECT_EQ(fault("mips = 5").label, "4x8x2 has 4 levels down to one voxel");
+    EXPECT_EQ(occupancy("layout = 'atlas'\ncolumns = 2").columns, 2);
+    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 4").label, "there are 2 slices");
     EXPECT_EQ(fault("pixel_type = 'unorm8'").code, "E0131");
+}
+
+// The diagnostics of an occupancy of a volume of this size, whose voxels are cubes of a metre; not
+// that small volumes have few of them for a lattice cell.
+std::vector<Diagnostic> of_size(int x, int y, int z, const std::string& keys) {
+    auto diagnostics =
+        parse(fmt::format("[bake.o]\nasset = 'occupancy'\nof = 'v'\n{}\n[bake.v]\n"
+                          "asset = 'cloud_volume'\ncloud = 'c'\nsize = [{}, {}, {}]\n"
+                          "[clouds.c]\nnoise = 'n'\nextent = ['{} m', '{} m', '{} m']\n"
+                          "[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 1\n",
+                          keys, x, y, z, x, y, z))
+            .diagnostics;
+    std::erase_if(diagnostics, [](const Diagnostic& one) { return one.code == "W0203"; });
+    return diagnostics;
+}
+
+// Of three tiles of 10 voxels side by side, the third begins at voxel 20. With cells of 4, repeated
+// as 3 texels that span 12 voxels each, a runtime would look it up in the texels of voxels 8 to 12.
+TEST(OccupancyDecoder, CellsTileAsTheVolumeDoes) {
+    for (const auto& [x, y, axis] : {std::tuple{10, 16, 'x'}, std::tuple{16, 10, 'y'}}) {
+        const auto diagnostics = of_size(x, y, 8, "cell = 4");
+        ASSERT_EQ(diagnostics.size(), 1u);
+        EXPECT_EQ(diagnostics[0].code, "E0150");
+        EXPECT_EQ(diagnostics[0].where.line, 4);
+        EXPECT_EQ(diagnostics[0].message,
+                  fmt::format("cells of 4 voxels do not tile the 10 voxels of `v` along {}", axis));
+        EXPECT_TRUE(of_size(x, y, 8, "cell = 2").empty());
+    }
+    EXPECT_EQ(of_size(10, 16, 8, "").at(0).where.line, 3) << "the default is of no line";
+    EXPECT_TRUE(of_size(16, 16, 10, "cell = 4").empty()) << "the height does not repeat";
+    EXPECT_TRUE(of_size(3, 4, 10, "cell = 4").empty()) << "one cell is the same everywhere";
+}
+
+// 12 cells are 6, then 3, which have no half.
+TEST(OccupancyDecoder, LevelsHalveTheCells) {
+    for (const auto& size :
+         {std::array{48, 16, 16}, std::array{16, 48, 16}, std::array{16, 16, 48}}) {
+        EXPECT_TRUE(of_size(size[0], size[1], size[2], "mips = 3").empty());
+        const auto diagnostics = of_size(size[0], size[1], size[2], "mips = 4");
+        ASSERT_EQ(diagnostics.size(), 1u);
+        EXPECT_EQ(diagnostics[0].code, "E0150");
+        EXPECT_EQ(diagnostics[0].label, "at most 3 levels, or another size");
+    }
+    EXPECT_TRUE(of_size(64, 16, 4, "mips = 'all'").empty()) << "1 stays 1";
+}
+
+TEST(OccupancyDecoder, WarnsOfCellsThatAreNoCubes) {
+    const std::string volume =
+        "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nformats = 'bin'\n"
+        "size = [16, 16, 16]\n";
+    const std::string grid = "[bake.o]\nasset = 'occupancy'\nof = 'v'\n";
+    EXPECT_TRUE(parse(grid + volume + cloud_recipe("")).diagnostics.empty());
+    const Diagnostic warning =
+        only_diagnostic(grid + "formats = 'vdb'\n" + volume + cloud_recipe(""));
+    EXPECT_EQ(warning.code, "W0211");
+    EXPECT_EQ(
+        warning.message,
+        "the voxels of [bake.o] are no cubes: 250 x 500 x 125 m, and the VDB file has them so");
 }
 
 TEST(OccupancyDecoder, ContentsMakeAPicture) {

@@ -2,12 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <thread>
 
+#include "bakers/io/file_descriptor.h"
 #include "bakers/io/verify.h"
 #include "tests/incremental/bakes.h"
 
@@ -178,13 +181,60 @@ TEST_F(Cache, GarbageIsWhatKilledProcessesLeft) {
     cache_.offer(asset(0));
     fs::create_directories(folder_ / "cache/pending/99999999-0");
     write_bytes(folder_ / "cache/pending/99999999-0/shape.bin", "half");
+    fs::create_directories(folder_ / "cache/pending/1-0");
+    const FileDescriptor writer(
+        ::open((folder_ / "cache/pending/1-0").c_str(), O_RDONLY | O_DIRECTORY));
+    ASSERT_EQ(::flock(writer.get(), LOCK_EX), 0);
     collect_garbage(folder_ / "cache", 1u << 30);
-    EXPECT_FALSE(fs::is_empty(folder_ / "cache/pending"));  // it may be somebody's yet
-    fs::last_write_time(folder_ / "cache/pending/99999999-0",
-                        fs::file_time_type::clock::now() - std::chrono::hours(2));
-    collect_garbage(folder_ / "cache", 1u << 30);
-    EXPECT_TRUE(fs::is_empty(folder_ / "cache/pending"));
+    EXPECT_FALSE(fs::exists(folder_ / "cache/pending/99999999-0"));
+    EXPECT_TRUE(fs::exists(folder_ / "cache/pending/1-0")) << "somebody is writing it";
     EXPECT_EQ(cache_entries(folder_ / "cache").value->size(), 1U);
+}
+
+// Whether or not the next process has anything to add.
+TEST_F(Cache, TheNextBakeRemovesWhatAKilledOneLeft) {
+    cache_.offer(asset(0));
+    for (const bool known : {true, false}) {
+        fs::create_directories(folder_ / "cache/pending/99999999-0");
+        AssetCache(folder_ / "cache").offer(asset(known ? 0 : 1));
+        EXPECT_TRUE(fs::is_empty(folder_ / "cache/pending")) << known;
+    }
+}
+
+// Whoever can write into the cache must not reach what is outside of it through us.
+TEST_F(Cache, LinksAreNotFollowed) {
+    const std::string key = asset(0).entry.key;
+    const fs::path entry = folder_ / "cache/assets" / key.substr(0, 2) / key;
+    fs::create_directory(folder_ / "far");
+    write_bytes(folder_ / "far/file", "of somebody else");
+    fs::create_directories(folder_ / "cache/pending");
+    fs::create_symlink(folder_ / "far", folder_ / "cache/pending/99999999-0");
+    fs::create_directories(entry.parent_path());
+    fs::create_symlink(folder_ / "absent", entry);
+    cache_.offer(asset(0));
+    EXPECT_TRUE(fs::is_directory(fs::symlink_status(entry)));
+    EXPECT_FALSE(fs::exists(folder_ / "absent"));
+
+    // A damaged entry that is a link goes, and what it points to stays.
+    fs::rename(entry, folder_ / "far/entry");
+    fs::create_symlink(folder_ / "far/entry", entry);
+    write_bytes(folder_ / "far/entry/transmittance.exr", "damaged");
+    cache_.reject(*cache_.find(key));
+    EXPECT_FALSE(fs::exists(fs::symlink_status(entry)));
+    EXPECT_EQ(read_bytes(folder_ / "far/entry/transmittance.exr"), "damaged");
+    EXPECT_EQ(read_bytes(folder_ / "far/file"), "of somebody else");
+}
+
+TEST_F(Cache, AUseLeavesTheTimeStampOfWhatItsManifestPointsToAlone) {
+    const std::string key = asset(0).entry.key;
+    cache_.offer(asset(0));
+    const fs::path manifest = cache_.find(key)->folder / "manifest.json";
+    fs::rename(manifest, folder_ / "far.json");
+    fs::create_symlink(folder_ / "far.json", manifest);
+    const auto before = fs::file_time_type::clock::now() - std::chrono::hours(48);
+    fs::last_write_time(folder_ / "far.json", before);
+    EXPECT_TRUE(cache_.find(key).has_value());
+    EXPECT_EQ(fs::last_write_time(folder_ / "far.json"), before);
 }
 
 TEST_F(Cache, AMissingCacheIsEmpty) {

@@ -74,6 +74,76 @@ TEST(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
     EXPECT_EQ(read_bytes(table), whole);
 }
 
+// Outputs, the manifest that claims them among them, moved out of the folder and linked to.
+void link_outputs(const fs::path& folder, const fs::path& far) {
+    fs::create_directory(far);
+    for (const char* name : {"transmittance.exr", "shape.exr", "shape.bin", "manifest.json"}) {
+        fs::rename(folder / name, far / name);
+        fs::create_symlink(far / name, folder / name);
+    }
+}
+
+TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
+    const TemporaryFolder folder;
+    AssetCache cache(folder / "cache");
+    TestBake(recipe_of(small_recipe), folder / "out").run();
+    link_outputs(folder / "out", folder / "far");
+    std::map<std::string, std::string> before;
+    for (const auto& file : fs::directory_iterator(folder / "far")) {
+        before[file.path().filename()] = read_bytes(file.path());
+    }
+    const std::vector<std::string> other = {"atmosphere.layers.mie.scale_height=1 km",
+                                            "noise.shape.seed=9"};
+    TestBake changed(recipe_of(small_recipe, {}, other), folder / "out");
+    changed.bake.sources = {&cache};
+    EXPECT_EQ(changed.states(), (States{baked, baked, baked}));
+    for (const auto& [name, bytes] : before) {
+        EXPECT_EQ(read_bytes(folder / "far" / name), bytes) << name;
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "out" / name))) << name;
+        EXPECT_NE(read_bytes(folder / "out" / name), bytes) << name;
+    }
+
+    // Nor by copies from a cache.
+    TestBake(recipe_of(small_recipe), folder / "second").run();
+    link_outputs(folder / "second", folder / "further");
+    TestBake copied_there(recipe_of(small_recipe, {}, other), folder / "second");
+    copied_there.bake.sources = {&cache};
+    EXPECT_EQ(copied_there.states(), (States{copied, copied, copied}));
+    for (const auto& [name, bytes] : before) {
+        if (name == "manifest.json") continue;  // which holds times
+        EXPECT_EQ(read_bytes(folder / "further" / name), bytes) << name;
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "second" / name))) << name;
+    }
+}
+
+// Without a manifest that claims them, by --force alone.
+TEST(BakeFolder, ForceReplacesLinksAndNotTheirTargets) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "far", "of somebody else");
+    fs::create_directory(folder / "out");
+    const std::vector<std::string> names = {"transmittance.exr", "shape.bin", "manifest.json"};
+    for (const std::string& name : names) fs::create_symlink("../far", folder / "out" / name);
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    EXPECT_EQ(first_code(bake.run().diagnostics), "E0303");
+    bake.bake.force = true;
+    EXPECT_EQ(bake.states(), (States{baked, baked, baked}));
+    EXPECT_EQ(read_bytes(folder / "far"), "of somebody else");
+    for (const std::string& name : names) {
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "out" / name))) << name;
+    }
+}
+
+TEST(BakeFolder, LeftOversGoWhereNothingIsStale) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    bake.run();
+    const auto before = time_stamps(folder / "out");
+    write_bytes(folder / "out/.transmittance.exr.skybake-1-0.tmp", "half");
+    write_bytes(folder / "out/.of_another_recipe.exr.skybake-1-0.tmp", "half");
+    EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
+    EXPECT_EQ(time_stamps(folder / "out"), before);
+}
+
 TEST(BakeFolder, IncrementalAndCleanBakesEndWithTheSameFiles) {
     const TemporaryFolder folder;
     const std::vector<std::string> settings = {"atmosphere.ground_albedo=0.7",

@@ -10,12 +10,14 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <functional>
 #include <thread>
 
 #include "bakers/io/file_descriptor.h"
+#include "bakers/io/file_output.h"
 #include "tests/io/files.h"
 
 namespace skybake {
@@ -84,23 +86,55 @@ TEST(AtomicFile, PermissionsFollowTheUmaskOrTheOldFile) {
     EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "old").permissions()), 0606u);
 }
 
-TEST(AtomicFile, WritesThroughSymbolicLinks) {
+// Whatever a link points to keeps its bytes, or its absence; the link is gone.
+TEST(AtomicFile, ReplacesSymbolicLinksAndNeverTheirTargets) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "far");
-    write_bytes(folder / "far/file", "old");
+    write_bytes(folder / "far/file", "of somebody else");
     fs::create_symlink("far/file", folder / "link");
     fs::create_symlink("link", folder / "chain");
-    EXPECT_EQ(write_file_atomically(folder / "chain", "new").value, WriteResult::written);
-    EXPECT_TRUE(fs::is_symlink(folder / "link"));
-    EXPECT_TRUE(fs::is_symlink(folder / "chain"));
-    EXPECT_EQ(read_bytes(folder / "far/file"), "new");
-
     fs::create_symlink("far/absent", folder / "dangling");
-    EXPECT_EQ(write_file_atomically(folder / "dangling", "new").value, WriteResult::written);
-    EXPECT_EQ(read_bytes(folder / "far/absent"), "new");
-
     fs::create_symlink("circle", folder / "circle");
-    EXPECT_EQ(first_code(write_file_atomically(folder / "circle", "new").diagnostics), "E0301");
+    fs::create_symlink("far", folder / "to_folder");
+    for (const char* name : {"chain", "link", "dangling", "circle", "to_folder"}) {
+        EXPECT_EQ(write_file_atomically(folder / name, "new").value, WriteResult::written) << name;
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / name))) << name;
+        EXPECT_EQ(read_bytes(folder / name), "new") << name;
+    }
+    EXPECT_EQ(read_bytes(folder / "far/file"), "of somebody else");
+    EXPECT_FALSE(fs::exists(folder / "far/absent"));
+}
+
+// What a writer makes is compared with the old file: not with what a link points to.
+TEST(AtomicFile, ALinkToTheSameBytesIsReplacedToo) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "file", "same");
+    for (const bool by_writer : {false, true}) {
+        fs::remove(folder / "link");
+        fs::create_symlink("file", folder / "link");
+        AtomicFiles files;
+        const FileWriter write = [](const fs::path& temporary) -> config::Outcome<bool> {
+            write_bytes(temporary, "same");
+            return {true, {}};
+        };
+        const auto staged = by_writer ? files.stage(folder / "link", write)
+                                      : files.stage(folder / "link", std::string_view("same"));
+        EXPECT_EQ(staged.value, WriteResult::written);
+        EXPECT_TRUE(files.commit().empty());
+        EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "link")));
+    }
+}
+
+// Nor is a link that somebody puts in the place of a temporary.
+TEST(AtomicFile, AWriterDoesNotFollowALinkInPlaceOfTheTemporary) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "other", "of somebody else");
+    fs::create_symlink("other", folder / "temporary");
+    FileOutput output(folder / "temporary");
+    output.write("new");
+    EXPECT_FALSE(output.finish());
+    EXPECT_EQ(output.error(), ELOOP);
+    EXPECT_EQ(read_bytes(folder / "other"), "of somebody else");
 }
 
 TEST(AtomicFile, RefusesWhatIsNoFile) {
@@ -108,11 +142,13 @@ TEST(AtomicFile, RefusesWhatIsNoFile) {
     fs::create_directory(folder / "folder");
     write_bytes(folder / "file", "x");
     ::mkfifo((folder / "pipe").c_str(), 0600);
+    fs::create_symlink("/proc/self/fd/1", folder / "stdout");
     const std::pair<fs::path, std::string> cases[] = {
         {folder / "folder", "it is a folder"},
         {folder / "folder/", "it is a folder"},
         {folder / "pipe", "it is not a regular file"},
         {"/dev/full", "it is not a regular file"},
+        {folder / "stdout", "it is a link to a device or an open file"},
         {folder / "file/below", "Not a directory"},
         {folder / "absent/below", "No such file or directory"},
         {folder / std::string(300, 'n'), "File name too long"},
@@ -373,6 +409,14 @@ TEST(AtomicFile, RemovesLeftOversOfTheDeadOnly) {
     EXPECT_EQ(write_file_atomically(folder / "a", "x").value, WriteResult::written);
     EXPECT_FALSE(fs::exists(folder / dead));
     for (const std::string& name : kept) EXPECT_TRUE(fs::exists(folder / name)) << name;
+}
+
+TEST(AtomicFile, RemovesLeftOversWhereNothingIsWritten) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "a", "x");
+    write_bytes(folder / ".a.skybake-1-0.tmp", "y");
+    EXPECT_EQ(write_file_atomically(folder / "a", "x").value, WriteResult::unchanged);
+    EXPECT_EQ(folder.names(), Names{"a"});
 }
 
 TEST(AtomicFile, ThreadsDoNotTakeEachOthersTemporaries) {

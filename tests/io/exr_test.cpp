@@ -1,10 +1,15 @@
 #include "bakers/io/exr.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <array>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <tuple>
 
+#include "bakers/io/exr_rows.h"
 #include "tests/io/files.h"
 
 namespace skybake {
@@ -178,6 +183,82 @@ TEST(Exr, DoesNotAllocateWhatAHeaderLiesAbout) {
     const auto lie = with_window(bytes, {"dataWindow", "displayWindow"}, {60000, 60000});
     const auto huge = decode_exr(lie, "huge.exr");
     EXPECT_EQ(testing::first_code(huge.diagnostics), "E0304");
+}
+
+// Gives an attribute of the header another size than it has.
+std::string with_claim(std::string bytes, const std::string& name, std::int32_t size) {
+    const std::size_t at = bytes.find('\0', bytes.find(name + '\0') + name.size() + 1) + 1;
+    std::memcpy(bytes.data() + at, &size, sizeof(size));
+    return bytes;
+}
+
+// The largest address space that this process had, in KiB.
+long peak_kib() {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        long kib = 0;
+        if (word == "VmPeak:" && status >> kib) return kib;
+    }
+    return -1;
+}
+
+// By how many KiB reading the bytes, whole and row by row, raises the peak: in a child process,
+// which begins with no peak above what it has. -1 where the file is not refused as damaged.
+long cost_kib(const std::string& bytes, const std::filesystem::path& path) {
+    testing::write_bytes(path, bytes);
+    std::array<int, 2> pipe{};
+    EXPECT_EQ(::pipe(pipe.data()), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const long before = peak_kib();
+        const bool refused = testing::first_code(read_exr(path).diagnostics) == "E0304" &&
+                             testing::first_code(ExrRows::open(path).diagnostics) == "E0304";
+        const long cost = refused ? peak_kib() - before : -1;
+        ::_exit(::write(pipe[1], &cost, sizeof(cost)) == sizeof(cost) ? 0 : 1);
+    }
+    long cost = -1;
+    EXPECT_EQ(::read(pipe[0], &cost, sizeof(cost)), static_cast<ssize_t>(sizeof(cost)));
+    ::close(pipe[0]);
+    ::close(pipe[1]);
+    ::waitpid(child, nullptr, 0);
+    return cost;
+}
+
+// The library takes a header at its word: 1.8 GB for an attribute, 8 bytes for each row of blocks,
+// a buffer of 16 rows.
+TEST(Exr, MemoryIsBoundedByTheFilesLength) {
+    const testing::TemporaryFolder folder;
+    const std::string bytes = *encode_exr(sample(PixelType::float32, Compression::zip)).value;
+    const std::string plain = *encode_exr(sample(PixelType::float32, Compression::none)).value;
+    const std::vector<std::string> both = {"dataWindow", "displayWindow"};
+    const std::pair<const char*, std::string> lies[] = {
+        {"a text", with_claim(bytes, "skybake/kind", 1'800'000'000)},
+        {"a text of negative length", with_claim(bytes, "skybake/kind", -1)},
+        {"a box", with_claim(bytes, "dataWindow", 1'800'000'000)},
+        {"rows", with_window(bytes, {"dataWindow"}, {36, 1 << 30})},
+        {"columns", with_window(bytes, {"dataWindow"}, {1 << 30, 18})},
+        {"rows of both windows", with_window(bytes, both, {0, 1 << 20})},
+        {"columns of both windows", with_window(bytes, both, {1 << 20, 18})},
+        {"texels that are not packed", with_window(plain, both, {800, 800})},
+    };
+    constexpr long allowed = 4 << 10;
+    ASSERT_GT(peak_kib(), 0);
+    for (const auto& [what, lie] : lies) {
+        const long cost = cost_kib(lie, folder / "lie.exr");
+        EXPECT_GE(cost, 0) << what << ": not refused";
+        EXPECT_LT(cost, allowed) << what;
+    }
+}
+
+// A file of all zeros is as small as they come, and is read.
+TEST(Exr, ReadsWhatPacksBest) {
+    for (const Compression compression : {Compression::zip, Compression::zips, Compression::piz}) {
+        ExrImage image;
+        image.pixels = Image2<float>(1024, 512, 1);
+        image.channel_names = {"Y"};
+        image.compression = compression;
+        EXPECT_TRUE(decode_exr(*encode_exr(image).value, "zero.exr").value.has_value());
+    }
 }
 
 TEST(Exr, RefusesAPartOfAnImage) {

@@ -50,6 +50,7 @@ std::string volume_text() {
         {12, 10, 7}, 3, config::PixelType::half,
         {config::VolumeFormat::exr, config::VolumeFormat::bin, config::VolumeFormat::vdb}, 3);
     volume.layout = config::VolumeLayout::atlas;
+    volume.columns = 3;
     volume.seam_error = 1.0 / 3;
     return manifest_json(testing::write_sample_volume(folder.path(), volume));
 }

@@ -44,6 +44,7 @@ TEST(VerifyVolume, AcceptsWhatWasWritten) {
             BakedVolume volume = sample_volume({13, 6, 7}, channels, PixelType::half,
                                                {VolumeFormat::exr, VolumeFormat::bin}, 3);
             volume.layout = layout;
+            volume.columns = 3;
             testing::write_sample_volume(folder.path(), volume);
             const auto report = verify_bake(folder.path());
             ASSERT_TRUE(report.value.has_value());

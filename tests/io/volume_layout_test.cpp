@@ -1,7 +1,6 @@
 #include "bakers/io/volume_layout.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 namespace skybake {
 namespace {
@@ -22,28 +21,14 @@ TEST(VolumeLayout, AnAtlasHasTheColumnsThatWereAskedFor) {
     EXPECT_EQ(volume_layout({16, 8, 10}, Kind::atlas, 25).rows, 1);
 }
 
-// By trying one after the other.
-int fewest_columns(const std::array<int, 3>& size) {
-    int columns = 1;
-    while (columns * size[0] < (size[2] + columns - 1) / columns * size[1]) ++columns;
-    return columns;
-}
-
-TEST(VolumeLayout, ChoosesTheFewestColumnsThatMakeItNoHigherThanWide) {
-    EXPECT_EQ(volume_layout({128, 128, 128}, Kind::atlas, 0).columns, 12);
-    EXPECT_EQ(volume_layout({1024, 1024, 1024}, Kind::atlas, 0).columns, 32);
-    EXPECT_EQ(volume_layout({1, 1, 1}, Kind::atlas, 0).columns, 1);
-    EXPECT_TRUE(rc::check([] {
-        std::array<int, 3> size;
-        for (int& side : size) side = *rc::gen::inRange(1, 400);
-        const int columns = volume_layout(size, Kind::atlas, 0).columns;
-        // One row of cells may still be higher than wide: then no count of columns helps.
-        if (size[0] * size[2] < size[1]) {
-            RC_ASSERT(columns == size[2]);
-        } else {
-            RC_ASSERT(columns == fewest_columns(size));
-        }
-    }));
+TEST(VolumeLayout, AnAtlasWithoutColumnsHasThoseOfItsSheet) {
+    const SliceLayout layout = volume_layout({128, 128, 128}, Kind::atlas, 0);
+    EXPECT_EQ(layout.kind, Kind::atlas);
+    EXPECT_EQ(layout.columns, 16);
+    EXPECT_EQ(layout.rows, 8);
+    EXPECT_EQ(layout_line({128, 128, 128}, layout),
+              "atlas of 16 x 8 cells of 128 x 128 texels, 128 slices row by row from the top left, "
+              "row 0 first");
 }
 
 TEST(VolumeLayout, SizesDoNotOverflow) {

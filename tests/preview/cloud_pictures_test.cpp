@@ -14,7 +14,7 @@
 namespace skybake {
 namespace {
 
-// A cloud of 30 x 20 x 10 voxels, none of them a multiple of the cell.
+// A cloud of 32 x 20 x 10 voxels, whose height is no multiple of the cell.
 struct Baked {
     config::Recipe recipe;
     PreviewAssets assets;
@@ -26,7 +26,7 @@ struct Baked {
             "octaves = 1\n[clouds.c]\nnoise = \"n\"\nextent = [\"3 km\", \"2 km\", \"0.7 km\"]\n"
             "base_altitude = \"1 km\"\ncoverage = 0.6\nextinction_scale = \"40 /km\"\n" +
                 cloud +
-                "\n[bake.sky]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [30, 20, 10]\n"
+                "\n[bake.sky]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [32, 20, 10]\n"
                 "[bake.grid]\nasset = \"occupancy\"\nof = \"sky\"\n" +
                 grid,
             {});

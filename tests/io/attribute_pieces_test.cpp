@@ -1,0 +1,178 @@
+#include "bakers/io/attribute_pieces.h"
+
+#include <rapidcheck.h>
+
+#include <cstring>
+#include <set>
+
+#include "bakers/io/exr_rows.h"
+#include "bakers/io/metadata.h"
+#include "config/utf8.h"
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+std::string text_of(std::size_t size) {
+    std::string text;
+    for (std::size_t i = 0; i < size; ++i) text += static_cast<char>('a' + i % 26);
+    return text;
+}
+
+TEST(AttributePieces, ShortTextsStayAsTheyAre) {
+    const Attributes attributes = {{"skybake/a", ""}, {"skybake/b", text_of(249)}};
+    EXPECT_EQ(split_attributes(attributes), attributes);
+    EXPECT_EQ(joined_attributes(attributes), attributes);
+}
+
+TEST(AttributePieces, LongTextsAreNumberedPieces) {
+    const std::string text = text_of(249 + 249 + 7);
+    const Attributes split = split_attributes({{"skybake/b", "x"}, {"skybake/a", text}});
+    ASSERT_EQ(split.size(), 4u);
+    EXPECT_EQ(split[0], (std::pair<std::string, std::string>{"skybake/a.0", text.substr(0, 249)}));
+    EXPECT_EQ(split[1].second, text.substr(249, 249));
+    EXPECT_EQ(split[2], (std::pair<std::string, std::string>{"skybake/a.2", text.substr(498)}));
+    EXPECT_EQ(split[3].first, "skybake/b");
+    EXPECT_EQ(split_attributes({{"skybake/a", text_of(250)}}).size(), 2u);
+}
+
+// Sorted by name, .10 comes before .2.
+TEST(AttributePieces, JoinInTheOrderOfTheirNumbers) {
+    const Attributes whole = {{"skybake/a", text_of(20000)}};
+    const Attributes split = split_attributes(whole);
+    EXPECT_EQ(split[2].first, "skybake/a.10");
+    EXPECT_EQ(joined_attributes(split), whole);
+}
+
+TEST(AttributePieces, NoCharacterIsCut) {
+    for (const std::string sign : {"µ", "→", "😀"}) {
+        for (std::size_t before = 240; before < 250; ++before) {
+            std::string text = text_of(before);
+            for (int i = 0; i < 200; ++i) text += sign;
+            const Attributes split = split_attributes({{"skybake/a", text}});
+            for (const auto& [name, piece] : split) {
+                EXPECT_FALSE(config::find_invalid_utf8(piece)) << sign << " after " << before;
+                EXPECT_LT(piece.size(), 250u);
+            }
+            EXPECT_EQ(joined_attributes(split), (Attributes{{"skybake/a", text}}));
+        }
+    }
+}
+
+TEST(AttributePieces, AnyTextsComeBack) {
+    EXPECT_TRUE(rc::check([] {
+        Attributes whole;
+        const int count = *rc::gen::inRange(0, 5);
+        for (int i = 0; i < count; ++i) {
+            const auto size = *rc::gen::inRange<std::size_t>(0, 3000);
+            whole.emplace_back("skybake/" + std::string(1, static_cast<char>('a' + i)),
+                               *rc::gen::container<std::string>(size, rc::gen::arbitrary<char>()));
+        }
+        const Attributes split = split_attributes(whole);
+        std::set<std::string> names;
+        for (const auto& [name, piece] : split) {
+            RC_ASSERT(piece.size() < 250);
+            RC_ASSERT(names.insert(name).second);
+        }
+        RC_ASSERT(std::is_sorted(split.begin(), split.end()));
+        RC_ASSERT(joined_attributes(split) == whole);
+    }));
+}
+
+// Nothing is lost of files that are damaged, or that others have written.
+TEST(AttributePieces, WhatIsNotOursOrNotCompleteKeepsItsName) {
+    for (const Attributes& attributes : std::vector<Attributes>{
+             {{"skybake/a.0", "x"}, {"skybake/a.2", "y"}},
+             {{"skybake/a.1", "x"}},
+             {{"skybake/a.00", "x"}},
+             {{"skybake/a.x", "x"}},
+             {{"skybake/a.", "x"}},
+             {{"skybake/a", "x"}, {"skybake/a.0", "y"}},
+             {{"other.0", "x"}, {"other.1", "y"}},
+             {{"skybake/a.99999999999999999999999", "x"}},
+         }) {
+        EXPECT_EQ(joined_attributes(attributes), attributes) << attributes[0].first;
+    }
+}
+
+// --- In files, whose headers are read here byte by byte -----------------------------------------
+
+struct FileAttribute {
+    std::string name;
+    std::string type;
+    std::string value;
+};
+
+std::vector<FileAttribute> attributes_in(const std::string& file) {
+    std::vector<FileAttribute> attributes;
+    for (std::size_t at = 8; at < file.size() && file[at] != 0;) {
+        FileAttribute attribute;
+        attribute.name = file.c_str() + at;
+        at += attribute.name.size() + 1;
+        attribute.type = file.c_str() + at;
+        at += attribute.type.size() + 1;
+        std::int32_t size = 0;
+        std::memcpy(&size, file.data() + at, 4);
+        attribute.value = file.substr(at + 4, static_cast<std::size_t>(size));
+        at += 4 + static_cast<std::size_t>(size);
+        attributes.push_back(std::move(attribute));
+    }
+    return attributes;
+}
+
+// How many texts there are in pieces.
+int expect_short(const std::string& file) {
+    int split = 0;
+    for (const FileAttribute& attribute : attributes_in(file)) {
+        EXPECT_LT(attribute.value.size(), 250u) << attribute.name;
+        EXPECT_LE(attribute.name.size(), 31u) << attribute.name;
+        split +=
+            attribute.name.size() > 2 && attribute.name.substr(attribute.name.size() - 2) == ".0";
+    }
+    return split;
+}
+
+// A page of parameters, with signs of several bytes.
+std::string long_parameters() {
+    std::string text = "[atmosphere]\n";
+    for (int i = 0; i < 300; ++i) text += "ground_radius = \"6360000 m\"  # µ → 😀\n";
+    return text;
+}
+
+TEST(AttributePieces, TablesHaveNoLongAttribute) {
+    BakedTable table = testing::sample_table();
+    table.parameters = long_parameters();
+    const auto encoded = encode_table(table);
+    ASSERT_TRUE(encoded.value.has_value());
+    EXPECT_EQ(expect_short(encoded.value->bytes), 1);
+    const auto image = decode_exr(encoded.value->bytes, "sample.exr");
+    ASSERT_TRUE(image.value.has_value());
+    EXPECT_EQ(image.value->attributes, exr_attributes(encoded.value->asset));
+}
+
+TEST(AttributePieces, VolumesHaveNoLongAttribute) {
+    const testing::TemporaryFolder folder;
+    BakedVolume volume = testing::sample_volume();
+    volume.parameters = long_parameters();
+    const Manifest manifest = testing::write_sample_volume(folder.path(), volume);
+    const std::string path = folder / manifest.assets[0].files[0].path;
+    EXPECT_GE(expect_short(testing::read_bytes(path)), 2) << "parameters and statistics";
+    const auto rows = ExrRows::open(path);
+    ASSERT_TRUE(rows.value.has_value());
+    EXPECT_EQ(rows.value->attributes(),
+              volume_attributes(manifest.assets[0], manifest.assets[0].files[0]));
+}
+
+// A name that is too long once a piece's number stands behind it.
+TEST(AttributePieces, LongNamesOfPiecesAreRefused) {
+    ExrImage image;
+    image.pixels = testing::sample_image(2, 2, 1);
+    image.channel_names = {"Y"};
+    image.attributes = {{"skybake/" + std::string(22, 'n'), "short"}};
+    EXPECT_TRUE(encode_exr(image).value.has_value());
+    image.attributes[0].second = text_of(250);
+    EXPECT_EQ(testing::first_code(encode_exr(image).diagnostics), "E0500");
+}
+
+}  // namespace
+}  // namespace skybake
