@@ -376,8 +376,8 @@ constexpr std::array codes = {
     DiagnosticCode{"E0402", "out of the pixel type's range",
                    "A baked value is beyond what the pixel type holds: 65504 for half, [0, 1] for "
                    "unorm8 and unorm16. Nothing is clamped and nothing is written. Choose "
-                   "pixel_type = \"float\", a `remap` for a noise, or content = "
-                   "\"transmittance\" in place of an optical depth.",
+                   "pixel_type = \"float\"; `remap`, `smoothstep` or `clamp` for the channel of a "
+                   "noise; or content = \"transmittance\" in place of an optical depth.",
                    "pixel_type = \"half\"", "pixel_type = \"float\"", failed_check},
     DiagnosticCode{
         "E0403", "max_error cannot be reached",

@@ -220,6 +220,10 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
             return as_field_value(read_gains(reader, value));
         case Kind::remap:
             return as_field_value(read_remap(reader, value));
+        case Kind::edges:
+            return as_field_value(read_edges(reader, value));
+        case Kind::clamp:
+            return as_field_value(read_clamp(reader, value));
         case Kind::levels:
             return as_field_value(read_levels(reader, value));
         case Kind::lengths:

@@ -263,6 +263,10 @@ std::string_view describe_kind(Kind kind) {
             return "a list of one number per octave, such as [0.625, 0.25, 0.125]";
         case Kind::remap:
             return "four numbers, [in_low, in_high, out_low, out_high]";
+        case Kind::edges:
+            return "two numbers, the first below the second, such as [0.8, 1.4]";
+        case Kind::clamp:
+            return "true, false or two numbers, the lower one first, such as [0, 1]";
         case Kind::levels:
             return "a whole number, or \"all\"";
         case Kind::angle:

@@ -302,10 +302,18 @@ const std::array channel_table = {
          .documentation = "[in_low, in_high, out_low, out_high]: linear, in_low to out_low",
          .hint = "1 - d / sqrt(3) uses 0.43 to 0.96"},
         &NoiseChannel::remap},
+    NoiseChannelField{{.key = "smoothstep",
+                       .kind = Kind::edges,
+                       .range = value_range,
+                       .documentation = "after remap: rises smoothly from 0 at the first edge to 1 "
+                                        "at the second",
+                       .hint = "takram's weather has [0.8, 1.4]",
+                       .citation = takram},
+                      &NoiseChannel::smoothstep},
     NoiseChannelField{{.key = "invert",
                        .kind = Kind::flag,
                        .fallback = "false",
-                       .documentation = "1 - v, after remap"},
+                       .documentation = "1 - v, after remap and smoothstep"},
                       &NoiseChannel::invert},
     NoiseChannelField{
         {.key = "bias",
@@ -317,6 +325,12 @@ const std::array channel_table = {
          .hint = "0.5 changes nothing",
          .citation = schlick_1994},
         &NoiseChannel::bias},
+    NoiseChannelField{{.key = "clamp",
+                       .kind = Kind::clamp,
+                       .range = value_range,
+                       .documentation = "bounds of the values, after all else; true: [0, 1]",
+                       .hint = "integers of a pixel type hold [0, 1] alone"},
+                      &NoiseChannel::clamp},
 };
 
 }  // namespace

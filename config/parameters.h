@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -192,9 +193,13 @@ struct NoiseChannel {
     WorleyValue value_form = WorleyValue::one_minus_distance;
     CurlComponent component = CurlComponent::x;  // curl
     std::uint64_t seed = 0;                      // besides the noise's own
-    std::array<double, 4> remap{0, 1, 0, 1};     // [in low, in high, out low, out high], linear
-    bool invert = false;                         // 1 - v, after remap
-    double bias = 0.5;                           // Schlick's, after invert; 0.5 changes nothing
+    // What becomes of a value v, in this order.
+    std::array<double, 4> remap{0, 1, 0, 1};           // [in low, in high, out low, out high]
+    std::optional<std::array<double, 2>> smoothstep;  // from 0 at the first to 1 at the second
+    bool invert = false;                               // 1 - v
+    double bias = 0.5;                                 // Schlick's; 0.5 changes nothing
+    std::array<double, 2> clamp{-std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::infinity()};
 };
 
 enum class NoiseSampling { centers, corners, slices_at_corners };

@@ -112,6 +112,7 @@ TEST(NoiseBounds, HoldForEveryKind) {
         for (config::NoiseChannel& channel : noise.channels) {
             channel.invert = *rc::gen::arbitrary<bool>();
             channel.bias = *rc::gen::element(0.5, 0.2, 0.9);
+            if (*rc::gen::inRange(0, 3) == 0) channel.clamp = {0.3, 0.6};
         }
         const std::size_t outputs =
             noise.pack == config::NoisePacking::none ? noise.channels.size() : 1;

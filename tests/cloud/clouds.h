@@ -95,6 +95,11 @@ inline config::Noise any_cloud_noise() {
         channel.feature = any_choice<config::WorleyFeature>(3);
         channel.value_form = any_choice<config::WorleyValue>(4);
         if (*rc::gen::inRange(0, 4) == 0) channel.remap = {0.2, 0.9, -0.1, 1.2};
+        if (*rc::gen::inRange(0, 4) == 0) {
+            const double from = any_number(0, 1);
+            channel.smoothstep = {from, from + *rc::gen::element(1e-6, 0.1, 1.0)};
+        }
+        if (*rc::gen::inRange(0, 4) == 0) channel.clamp = {0.1, any_number(0.2, 1)};
         noise.channels.push_back(channel);
     }
     return noise;
