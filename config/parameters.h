@@ -306,6 +306,7 @@ struct Cloud {
     double threshold = 0;
     double edge_softness = 0;
     ThresholdAt threshold_at = ThresholdAt::bake;
+    std::optional<double> full_at;  // the value whose density is 1; threshold_at = bake
     CloudChannels channels = CloudChannels::density;
     InverseLength extinction_scale;  // extinction of density 1
     std::vector<Tower> towers;       // in the order of the recipe
