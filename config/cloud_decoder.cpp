@@ -59,6 +59,9 @@ struct CloudReader {
         const Source* source = file.source->place.source;
         const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
         map.path = (folder / map.file).lexically_normal();
+        map.file_place = source_range(file.source->place);
+        const DecodedField& channel = section.at("channel");
+        map.channel_place = channel.source ? source_range(channel.source->place) : map.file_place;
     }
 
     void read_map(std::string_view key, std::string_view pattern,

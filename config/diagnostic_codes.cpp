@@ -164,15 +164,6 @@ constexpr std::array codes = {
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [1024, 1024, 1024]",
                    usage},
-    DiagnosticCode{"E0127", "octave of nothing",
-                   "At this size every voxel lies on a lattice point of the octave, and gradient "
-                   "noise is 0 there. The octave would take its share of the weight and give "
-                   "nothing. Make the volume larger, or the frequency lower.",
-                   "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 64\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
-                   "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 8\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
-                   usage},
     DiagnosticCode{
         "E0128", "octave of too high a frequency",
         "Each octave has `lacunarity` times the frequency of the one before, and a cloud "
@@ -420,11 +411,12 @@ constexpr std::array codes = {
                    "the light pass. That is rarely meant; most often a coefficient per kilometre "
                    "was given as one per metre.",
                    "scattering = \"0.0331 /m\"", "scattering = \"0.0331 /km\"", 0},
-    DiagnosticCode{"W0203", "fewer than four voxels a cell",
-                   "An octave has so many lattice cells that the volume cannot show them: it "
-                   "aliases, and a lookup between voxels has little to do with the noise. Each "
-                   "channel is named once, with its first such octave. Presets that copy a source "
-                   "which aliases (thesis, takram_shape, takram_detail) earn this too.",
+    DiagnosticCode{"W0203", "octaves too fine for the voxels",
+                   "An octave has so many lattice cells that there are fewer than four voxels per "
+                   "cell: it aliases, and a lookup between voxels has little to do with the noise. "
+                   "Each bake warns once and names the size that would show all octaves. Presets "
+                   "that copy an aliasing source (thesis, takram_shape, takram_detail) say so by "
+                   "`aliases = true` and trigger this only below their own size.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 16\n[bake.n]\n"
                    "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
                    "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 8\n[bake.n]\n"
@@ -459,6 +451,25 @@ constexpr std::array codes = {
         "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
         "convention = \"takram\"",
         0},
+    DiagnosticCode{"W0208", "octave that adds nothing",
+                   "At this size every voxel lies on a lattice point of the octave, and gradient "
+                   "noise is 0 there. The octave takes its share of the weight and adds nothing. "
+                   "For a draft that does not matter; else make the volume larger or its size odd, "
+                   "or choose a lower frequency.",
+                   "[noise.n]\naliases = true\nsize = [32, 32, 32]\n[noise.n.channels.Y]\n"
+                   "type = \"perlin\"\nfrequency = 64\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"",
+                   "[noise.n]\nsize = [32, 32, 32]\n[noise.n.channels.Y]\n"
+                   "type = \"perlin\"\nfrequency = 8\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"",
+                   0},
+    DiagnosticCode{"W0209", "names that differ in case alone",
+                   "Two bakes have names that differ in nothing but capital letters. They are two "
+                   "files on Linux and one on most disks of macOS and Windows, where the second "
+                   "overwrites the first.",
+                   "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.T]\n"
+                   "asset = \"irradiance\"",
+                   "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.irradiance]", 0},
     DiagnosticCode{"W0301", "the cache does not keep what was baked",
                    "The bake has succeeded, but its assets could not be put into the cache: its "
                    "folder may not be written to, or the disk is full. The next bake elsewhere "

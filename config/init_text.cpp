@@ -171,13 +171,6 @@ std::string section_from_preset(const Section& section, const std::string& path,
     return text + fmt::format("preset = \"{}\"\n", preset) + commented_keys(section, keys);
 }
 
-// The noise preset that goes with a noise of a cloud preset: the one of the cloud's name, else that
-// of Nubis.
-const Preset& noise_of_cloud(const Preset& cloud, const std::string& noise) {
-    const Preset* own = find_noise_preset(cloud.name);
-    return own ? *own : *find_noise_preset("nubis_" + noise);
-}
-
 std::array<int, 3> triple_of(const Table& table, const Section& section, std::string_view key) {
     const Entry* entry = find_entry(table, key);
     const Field& field = *find_field(section, key);
@@ -197,14 +190,12 @@ struct CloudNoises {
         const Entry* entry = find_entry(keys, key);
         if (!entry) return;
         const auto& name = std::get<std::string>(entry->value.data);
-        const Preset& noise = noise_of_cloud(cloud, name);
-        const std::optional<Table> noise_keys = parse_preset(noise);
+        const CloudNoisePreset noise = noise_of_cloud_preset(cloud.name, name);
+        const std::optional<Table> noise_keys = parse_preset(*noise.preset);
         if (!noise_keys) return;
-        text += fmt::format("\n# {}\n[noise.{}]\npreset = \"{}\"\n", preset_title(noise), name,
-                            noise.name);
-        // A density takes one number of each noise, so that the channels are merged.
-        const bool is_density = !find_entry(keys, "channels");
-        if (is_density) text += fmt::format("pack = \"{}\"\n", name);
+        text += fmt::format("\n# {}\n[noise.{}]\npreset = \"{}\"\n", preset_title(*noise.preset),
+                            name, noise.preset->name);
+        if (noise.pack != "none") text += fmt::format("pack = \"{}\"\n", noise.pack);
         const auto voxels = triple_of(*noise_keys, *find_section("noise.*"), "size");
         const auto times = triple_of(keys, *find_section("clouds.*"), scale);
         for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(size[i], voxels[i] * times[i]);

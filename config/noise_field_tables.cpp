@@ -108,6 +108,13 @@ const std::array noise_table = {
                 .documentation = "merge the channels into one, Y",
                 .citation = takram},
                &Noise::pack},
+    NoiseField{{.key = "aliases",
+                .kind = Kind::flag,
+                .fallback = "false",
+                .documentation = "octaves that are too fine for `size` are part of its look, so "
+                                 "that no warning names them",
+                .only_shown = true},
+               &Noise::aliases},
 };
 
 const std::array channel_table = {

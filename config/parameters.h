@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "config/diagnostic.h"
 #include "config/quantity.h"
 
 namespace skybake::config {
@@ -212,6 +213,7 @@ struct Noise {
     std::array<int, 3> size{};  // what it is made for; the default of a bake's size
     NoiseSampling sampling = NoiseSampling::centers;
     NoisePacking pack = NoisePacking::none;
+    bool aliases = false;                // octaves too fine for `size` are meant to be
     std::vector<NoiseChannel> channels;  // in the order R, G, B, A
 };
 
@@ -264,6 +266,8 @@ struct CloudMap {
     MapWrap wrap = MapWrap::repeat;
     MapFilter filter = MapFilter::linear;
     MapColorSpace color_space = MapColorSpace::linear;
+    SourceRange file_place;     // of `file` in the recipe
+    SourceRange channel_place;  // of `channel`; of `file` where the recipe names no channel
 };
 
 // A Gaussian of height `amplitude` over the ground plan, in tiles; its periodic images are summed.

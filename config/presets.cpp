@@ -33,6 +33,12 @@ const Preset* find_cloud_preset(std::string_view name) {
     return find_preset(cloud_presets(), name);
 }
 
+CloudNoisePreset noise_of_cloud_preset(std::string_view cloud, std::string_view noise) {
+    if (const Preset* own = find_noise_preset(cloud)) return {own, "none"};
+    const Preset* nubis = find_noise_preset("nubis_" + std::string(noise));
+    return {nubis, noise == "detail" ? "detail" : "shape"};
+}
+
 const SectionPresets* find_section_presets(std::string_view name) {
     for (const SectionPresets& kind : kinds) {
         if (find_preset(kind.all(), name)) return &kind;
