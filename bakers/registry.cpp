@@ -336,7 +336,7 @@ std::span<const Baker> bakers() {
         {"sky_view", 1, sky_parameters, no_inputs, estimate_sky_view, sky_view},
         {"aerial_perspective", 1, sky_parameters, no_inputs, estimate_aerial_perspective,
          aerial_perspective},
-        {"irradiance", 1, sky_parameters, no_inputs, estimate_irradiance, irradiance},
+        {"irradiance", 2, sky_parameters, no_inputs, estimate_irradiance, irradiance},
         {"phase", 1, phase_parameters, no_inputs, estimate_phase, phase},
         {"bruneton", 1, sky_parameters, no_inputs, estimate_bruneton, bruneton},
         {"optical_depth", 1, sky_parameters, no_inputs, estimate_columns, columns},

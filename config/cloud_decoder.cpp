@@ -141,7 +141,7 @@ void check_scale(const DecodedSection& section, std::string_view key, const Nois
             "E0128", decoded.source ? decoded.source->place : section.place,
             fmt::format("`{}` times frequency {} of noise `{}` is {}", join_path(section.path, key),
                         frequency[axis], noise->name, product),
-            fmt::format("at most {} cells a tile: a lower scale, or fewer octaves", most));
+            fmt::format("at most {} cells per tile: a lower scale, or fewer octaves", most));
         return;
     }
 }

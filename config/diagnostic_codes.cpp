@@ -33,7 +33,7 @@ constexpr std::array codes = {
     DiagnosticCode{"E0101", "not TOML",
                    "The text breaks the rules of TOML (https://toml.io). Only the first such place "
                    "of a file is reported, since what follows cannot be trusted. Quantities with a "
-                   "unit are strings and stand in quotes.",
+                   "unit are strings in quotes.",
                    "scale_height = 8 km", "scale_height = \"8 km\"", usage},
     DiagnosticCode{"E0102", "unknown key",
                    "No such key exists in this table. Keys are never ignored, since a misspelt one "
@@ -41,8 +41,8 @@ constexpr std::array codes = {
                    "scale_hieght = \"8 km\"", "scale_height = \"8 km\"", usage},
     DiagnosticCode{
         "E0103", "wrong type",
-        "The value is of another kind than the key takes: text where a number is wanted, "
-        "one value where a table is wanted, and so on.",
+        "The value is of another kind than the key takes: a string in place of a number, one "
+        "value in place of a table, and so on.",
         "enabled = \"no\"", "enabled = false", usage},
     DiagnosticCode{"E0104", "unknown choice",
                    "The key takes one of a few names, and this is none of them.",
@@ -168,7 +168,7 @@ constexpr std::array codes = {
         "E0128", "octave of too high a frequency",
         "Each octave has `lacunarity` times the frequency of the one before, and a cloud "
         "multiplies them by `noise_scale` or `detail_scale`. The message names what has more "
-        "than 1048576 lattice cells a tile, which no volume can show.",
+        "than 1048576 lattice cells per tile, which no volume can show.",
         "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 16\n"
         "lacunarity = 3",
         "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 5\n"
@@ -196,7 +196,7 @@ constexpr std::array codes = {
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"",
                    usage},
-    DiagnosticCode{"E0131", "pixel type that a format has not",
+    DiagnosticCode{"E0131", "pixel type that a format cannot hold",
                    "EXR and VDB files have float and half; unorm8 and unorm16 exist only in bin "
                    "files. A section writes all its formats with one pixel type: bake the noise in "
                    "two sections to have both.",
@@ -236,7 +236,7 @@ constexpr std::array codes = {
                    "size = [64, 64, 16]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"",
                    usage},
-    DiagnosticCode{"E0134", "channel that a cloud volume has not",
+    DiagnosticCode{"E0134", "no such channel of the cloud volume",
                    "A cloud volume has the channel Y; with channels = \"noise\" it has those of "
                    "its noise, where these are several and not packed.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
@@ -264,8 +264,8 @@ constexpr std::array codes = {
         "[sweep]\n\"noise.shape.seed\" = { from = 1, to = 4, count = 3 }",
         "[sweep]\n\"noise.shape.seed\" = { from = 1, to = 4, count = 4 }", usage},
     DiagnosticCode{
-        "E0136", "values that cannot walk together",
-        "`zip` names paths that walk together: each of them varies, by a list or a range "
+        "E0136", "zipped keys need equally many values",
+        "`zip` names paths that vary in lockstep: each of them varies, by a list or a range "
         "with a count, is named once, and has as many values as the others.",
         "[sweep]\n\"noise.n.seed\" = [1, 2, 3]\n\"clouds.c.coverage\" = [0.3, 0.6]\n"
         "zip = [\"noise.n.seed\", \"clouds.c.coverage\"]",
@@ -273,8 +273,8 @@ constexpr std::array codes = {
         "zip = [\"noise.n.seed\", \"clouds.c.coverage\"]",
         usage},
     DiagnosticCode{"E0137", "too many variants",
-                   "The cross product of everything that varies has more than 100000 variants. Let "
-                   "paths walk together with `zip`, or cover their ranges with `sobol` points.",
+                   "The cross product of everything that varies has more than 100000 variants. Vary "
+                   "paths in lockstep with `zip`, or cover their ranges with `sobol` points.",
                    "", "", usage},
 
     DiagnosticCode{"E0138", "unknown layer",

@@ -158,8 +158,8 @@ Table bake_of_noise(const std::string& name) {
 
 std::string note_on_comments(std::string_view preset) {
     return fmt::format(
-        "#\n# Written by `skybake init --preset {}`. Lines of the form `# key = value` show what "
-        "the\n# preset or a default says: take the # off to change one.\n",
+        "#\n# Written by `skybake init --preset {}`. Commented lines show preset and default "
+        "values;\n# uncomment one to change it.\n",
         preset);
 }
 
@@ -309,8 +309,8 @@ std::string init_text(const Preset& preset) {
     if (!root) return std::string(preset.text);
     std::string text = head_comment(preset.text);
     text += fmt::format(
-        "#\n# Written by `skybake init --preset {}`. Lines of the form `# key = value` "
-        "show defaults.\n\n",
+        "#\n# Written by `skybake init --preset {}`. Commented lines show default values; "
+        "uncomment\n# one to change it.\n\n",
         preset.name);
     text += section_text(*find_section(""), *root);
     const Entry* atmosphere = find_entry(*root, "atmosphere");

@@ -34,7 +34,7 @@ void report_unknown_name(const DecodedSection& section, std::string_view key,
     std::string label = did_you_mean(name, names);
     if (label.empty()) label = what_to_write(words, name);
     if (label.empty() && names.empty()) label = fmt::format("the recipe has no {}", words.section);
-    if (label.empty()) label = fmt::format("the recipe has {}", fmt::join(names, ", "));
+    if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
     const std::string wanted = is_bare_key(name)
                                    ? std::string(words.section).replace(
                                          words.section.find("NAME"), 4, shorten(name))

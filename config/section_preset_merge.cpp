@@ -36,7 +36,7 @@ void report_unknown_preset(const SectionPresets& kind, const std::string& name, 
     const auto names = preset_names(kind.all());
     std::string label = home_of(name);
     if (label.empty()) label = did_you_mean(name, names);
-    if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
+    if (label.empty()) label = fmt::format("choose one of {}", fmt::join(names, ", "));
     diagnostics.error("E0115", place,
                       fmt::format("unknown {} preset `{}`", kind.noun, shorten(name)),
                       std::move(label));

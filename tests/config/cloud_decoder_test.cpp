@@ -170,12 +170,12 @@ TEST(CloudDecoder, ItsNoisesAreThere) {
         "[clouds.c]\nnoise = 'wips'\nextent = ['1 m', '1 m', '1 m']\n"
         "[noise.wisps.channels.Y]\ntype = 'worley'\n");
     EXPECT_EQ(slip.code, "E0130");
-    EXPECT_EQ(slip.message, "`clouds.c.noise` names no noise of the recipe: `wips`");
+    EXPECT_EQ(slip.message, "`clouds.c.noise`: the recipe has no [noise.wips]");
     EXPECT_EQ(slip.label, "did you mean `wisps`?");
     EXPECT_EQ(slip.where.line, 2);
     const Diagnostic detail = fault("detail = 'x'");
     EXPECT_EQ(detail.code, "E0130");
-    EXPECT_EQ(detail.label, "there are: d, n");
+    EXPECT_EQ(detail.label, "this recipe has d, n");
     const auto missing = testing::parse("[clouds.c]\n").diagnostics;
     EXPECT_EQ(testing::codes_and_places(missing),
               (std::vector<std::string>{"E0105 1:9", "E0105 1:9"}));

@@ -74,8 +74,8 @@ TEST(CloudVolumeDecoder, ItsCloudIsThere) {
     const Diagnostic slip = only_diagnostic(
         cloud_recipe("") + "[bake.x]\nasset = 'cloud_volume'\ncloud = 'd'\nsize = [8, 8, 8]\n");
     EXPECT_EQ(slip.code, "E0132");
-    EXPECT_EQ(slip.message, "`bake.x.cloud` names no cloud of the recipe: `d`");
-    EXPECT_EQ(slip.label, "there are: c");
+    EXPECT_EQ(slip.message, "`bake.x.cloud`: the recipe has no [clouds.d]");
+    EXPECT_EQ(slip.label, "this recipe has c");
     EXPECT_EQ(
         only_diagnostic("[bake.x]\nasset = 'cloud_volume'\ncloud = 'd'\nsize = [8, 8, 8]\n").label,
         "the recipe has no [clouds.NAME]");

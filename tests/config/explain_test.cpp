@@ -65,7 +65,7 @@ TEST(Explain, KnowsClouds) {
 }
 
 TEST(Explain, KnowsSweeps) {
-    EXPECT_TRUE(mentions(explain("sweep"), "paths that walk together"));
+    EXPECT_TRUE(mentions(explain("sweep"), "keys varied in lockstep"));
     EXPECT_TRUE(mentions(explain("sweep"), "[sweep.*]"));
     EXPECT_TRUE(mentions(explain("sweep.sobol"), "Joe and Kuo 2008"));
     EXPECT_TRUE(mentions(explain("scale"), "equal ratios"));

@@ -98,7 +98,7 @@ TEST(NoiseDecoder, ChannelsMakeAPicture) {
         EXPECT_GT(diagnostic.where.line, 2) << letters;
     }
     EXPECT_EQ(only_diagnostic(with_channels("RG")).label,
-              "wanted: R, G, B; type = \"constant\" and value = 0 make up the missing one");
+              "expected R, G, B; type = \"constant\" and value = 0 make up the missing one");
     EXPECT_EQ(only_diagnostic(with_channels("RG")).message, "[noise.n] has channels R, G");
 }
 

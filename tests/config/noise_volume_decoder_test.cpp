@@ -106,7 +106,7 @@ TEST(NoiseVolumeDecoder, FormatsAreASet) {
 TEST(NoiseVolumeDecoder, FormatsHaveTheirPixelTypes) {
     const Diagnostic diagnostic = fault("formats = ['exr', 'bin', 'vdb']\npixel_type = 'unorm16'");
     EXPECT_EQ(diagnostic.code, "E0131");
-    EXPECT_EQ(diagnostic.message, "`bake.n.pixel_type` is unorm16, which exr and vdb has not");
+    EXPECT_EQ(diagnostic.message, "`bake.n.pixel_type`: exr and vdb files cannot hold unorm16");
     EXPECT_EQ(diagnostic.where.line, 5);
     EXPECT_EQ(fault("pixel_type = 'unorm8'").code, "E0131");
 }

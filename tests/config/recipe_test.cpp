@@ -45,15 +45,15 @@ const std::string cloud =
 const std::vector<Fault> faults = {
     {"E0100", vacuum + "# \xff", 2, 3, 1, "a recipe is TOML text in UTF-8"},
     {"E0101", vacuum + "[atmosphere]\nground_radius = 8 km", 3, 19, 1,
-     "a quantity with a unit stands in quotes: \"8 km\""},
+     "write a quantity with a unit in quotes: \"8 km\""},
     {"E0102", vacuum + "include_ = []", 2, 1, 8, "did you mean `include`?"},
-    {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "wanted: true or false"},
+    {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "expected true or false"},
     {"E0104", layer + "phase = \"raleigh\"", 5, 9, 9, "did you mean `rayleigh`?"},
     {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19,
-     "give a number without a unit, such as 0.8"},
+     "give a number without a unit"},
     {"E0106", layer + "scattering = \"1 /mm\"", 5, 14, 7, "did you mean `/m`?"},
     {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
-     "wanted: a length with its unit, such as \"8 km\""},
+     "expected a length with a unit, such as \"8 km\""},
     {"E0108", vacuum + "[atmosphere]\nground_albedo = [0.1, 0.2]", 3, 17, 10,
      "one value, or 3: one per wavelength"},
     {"E0109", layer + "extinction = \"1e-6 /m\"\nabsorption = \"0 /m\"", 6, 1, 10,
@@ -81,15 +81,15 @@ const std::vector<Fault> faults = {
     {"E0127", perlin + "frequency = 256\n[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"", 6, 9,
      3, "a larger or odd size, a lower frequency, or an octave less"},
     {"E0128", perlin + "lacunarity = 16\noctaves = 6", 4, 11, 1,
-     "at most 1048576 cells a tile: fewer octaves, or a lower lacunarity"},
+     "at most 1048576 cells per tile: fewer octaves, or a lower lacunarity"},
     {"E0129", perlin + "[noise.n.channels.R]\ntype = \"perlin\"", 3, 19, 1,
-     "wanted: Y; or R; or R, G, B; or R, G, B, A"},
+     "expected Y; or R; or R, G, B; or R, G, B, A"},
     {"E0130", perlin + "[bake.n]\nasset = \"noise_volume\"\nnoise = \"m\"", 5, 9, 3,
-     "there are: n"},
+     "this recipe has n"},
     {"E0131", shape + "pixel_type = \"unorm8\"", 6, 14, 8,
      "unorm8 and unorm16 go with formats = [\"bin\"] alone; float and half with all"},
     {"E0132", cloud + "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"d\"\nsize = [16, 16, 16]", 8,
-     9, 3, "there are: c"},
+     9, 3, "this recipe has c"},
     {"E0133", cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"o\"", 8, 6, 3,
      "the recipe has no [bake.NAME] with asset = \"cloud_volume\""},
     {"E0134",
@@ -187,7 +187,7 @@ TEST(Recipe, AllErrorsAreReportedInOneRun) {
     EXPECT_EQ(diagnostics[1].message, "`atmosphere.layers.mie.g` is out of range: 1.2");
     EXPECT_EQ(diagnostics[4].where.source, "--set `atmosphere.layers.ozone.center_altitude=40deg`");
     EXPECT_EQ(diagnostics[4].message,
-              "`atmosphere.layers.ozone.center_altitude`: a length is wanted here, not an angle");
+              "`atmosphere.layers.ozone.center_altitude`: expected a length with a unit, not an angle");
 }
 
 TEST(Recipe, AFileWithAByteOrderMarkIsFine) {

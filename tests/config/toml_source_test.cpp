@@ -61,7 +61,7 @@ TEST(TomlSource, ReportsSyntaxErrors) {
 TEST(TomlSource, KnowsTheCommonSlip) {
     const auto errors = errors_of("scale_height = 8 km  # air\n");
     ASSERT_EQ(errors.size(), 1u);
-    EXPECT_EQ(errors[0].label, "a quantity with a unit stands in quotes: \"8 km\"");
+    EXPECT_EQ(errors[0].label, "write a quantity with a unit in quotes: \"8 km\"");
 }
 
 TEST(TomlSource, ReportsTextThatIsNotUtf8) {
