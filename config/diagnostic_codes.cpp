@@ -190,7 +190,7 @@ constexpr std::array codes = {
     DiagnosticCode{"E0130", "unknown noise",
                    "`noise` names the [noise.NAME] to bake, or that a cloud is made of, and "
                    "`detail` the one that erodes it; the recipe has none of that name. Presets of "
-                   "clouds name noises, which are for the recipe to define.",
+                   "clouds bring their noises, unless the recipe has one of that name.",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shap\"",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"

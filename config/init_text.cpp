@@ -152,8 +152,13 @@ Entry text_entry(std::string key, std::string text) {
     return {std::move(key), {}, {std::move(text), {}}};
 }
 
-Table bake_of_noise(const std::string& name) {
-    return {text_entry("asset", "noise_volume"), text_entry("noise", name)};
+// Those that copy what a web runtime loads are baked as it loads them: raw bytes.
+Table bake_of_noise(std::string_view preset, const std::string& name) {
+    Table bake = {text_entry("asset", "noise_volume"), text_entry("noise", name)};
+    if (!preset.starts_with("takram_")) return bake;
+    bake.push_back({"formats", {}, {Array{{std::string("bin"), {}}}, {}}});
+    bake.push_back(text_entry("pixel_type", "unorm8"));
+    return bake;
 }
 
 std::string note_on_comments(std::string_view preset) {
@@ -262,7 +267,7 @@ std::string noise_init_text(const Preset& preset) {
     text += section_from_preset(*find_section("noise.*"), path, preset.name, *keys);
     text += commented_channels(*keys, path);
     text += table_text(*find_section("bake.*", "noise_volume"), join_path("bake", name),
-                       bake_of_noise(name));
+                       bake_of_noise(preset.name, name));
     return text + sweep_text(join_path(path, "seed"), "[1, 2, 3]");
 }
 

@@ -71,6 +71,12 @@ TEST(Explain, KnowsSweeps) {
     EXPECT_TRUE(mentions(explain("scale"), "equal ratios"));
 }
 
+TEST(Explain, SpeaksInTheUnitsOfTheKey) {
+    EXPECT_TRUE(mentions(explain("heading"), "in [-360 deg, 360 deg]"));
+    EXPECT_TRUE(mentions(explain("kinds"), "for example [\"air\""));
+    EXPECT_FALSE(mentions(explain("refractive_index"), "0.8"));
+}
+
 TEST(Explain, EveryCodeAndEveryKeyIsExplained) {
     for (const DiagnosticCode& code : diagnostic_codes()) {
         EXPECT_TRUE(mentions(explain(code.code), code.title)) << code.code;

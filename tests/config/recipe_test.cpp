@@ -78,8 +78,6 @@ const std::vector<Fault> faults = {
     {"E0119", vacuum + "format = 2", 2, 10, 1, "must be 1"},
     {"E0126", shape + "size = [10000, 10000, 10000]", 6, 8, 21,
      "at most 68719476736 (2^36) voxels"},
-    {"E0127", perlin + "frequency = 256\n[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"", 6, 9,
-     3, "a larger or odd size, a lower frequency, or an octave less"},
     {"E0128", perlin + "lacunarity = 16\noctaves = 6", 4, 11, 1,
      "at most 1048576 cells per tile: fewer octaves, or a lower lacunarity"},
     {"E0129", perlin + "[noise.n.channels.R]\ntype = \"perlin\"", 3, 19, 1,
@@ -157,8 +155,8 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
-    for (const char* name : {"E0126", "E0127", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
-                             "E0134", "W0203", "W0204"}) {
+    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
+                             "E0134", "W0203", "W0204", "W0208", "W0209"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;
@@ -168,6 +166,36 @@ TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
         EXPECT_TRUE(right.value) << name;
         EXPECT_TRUE(right.diagnostics.empty()) << name;
     }
+}
+
+TEST(Recipe, AnswersInTheUsersUnits) {
+    const auto radii = parse(
+        "preset = 'vacuum'\n[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\n");
+    ASSERT_EQ(radii.diagnostics.size(), 1u);
+    EXPECT_EQ(radii.diagnostics[0].message,
+              "`atmosphere.top_radius` is not above ground_radius: \"6360 km\"");
+    EXPECT_EQ(radii.diagnostics[0].label, "must be above \"6460 km\"");
+    const auto label = [](const std::string& bake) {
+        return parse("preset = 'earth'\n[bake.transmittance]\n" + bake).diagnostics.at(0).label;
+    };
+    EXPECT_TRUE(label("max_error = 5").starts_with("write \"5 %\" for 5 per cent; must be in"));
+    EXPECT_TRUE(label("max_error = 500").starts_with("must be in"));
+    EXPECT_TRUE(label("max_error = '500 %'").starts_with("must be in"));
+    const auto comma = parse("preset = 'vacuum'\n[atmosphere]\ntop_radius = '6460,5 km'\n");
+    EXPECT_EQ(comma.diagnostics.at(0).label, "write a decimal point, not a comma");
+}
+
+// Two files on one disk, one file on another.
+TEST(Recipe, BakesDifferInMoreThanCapitals) {
+    const auto outcome = parse(
+        "preset = 'earth'\n[bake.Sun]\nasset = 'transmittance'\n[bake.sun]\n"
+        "asset = 'transmittance'\n[bake.sUN]\nasset = 'transmittance'\n");
+    EXPECT_TRUE(outcome.value);
+    ASSERT_EQ(outcome.diagnostics.size(), 2u);
+    EXPECT_EQ(outcome.diagnostics[0].code, "W0209");
+    EXPECT_EQ(outcome.diagnostics[0].message,
+              "[bake.sun] and [bake.Sun] are one file on macOS and Windows");
+    EXPECT_EQ(outcome.diagnostics[0].where.line, 4);
 }
 
 TEST(Recipe, AllErrorsAreReportedInOneRun) {
