@@ -99,7 +99,7 @@ const std::string bake_of_it =
 TEST(SectionPresetMerge, PresetsOfCloudsBringTheirNoises) {
     const Recipe alone = valid(plain_cloud + bake_of_it);
     const Recipe written = valid(
-        "[noise.layer]\npreset = 'nubis_layer'\npack = 'shape'\n[noise.detail]\n"
+        "[noise.shape]\npreset = 'nubis_layer'\npack = 'shape'\n[noise.detail]\n"
         "preset = 'nubis_detail'\npack = 'detail'\n" +
         plain_cloud + bake_of_it);
     ASSERT_EQ(alone.parameters.noises.size(), 2u);
@@ -114,23 +114,23 @@ TEST(SectionPresetMerge, PresetsOfCloudsBringTheirNoises) {
 
 TEST(SectionPresetMerge, TheRecipesOwnNoiseStays) {
     const Recipe other =
-        valid("[noise.layer.channels.Y]\ntype = 'worley'\n" + plain_cloud + "detail = ''\n");
+        valid("[noise.shape.channels.Y]\ntype = 'worley'\n" + plain_cloud + "detail = ''\n");
     ASSERT_EQ(other.parameters.noises.size(), 1u);
     EXPECT_EQ(other.parameters.noises[0].channels.size(), 1u);
     EXPECT_EQ(other.parameters.noises[0].pack, NoisePacking::none);
     // Keys alone are laid over what the preset brings, be they in the recipe or in --set.
-    for (const Recipe& seeded : {valid(plain_cloud + "[noise.layer]\nseed = 7\n"),
-                                 valid(plain_cloud, {"noise.layer.seed=7"})}) {
+    for (const Recipe& seeded : {valid(plain_cloud + "[noise.shape]\nseed = 7\n"),
+                                 valid(plain_cloud, {"noise.shape.seed=7"})}) {
         ASSERT_EQ(seeded.parameters.noises.size(), 2u);
-        const Noise& layer = seeded.parameters.noises[1];
-        EXPECT_EQ(layer.name, "layer");
-        EXPECT_EQ(layer.seed, 7u);
-        EXPECT_EQ(layer.channels.size(), 4u);
+        const Noise& shape = seeded.parameters.noises[1];
+        EXPECT_EQ(shape.name, "shape");
+        EXPECT_EQ(shape.seed, 7u);
+        EXPECT_EQ(shape.channels.size(), 4u);
     }
     EXPECT_EQ(valid("[clouds.a]\npreset = 'stratus'\n[clouds.b]\npreset = 'cumulus_congestus'\n")
                   .parameters.noises.size(),
-              3u)
-        << "detail, layer and shape";
+              2u)
+        << "detail and shape, which both have";
 }
 
 TEST(SectionPresetMerge, AMissingNoiseSaysWhatToWrite) {
