@@ -42,4 +42,16 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
     return outcome;
 }
 
+std::vector<Diagnostic> check_maps(const config::Parameters& parameters) {
+    std::vector<Diagnostic> problems;
+    for (const config::Cloud& cloud : parameters.clouds) {
+        for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
+            if (map->file.empty()) continue;
+            const Outcome<MapImage> image = read_map_image(*map);
+            problems.insert(problems.end(), image.diagnostics.begin(), image.diagnostics.end());
+        }
+    }
+    return problems;
+}
+
 }  // namespace skybake

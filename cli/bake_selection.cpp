@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "bakers/cloud_inputs.h"
 #include "cli/parse_arguments.h"
 #include "config/suggest.h"
 
@@ -78,6 +79,8 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
                                        config::did_you_mean(name, names)));
     }
     if (all.empty()) problems.push_back(nothing_to_bake());
+    const std::vector<Diagnostic> unreadable = check_maps(recipe.value->parameters);
+    problems.insert(problems.end(), unreadable.begin(), unreadable.end());
     const Outcome<int> threads = jobs_of(invocation);
     problems.insert(problems.end(), threads.diagnostics.begin(), threads.diagnostics.end());
     outcome.diagnostics.insert(outcome.diagnostics.end(), problems.begin(), problems.end());

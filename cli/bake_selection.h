@@ -25,7 +25,8 @@ struct BakeSelection {
 };
 
 // Reads the recipe named by the first argument with its --set values. The recipe's own diagnostics;
-// E0001 for --only and --jobs, E0124 for a recipe that asks for nothing.
+// E0001 for --only and --jobs, E0124 for a recipe that asks for nothing, E0300 and E0304 for maps
+// that cannot be read.
 config::Outcome<BakeSelection> select_bakes(const Invocation& invocation);
 
 }  // namespace skybake::cli

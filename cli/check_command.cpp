@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "bakers/cloud_inputs.h"
 #include "bakers/phase/check_particles.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
@@ -35,7 +36,9 @@ ExitCode run(const Invocation& invocation, Console& console) {
     const auto outcome = config::load_recipe(file, invocation.values("set"));
     const ExitCode code = console.report_results(outcome.diagnostics);
     if (!outcome.value) return code;
-    const auto problems = check_particles(outcome.value->parameters);
+    auto problems = check_particles(outcome.value->parameters);
+    const auto unreadable = check_maps(outcome.value->parameters);
+    problems.insert(problems.end(), unreadable.begin(), unreadable.end());
     if (!problems.empty()) return console.report_results(problems);
     console.note(fmt::format("{}: no errors; {}\n", file, contents(outcome.value->parameters)));
     return code;

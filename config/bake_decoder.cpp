@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -137,6 +138,26 @@ std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
     return entries;
 }
 
+std::string lower_case(std::string_view name) {
+    std::string text;
+    for (const char c : name) text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
+
+// Many file systems of macOS and Windows take them for one file.
+void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& decoder) {
+    std::map<std::string, const Entry*> first;
+    for (const Entry* entry : entries) {
+        const auto [earlier, is_new] = first.try_emplace(lower_case(entry->key), entry);
+        if (is_new) continue;
+        decoder.diagnostics.warning(
+            "W0209", entry->key_place,
+            fmt::format("[bake.{}] and [bake.{}] are one file on macOS and Windows", entry->key,
+                        earlier->second->key),
+            "choose names that differ in more than capital letters");
+    }
+}
+
 }  // namespace
 
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
@@ -144,7 +165,10 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
     const std::vector<Cloud>& clouds = recipe.clouds;
     std::vector<OpenBake> open;
     std::vector<std::string_view> unreadable;
-    for (const Entry* entry : bakes_in_file_order(subtable(root, "bake", "", decoder))) {
+    const std::vector<const Entry*> entries =
+        bakes_in_file_order(subtable(root, "bake", "", decoder));
+    warn_of_equal_names(entries, decoder);
+    for (const Entry* entry : entries) {
         const Table* table = named_table(*entry, "bake", decoder);
         std::optional<OpenBake> bake =
             table ? read_bake(entry->key, entry->key_place, *table, decoder) : std::nullopt;

@@ -59,6 +59,9 @@ struct CloudReader {
         const Source* source = file.source->place.source;
         const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
         map.path = (folder / map.file).lexically_normal();
+        map.file_place = source_range(file.source->place);
+        const DecodedField& channel = section.at("channel");
+        map.channel_place = channel.source ? source_range(channel.source->place) : map.file_place;
     }
 
     void read_map(std::string_view key, std::string_view pattern,
@@ -138,7 +141,7 @@ void check_scale(const DecodedSection& section, std::string_view key, const Nois
             "E0128", decoded.source ? decoded.source->place : section.place,
             fmt::format("`{}` times frequency {} of noise `{}` is {}", join_path(section.path, key),
                         frequency[axis], noise->name, product),
-            fmt::format("at most {} cells a tile: a lower scale, or fewer octaves", most));
+            fmt::format("at most {} cells per tile: a lower scale, or fewer octaves", most));
         return;
     }
 }

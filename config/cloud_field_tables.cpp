@@ -10,6 +10,7 @@ constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would div
 constexpr Range extent_range{1e-3, 1e8};
 constexpr Range altitude_range{-1e8, 1e8};
 constexpr Range density_range{0, 1e6};
+constexpr Range full_range{1e-6, 1e6};
 constexpr Range softness_range{.minimum = 1e-6, .maximum = 1e6, .or_zero = true};
 constexpr Range coefficient_range{0, 1e6};
 constexpr Range sharpness_range{0, 1e6};
@@ -57,7 +58,8 @@ constexpr std::array color_space_choices = {
     Choice{"srgb", "through the sRGB curve to linear light"},
 };
 
-// For which profiles a key has a meaning.
+// For which profiles, and for which place of the threshold, a key has a meaning.
+constexpr std::string_view at_bake[] = {"bake"};
 constexpr std::string_view thesis[] = {"thesis"};
 constexpr std::string_view blended[] = {"blended"};
 constexpr std::string_view tabulated[] = {"tabulated"};
@@ -78,7 +80,7 @@ const std::array cloud_table = {
                 .kind = Kind::frequency,
                 .range = scale_range,
                 .fallback = "[1, 1, 1]",
-                .documentation = "how often the noise's tile fits into the cloud along x, y, z",
+                .documentation = "repeats of the noise across the cloud (x, y, z)",
                 .hint = "it multiplies the noise's frequencies"},
                &Cloud::noise_scale},
     CloudField{{.key = "detail",
@@ -91,7 +93,7 @@ const std::array cloud_table = {
                 .kind = Kind::frequency,
                 .range = scale_range,
                 .fallback = "[1, 1, 1]",
-                .documentation = "as noise_scale, of detail",
+                .documentation = "repeats of the detail noise across the cloud (x, y, z)",
                 .needs = "detail"},
                &Cloud::detail_scale},
     CloudField{{.key = "erosion",
@@ -130,15 +132,15 @@ const std::array cloud_table = {
          .range = unit_range,
          .fallback = "1",
          .documentation =
-             "1: as noise and profile have it; 1 - coverage is taken from noise * (profile + "
-             "towers): at 0 nothing is left up to 1",
+             "share of the sky that the noise fills: 1 leaves it as it is, lower values thin it; at "
+             "0 only towers taller than 1 remain",
          .citation = schneider_2015},
         &Cloud::coverage},
     CloudField{{.key = "threshold",
                 .kind = Kind::number,
                 .range = density_range,
                 .fallback = "0",
-                .documentation = "the value v up to which there is no cloud",
+                .documentation = "densities at or below this become empty",
                 .hint = "the thesis has 0.35",
                 .citation = olajos_2016},
                &Cloud::threshold},
@@ -157,6 +159,15 @@ const std::array cloud_table = {
                 .documentation = "where the threshold is applied",
                 .citation = olajos_2016},
                &Cloud::threshold_at},
+    CloudField{{.key = "full_at",
+                .kind = Kind::number,
+                .range = full_range,
+                .documentation = "the value v from which the density is 1; a lower one gives denser "
+                                 "cores and sharper edges; without it the density is v",
+                .hint = "cumulus 0.1 to 0.3",
+                .selector = "threshold_at",
+                .selected_by = at_bake},
+               &Cloud::full_at},
     CloudField{{.key = "channels",
                 .kind = Kind::choice,
                 .choices = channels_choices,

@@ -34,16 +34,16 @@ bool is_power_of_two(int number) { return (number & (number - 1)) == 0; }
 }  // namespace
 
 std::optional<std::array<double, 2>> read_pair(const Reader& reader, const Value& value) {
-    return read_some<2>(reader, value, "wanted: two numbers");
+    return read_some<2>(reader, value, "expected two numbers");
 }
 
 std::optional<std::array<double, 2>> read_bounds(const Reader& reader, const Value& value) {
-    const auto bounds = read_some<2>(reader, value, "wanted: two numbers, from and to");
+    const auto bounds = read_some<2>(reader, value, "expected two numbers, from and to");
     if (!bounds || (*bounds)[0] <= (*bounds)[1]) return bounds;
     reader.error(
         "E0113", value,
         fmt::format("`{}` has its bounds in the wrong order: {}", reader.path, written(value)),
-        "the lower one stands first");
+        "write the lower one first");
     return std::nullopt;
 }
 

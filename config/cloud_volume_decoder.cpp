@@ -106,13 +106,20 @@ struct CloudVolumeResolver {
         check_cubes(bake, voxel_edges(cloud, voxels), size_place(), decoder);
     }
 
-    void check_noise(std::string_view name, std::span<const Noise> noises, CloudChannels channels,
-                     const std::array<int, 3>& scale, const VoxelCounts& size) const {
+    void check_noises(const Cloud& cloud, std::span<const Noise> noises,
+                      const VoxelCounts& size) const {
+        OctaveChecks checks(size);
         for (const Noise& noise : noises) {
-            if (noise.name != name) continue;
-            check_octaves(noise, used_channels(noise, channels),
-                          {.size = size, .scale = scale, .size_place = size_place()}, decoder);
+            if (noise.name == cloud.noise) {
+                checks.add(noise, used_channels(noise, cloud.channels),
+                           {.scale = cloud.noise_scale});
+            }
+            if (noise.name == cloud.detail) {
+                checks.add(noise, used_channels(noise, CloudChannels::density),
+                           {.scale = cloud.detail_scale});
+            }
         }
+        checks.report(size_place(), decoder);
     }
 
     std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) const {
@@ -133,12 +140,12 @@ struct CloudVolumeResolver {
         }
         if (narrow.empty()) return;
         const std::string others =
-            narrow.size() > 1 ? fmt::format(", as {} more,", narrow.size() - 1) : "";
+            narrow.size() > 1 ? fmt::format(", like {} more,", narrow.size() - 1) : "";
         decoder.diagnostics.warning(
             "W0204", size_place(),
-            fmt::format("{} of cloud `{}`{} has a sigma of less than a voxel at size {}",
-                        narrow.front(), cloud.name, others, spell_voxels(size)),
-            "it falls between voxels: a larger size, or a wider tower");
+            fmt::format("{} of cloud `{}`{} is narrower than a voxel at size {}", narrow.front(),
+                        cloud.name, others, spell_voxels(size)),
+            "it falls between voxels; use a larger size or a wider sigma");
     }
 };
 
@@ -156,8 +163,7 @@ void resolve_cloud_volume(DecodedSection& bake, std::span<const Cloud> clouds,
     if (!cloud) return;
     check_voxel_count(bake, size, resolver.channels_of(*cloud, noises), resolver.size_place(),
                       decoder);
-    resolver.check_noise(cloud->noise, noises, cloud->channels, cloud->noise_scale, size);
-    resolver.check_noise(cloud->detail, noises, CloudChannels::density, cloud->detail_scale, size);
+    resolver.check_noises(*cloud, noises, size);
     resolver.warn_of_narrow_towers(*cloud, size);
     resolver.check_voxels(*cloud, size);
 }

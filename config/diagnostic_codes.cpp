@@ -33,7 +33,7 @@ constexpr std::array codes = {
     DiagnosticCode{"E0101", "not TOML",
                    "The text breaks the rules of TOML (https://toml.io). Only the first such place "
                    "of a file is reported, since what follows cannot be trusted. Quantities with a "
-                   "unit are strings and stand in quotes.",
+                   "unit are strings in quotes.",
                    "scale_height = 8 km", "scale_height = \"8 km\"", usage},
     DiagnosticCode{"E0102", "unknown key",
                    "No such key exists in this table. Keys are never ignored, since a misspelt one "
@@ -41,8 +41,8 @@ constexpr std::array codes = {
                    "scale_hieght = \"8 km\"", "scale_height = \"8 km\"", usage},
     DiagnosticCode{
         "E0103", "wrong type",
-        "The value is of another kind than the key takes: text where a number is wanted, "
-        "one value where a table is wanted, and so on.",
+        "The value is of another kind than the key takes: a string in place of a number, one "
+        "value in place of a table, and so on.",
         "enabled = \"no\"", "enabled = false", usage},
     DiagnosticCode{"E0104", "unknown choice",
                    "The key takes one of a few names, and this is none of them.",
@@ -164,20 +164,11 @@ constexpr std::array codes = {
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [1024, 1024, 1024]",
                    usage},
-    DiagnosticCode{"E0127", "octave of nothing",
-                   "At this size every voxel lies on a lattice point of the octave, and gradient "
-                   "noise is 0 there. The octave would take its share of the weight and give "
-                   "nothing. Make the volume larger, or the frequency lower.",
-                   "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 64\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
-                   "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 8\n[bake.n]\n"
-                   "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
-                   usage},
     DiagnosticCode{
         "E0128", "octave of too high a frequency",
         "Each octave has `lacunarity` times the frequency of the one before, and a cloud "
         "multiplies them by `noise_scale` or `detail_scale`. The message names what has more "
-        "than 1048576 lattice cells a tile, which no volume can show.",
+        "than 1048576 lattice cells per tile, which no volume can show.",
         "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 16\n"
         "lacunarity = 3",
         "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 5\n"
@@ -199,13 +190,13 @@ constexpr std::array codes = {
     DiagnosticCode{"E0130", "unknown noise",
                    "`noise` names the [noise.NAME] to bake, or that a cloud is made of, and "
                    "`detail` the one that erodes it; the recipe has none of that name. Presets of "
-                   "clouds name noises, which are for the recipe to define.",
+                   "clouds bring their noises, unless the recipe has one of that name.",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shap\"",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"",
                    usage},
-    DiagnosticCode{"E0131", "pixel type that a format has not",
+    DiagnosticCode{"E0131", "pixel type that a format cannot hold",
                    "EXR and VDB files have float and half; unorm8 and unorm16 exist only in bin "
                    "files. A section writes all its formats with one pixel type: bake the noise in "
                    "two sections to have both.",
@@ -245,7 +236,7 @@ constexpr std::array codes = {
                    "size = [64, 64, 16]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"",
                    usage},
-    DiagnosticCode{"E0134", "channel that a cloud volume has not",
+    DiagnosticCode{"E0134", "no such channel of the cloud volume",
                    "A cloud volume has the channel Y; with channels = \"noise\" it has those of "
                    "its noise, where these are several and not packed.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
@@ -273,8 +264,8 @@ constexpr std::array codes = {
         "[sweep]\n\"noise.shape.seed\" = { from = 1, to = 4, count = 3 }",
         "[sweep]\n\"noise.shape.seed\" = { from = 1, to = 4, count = 4 }", usage},
     DiagnosticCode{
-        "E0136", "values that cannot walk together",
-        "`zip` names paths that walk together: each of them varies, by a list or a range "
+        "E0136", "zipped keys need equally many values",
+        "`zip` names paths that vary in lockstep: each of them varies, by a list or a range "
         "with a count, is named once, and has as many values as the others.",
         "[sweep]\n\"noise.n.seed\" = [1, 2, 3]\n\"clouds.c.coverage\" = [0.3, 0.6]\n"
         "zip = [\"noise.n.seed\", \"clouds.c.coverage\"]",
@@ -282,8 +273,8 @@ constexpr std::array codes = {
         "zip = [\"noise.n.seed\", \"clouds.c.coverage\"]",
         usage},
     DiagnosticCode{"E0137", "too many variants",
-                   "The cross product of everything that varies has more than 100000 variants. Let "
-                   "paths walk together with `zip`, or cover their ranges with `sobol` points.",
+                   "The cross product of everything that varies has more than 100000 variants. Vary "
+                   "paths in lockstep with `zip`, or cover their ranges with `sobol` points.",
                    "", "", usage},
 
     DiagnosticCode{"E0138", "unknown layer",
@@ -396,8 +387,8 @@ constexpr std::array codes = {
     DiagnosticCode{"E0402", "out of the pixel type's range",
                    "A baked value is beyond what the pixel type holds: 65504 for half, [0, 1] for "
                    "unorm8 and unorm16. Nothing is clamped and nothing is written. Choose "
-                   "pixel_type = \"float\", a `remap` for a noise, or content = "
-                   "\"transmittance\" in place of an optical depth.",
+                   "pixel_type = \"float\"; `remap`, `smoothstep` or `clamp` for the channel of a "
+                   "noise; or content = \"transmittance\" in place of an optical depth.",
                    "pixel_type = \"half\"", "pixel_type = \"float\"", failed_check},
     DiagnosticCode{
         "E0403", "max_error cannot be reached",
@@ -440,11 +431,12 @@ constexpr std::array codes = {
                    "the light pass. That is rarely meant; most often a coefficient per kilometre "
                    "was given as one per metre.",
                    "scattering = \"0.0331 /m\"", "scattering = \"0.0331 /km\"", 0},
-    DiagnosticCode{"W0203", "fewer than four voxels a cell",
-                   "An octave has so many lattice cells that the volume cannot show them: it "
-                   "aliases, and a lookup between voxels has little to do with the noise. Each "
-                   "channel is named once, with its first such octave. Presets that copy a source "
-                   "which aliases (thesis, takram_shape, takram_detail) earn this too.",
+    DiagnosticCode{"W0203", "octaves too fine for the voxels",
+                   "An octave has so many lattice cells that there are fewer than four voxels per "
+                   "cell: it aliases, and a lookup between voxels has little to do with the noise. "
+                   "Each bake warns once and names the size that would show all octaves. Presets "
+                   "that copy an aliasing source (thesis, takram_shape, takram_detail) say so by "
+                   "`aliases = true` and trigger this only below their own size.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 16\n[bake.n]\n"
                    "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]",
                    "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 8\n[bake.n]\n"
@@ -479,6 +471,25 @@ constexpr std::array codes = {
         "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
         "convention = \"takram\"",
         0},
+    DiagnosticCode{"W0208", "octave that adds nothing",
+                   "At this size every voxel lies on a lattice point of the octave, and gradient "
+                   "noise is 0 there. The octave takes its share of the weight and adds nothing. "
+                   "For a draft that does not matter; else make the volume larger or its size odd, "
+                   "or choose a lower frequency.",
+                   "[noise.n]\naliases = true\nsize = [32, 32, 32]\n[noise.n.channels.Y]\n"
+                   "type = \"perlin\"\nfrequency = 64\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"",
+                   "[noise.n]\nsize = [32, 32, 32]\n[noise.n.channels.Y]\n"
+                   "type = \"perlin\"\nfrequency = 8\n[bake.n]\n"
+                   "asset = \"noise_volume\"\nnoise = \"n\"",
+                   0},
+    DiagnosticCode{"W0209", "names that differ in case alone",
+                   "Two bakes have names that differ in nothing but capital letters. They are two "
+                   "files on Linux and one on most disks of macOS and Windows, where the second "
+                   "overwrites the first.",
+                   "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.T]\n"
+                   "asset = \"irradiance\"",
+                   "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.irradiance]", 0},
     DiagnosticCode{
         "W0210", "an extent that is rounded up",
         "A cloud volume with `voxel_size` has cubes of exactly that edge. Where the "

@@ -60,6 +60,9 @@ void DiagnosticList::add(Item item) {
 
 std::vector<Diagnostic> DiagnosticList::take() {
     std::stable_sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
+        const bool a_is_error = a.severity == Severity::error;
+        const bool b_is_error = b.severity == Severity::error;
+        if (a_is_error != b_is_error) return b_is_error;
         return reading_order(a.place) < reading_order(b.place);
     });
     std::vector<Diagnostic> diagnostics;

@@ -1,4 +1,5 @@
-// Collects the diagnostics of one recipe while it is read, and hands them over in reading order.
+// Collects the diagnostics of one recipe while it is read, and hands them over: warnings first, so
+// that errors are the last on a terminal, and each in reading order.
 #pragma once
 
 #include <string>
@@ -16,7 +17,7 @@ class DiagnosticList {
 
     bool has_errors() const { return errors_ > 0; }
 
-    // Everything collected, sorted by source, line and column. More than a person can read is cut
+    // Warnings, then errors, each sorted by source, line and column. More than a person can read is cut
     // off, and a last diagnostic says how many more there were.
     std::vector<Diagnostic> take();
 

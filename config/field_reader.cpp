@@ -16,7 +16,7 @@ std::optional<FieldValue> read_wavelengths(const Reader& reader, const Value& va
     std::optional<std::vector<double>> numbers = read_numbers(reader, value);
     if (!numbers) return std::nullopt;
     if (numbers->size() != 1 && numbers->size() != 3) {
-        report_count(reader, value, numbers->size(), "wanted: one wavelength, or three");
+        report_count(reader, value, numbers->size(), "expected one wavelength, or three");
         return std::nullopt;
     }
     return std::move(*numbers);
@@ -27,7 +27,7 @@ std::optional<FieldValue> read_angles(const Reader& reader, const Value& value) 
     if (!numbers) return std::nullopt;
     if (numbers->empty() || numbers->size() > std::size_t{most_angles}) {
         report_count(reader, value, numbers->size(),
-                     fmt::format("wanted: one angle, or up to {}", most_angles));
+                     fmt::format("expected one angle, or up to {}", most_angles));
         return std::nullopt;
     }
     return std::move(*numbers);
@@ -41,7 +41,7 @@ std::optional<FieldValue> read_channels(const Reader& reader, const Value& value
     if (numbers->empty() || (numbers->size() != 1 && numbers->size() != count)) {
         const std::string label = count > 1
                                       ? fmt::format("one value, or {}: one per wavelength", count)
-                                      : "wanted: one value";
+                                      : "expected one value";
         report_count(reader, value, numbers->size(), label);
         return std::nullopt;
     }
@@ -220,6 +220,10 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
             return as_field_value(read_gains(reader, value));
         case Kind::remap:
             return as_field_value(read_remap(reader, value));
+        case Kind::edges:
+            return as_field_value(read_edges(reader, value));
+        case Kind::clamp:
+            return as_field_value(read_clamp(reader, value));
         case Kind::levels:
             return as_field_value(read_levels(reader, value));
         case Kind::lengths:

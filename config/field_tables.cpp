@@ -278,7 +278,7 @@ constexpr Field max_error_field{
     .kind = Kind::fraction,
     .range = lookup_error_range,
     .documentation = "in place of size: the smallest table whose lookups keep within this error",
-    .hint = "0.01 cannot be seen",
+    .hint = "errors below 0.01 are invisible",
     .exclusive_group = "size"};
 
 const std::array transmittance_table = {
@@ -355,7 +355,7 @@ const std::array multiple_scattering_table = {
                              .kind = Kind::integer,
                              .range = degree_range,
                              .fallback = "2",
-                             .documentation = "of the moments; 2 holds Rayleigh scattering exactly",
+                             .documentation = "degree of the moments; 2 holds Rayleigh scattering exactly",
                              .selector = "content",
                              .selected_by = moments},
                             &MultipleScatteringBake::degree},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "config/key_path.h"
@@ -87,6 +88,7 @@ struct Speller {
     }
     template <std::size_t count>
     std::string operator()(const std::array<double, count>& numbers) const {
+        if (field.kind == Kind::clamp && std::isinf(numbers[0])) return "false";
         return (*this)(std::vector<double>(numbers.begin(), numbers.end()));
     }
     std::string operator()(std::uint64_t seed) const { return spell_seed(seed); }

@@ -1,6 +1,9 @@
 #include "config/fields.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <numbers>
 
 #include "config/units.h"
 
@@ -91,7 +94,7 @@ std::string spell_bound(const Field& field, double value) {
         case Kind::angle:
         case Kind::angles:
         case Kind::angle_bounds:
-            return spell_angle(value);
+            return fmt::format("{:.6g} deg", value * (180 / std::numbers::pi));
         default:
             return spell_number(value);
     }
@@ -228,21 +231,21 @@ std::string_view describe_kind(Kind kind) {
         case Kind::integer:
             return "a whole number";
         case Kind::number:
-            return "a number without a unit, such as 0.8";
+            return "a number without a unit";
         case Kind::fraction:
             return "a fraction, such as 0.002 or \"0.2 %\"";
         case Kind::text:
-            return "a text in quotes";
+            return "a string in quotes";
         case Kind::text_list:
-            return "a list of texts";
+            return "a list of strings";
         case Kind::choice:
             return "a name in quotes";
         case Kind::length:
-            return "a length with its unit, such as \"8 km\"";
+            return "a length with a unit, such as \"8 km\"";
         case Kind::wavelengths:
             return "a list of wavelengths, such as [\"680 nm\", \"550 nm\", \"440 nm\"]";
         case Kind::coefficients:
-            return "a coefficient with its unit, such as \"4e-6 /m\", or a list of one per channel";
+            return "a coefficient with a unit, such as \"4e-6 /m\", or a list of one per channel";
         case Kind::fractions:
             return "a fraction, such as 0.3 or \"30 %\", or a list of one per channel";
         case Kind::size:
@@ -263,10 +266,14 @@ std::string_view describe_kind(Kind kind) {
             return "a list of one number per octave, such as [0.625, 0.25, 0.125]";
         case Kind::remap:
             return "four numbers, [in_low, in_high, out_low, out_high]";
+        case Kind::edges:
+            return "two numbers, the first below the second, such as [0.8, 1.4]";
+        case Kind::clamp:
+            return "true, false or two numbers, the lower one first, such as [0, 1]";
         case Kind::levels:
             return "a whole number, or \"all\"";
         case Kind::angle:
-            return "an angle with its unit, such as \"30 deg\"";
+            return "an angle with a unit, such as \"30 deg\"";
         case Kind::angles:
             return "a list of angles, such as [\"30 deg\", \"5 deg\"]";
         case Kind::angle_bounds:
@@ -274,7 +281,7 @@ std::string_view describe_kind(Kind kind) {
         case Kind::length_bounds:
             return "two lengths, the smaller one first, such as [\"0 km\", \"3 km\"]";
         case Kind::coefficient:
-            return "a coefficient with its unit, such as \"40 /km\"";
+            return "a coefficient with a unit, such as \"40 /km\"";
         case Kind::number_density:
             return "a number per volume, such as \"300 /cm3\"";
         case Kind::lengths:

@@ -38,6 +38,8 @@ enum class Kind {
     frequencies,     // [8, 32, 56], one frequency an octave
     gains,           // [0.625, 0.25, 0.125], one an octave
     remap,           // [0.4, 1, 0, 1]
+    edges,           // [0.8, 1.4], the first below the second
+    clamp,           // true, false or [0, 1]
     levels,          // 4, or "all", which is read as 0
     angle,           // "30 deg"
     angles,          // ["30 deg", "5 deg"], or one
@@ -103,7 +105,7 @@ struct Section {
 template <class S, class... Choices>
 using Member =
     std::variant<std::monostate, bool S::*, int S::*, double S::*, std::optional<double> S::*,
-                 std::string S::*, Length S::*, InverseLength S::*, NumberDensity S::*, Angle S::*,
+                 std::optional<std::array<double, 2>> S::*, std::string S::*, Length S::*, InverseLength S::*, NumberDensity S::*, Angle S::*,
                  std::array<int, 2> S::*, std::array<int, 3> S::*, std::array<double, 2> S::*,
                  std::array<double, 4> S::*, std::array<Length, 2> S::*, std::array<Length, 3> S::*,
                  std::array<Angle, 2> S::*, std::uint64_t S::*, std::vector<std::string> S::*,

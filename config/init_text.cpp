@@ -152,14 +152,19 @@ Entry text_entry(std::string key, std::string text) {
     return {std::move(key), {}, {std::move(text), {}}};
 }
 
-Table bake_of_noise(const std::string& name) {
-    return {text_entry("asset", "noise_volume"), text_entry("noise", name)};
+// Those that copy what a web runtime loads are baked as it loads them: raw bytes.
+Table bake_of_noise(std::string_view preset, const std::string& name) {
+    Table bake = {text_entry("asset", "noise_volume"), text_entry("noise", name)};
+    if (!preset.starts_with("takram_")) return bake;
+    bake.push_back({"formats", {}, {Array{{std::string("bin"), {}}}, {}}});
+    bake.push_back(text_entry("pixel_type", "unorm8"));
+    return bake;
 }
 
 std::string note_on_comments(std::string_view preset) {
     return fmt::format(
-        "#\n# Written by `skybake init --preset {}`. Lines of the form `# key = value` show what "
-        "the\n# preset or a default says: take the # off to change one.\n",
+        "#\n# Written by `skybake init --preset {}`. Commented lines show preset and default "
+        "values;\n# uncomment one to change it.\n",
         preset);
 }
 
@@ -169,13 +174,6 @@ std::string section_from_preset(const Section& section, const std::string& path,
     std::string text = fmt::format("\n# {}\n[{}]\n", section.documentation, path);
     text += comment(describe_field(*find_field(section, "preset")));
     return text + fmt::format("preset = \"{}\"\n", preset) + commented_keys(section, keys);
-}
-
-// The noise preset that goes with a noise of a cloud preset: the one of the cloud's name, else that
-// of Nubis.
-const Preset& noise_of_cloud(const Preset& cloud, const std::string& noise) {
-    const Preset* own = find_noise_preset(cloud.name);
-    return own ? *own : *find_noise_preset("nubis_" + noise);
 }
 
 std::array<int, 3> triple_of(const Table& table, const Section& section, std::string_view key) {
@@ -197,14 +195,12 @@ struct CloudNoises {
         const Entry* entry = find_entry(keys, key);
         if (!entry) return;
         const auto& name = std::get<std::string>(entry->value.data);
-        const Preset& noise = noise_of_cloud(cloud, name);
-        const std::optional<Table> noise_keys = parse_preset(noise);
+        const CloudNoisePreset noise = noise_of_cloud_preset(cloud.name, name);
+        const std::optional<Table> noise_keys = parse_preset(*noise.preset);
         if (!noise_keys) return;
-        text += fmt::format("\n# {}\n[noise.{}]\npreset = \"{}\"\n", preset_title(noise), name,
-                            noise.name);
-        // A density takes one number of each noise, so that the channels are merged.
-        const bool is_density = !find_entry(keys, "channels");
-        if (is_density) text += fmt::format("pack = \"{}\"\n", name);
+        text += fmt::format("\n# {}\n[noise.{}]\npreset = \"{}\"\n", preset_title(*noise.preset),
+                            name, noise.preset->name);
+        if (noise.pack != "none") text += fmt::format("pack = \"{}\"\n", noise.pack);
         const auto voxels = triple_of(*noise_keys, *find_section("noise.*"), "size");
         const auto times = triple_of(keys, *find_section("clouds.*"), scale);
         for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(size[i], voxels[i] * times[i]);
@@ -271,7 +267,7 @@ std::string noise_init_text(const Preset& preset) {
     text += section_from_preset(*find_section("noise.*"), path, preset.name, *keys);
     text += commented_channels(*keys, path);
     text += table_text(*find_section("bake.*", "noise_volume"), join_path("bake", name),
-                       bake_of_noise(name));
+                       bake_of_noise(preset.name, name));
     return text + sweep_text(join_path(path, "seed"), "[1, 2, 3]");
 }
 
@@ -318,8 +314,8 @@ std::string init_text(const Preset& preset) {
     if (!root) return std::string(preset.text);
     std::string text = head_comment(preset.text);
     text += fmt::format(
-        "#\n# Written by `skybake init --preset {}`. Lines of the form `# key = value` "
-        "show defaults.\n\n",
+        "#\n# Written by `skybake init --preset {}`. Commented lines show default values; "
+        "uncomment\n# one to change it.\n\n",
         preset.name);
     text += section_text(*find_section(""), *root);
     const Entry* atmosphere = find_entry(*root, "atmosphere");

@@ -84,8 +84,8 @@ void report_set(const std::string& set, const std::string& path, const Place& pl
         "E0129", place,
         set.empty() ? fmt::format("[{}] has no channels", path)
                     : fmt::format("[{}] has channels {}", path, fmt::join(set, ", ")),
-        is_pair ? "wanted: R, G, B; type = \"constant\" and value = 0 make up the missing one"
-                : "wanted: Y; or R; or R, G, B; or R, G, B, A");
+        is_pair ? "expected R, G, B; type = \"constant\" and value = 0 make up the missing one"
+                : "expected Y; or R; or R, G, B; or R, G, B, A");
 }
 
 // A packing takes the channels that its formula names.
@@ -100,7 +100,7 @@ void check_packing(const DecodedSection& section, const std::string& set, Decode
         "E0129", pack.source->place,
         fmt::format("`{}` packs channels {}, but there are {}", join_path(section.path, "pack"),
                     fmt::join(wanted, ", "), fmt::join(set, ", ")),
-        fmt::format("wanted: {}", fmt::join(wanted, ", ")));
+        fmt::format("expected {}", fmt::join(wanted, ", ")));
 }
 
 std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const Table& table,

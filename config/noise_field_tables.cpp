@@ -108,6 +108,13 @@ const std::array noise_table = {
                 .documentation = "merge the channels into one, Y",
                 .citation = takram},
                &Noise::pack},
+    NoiseField{{.key = "aliases",
+                .kind = Kind::flag,
+                .fallback = "false",
+                .documentation = "octaves that are too fine for `size` are part of its look, so "
+                                 "that no warning names them",
+                .only_shown = true},
+               &Noise::aliases},
 };
 
 const std::array channel_table = {
@@ -130,7 +137,7 @@ const std::array channel_table = {
                        .kind = Kind::frequency,
                        .range = frequency_range,
                        .fallback = "4",
-                       .documentation = "lattice cells a tile in the first octave, per axis or all",
+                       .documentation = "lattice cells per tile in the first octave, one number or one per axis",
                        .hint = "at most a quarter of the voxels shows no aliasing",
                        .exclusive_group = "frequencies",
                        .exclusive_side = "series",
@@ -302,10 +309,18 @@ const std::array channel_table = {
          .documentation = "[in_low, in_high, out_low, out_high]: linear, in_low to out_low",
          .hint = "1 - d / sqrt(3) uses 0.43 to 0.96"},
         &NoiseChannel::remap},
+    NoiseChannelField{{.key = "smoothstep",
+                       .kind = Kind::edges,
+                       .range = value_range,
+                       .documentation = "after remap: rises smoothly from 0 at the first edge to 1 "
+                                        "at the second",
+                       .hint = "takram's weather has [0.8, 1.4]",
+                       .citation = takram},
+                      &NoiseChannel::smoothstep},
     NoiseChannelField{{.key = "invert",
                        .kind = Kind::flag,
                        .fallback = "false",
-                       .documentation = "1 - v, after remap"},
+                       .documentation = "1 - v, after remap and smoothstep"},
                       &NoiseChannel::invert},
     NoiseChannelField{
         {.key = "bias",
@@ -317,6 +332,12 @@ const std::array channel_table = {
          .hint = "0.5 changes nothing",
          .citation = schlick_1994},
         &NoiseChannel::bias},
+    NoiseChannelField{{.key = "clamp",
+                       .kind = Kind::clamp,
+                       .range = value_range,
+                       .documentation = "bounds of the values, after all else; true: [0, 1]",
+                       .hint = "integers of a pixel type hold [0, 1] alone"},
+                      &NoiseChannel::clamp},
 };
 
 }  // namespace

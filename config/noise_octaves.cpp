@@ -42,7 +42,7 @@ struct SeriesResolver {
             "E0128", place(octaves.source ? octaves : first),
             fmt::format("octave {} of `{}` has frequency {}", octave + 1, path(keys.frequency),
                         frequency),
-            fmt::format("at most {} cells a tile: fewer octaves, or a lower lacunarity",
+            fmt::format("at most {} cells per tile: fewer octaves, or a lower lacunarity",
                         static_cast<int>(range.maximum)));
     }
 

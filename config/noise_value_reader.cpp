@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 
+#include "config/cloud_value_reader.h"
 #include "config/fields.h"
 
 namespace skybake::config {
 namespace {
+
+// Of two numbers that are divided by: the slope is finite in single precision.
+constexpr double least_difference = 1e-6;
 
 constexpr std::string_view seed_bounds = "must be from 0 to 18446744073709551615 (2^64 - 1)";
 
@@ -125,10 +130,23 @@ std::optional<std::array<double, 4>> read_remap(const Reader& reader, const Valu
     if (!numbers) return std::nullopt;
     std::array<double, 4> remap{};
     std::copy(numbers->begin(), numbers->end(), remap.begin());
-    constexpr double least_difference = 1e-6;
     if (std::fabs(remap[1] - remap[0]) >= least_difference) return remap;
     report_range(reader, value, true, "in_low and in_high must differ by 1e-6 or more");
     return std::nullopt;
+}
+
+std::optional<std::array<double, 2>> read_edges(const Reader& reader, const Value& value) {
+    const std::optional<std::array<double, 2>> edges = read_pair(reader, value);
+    if (!edges || (*edges)[1] - (*edges)[0] >= least_difference) return edges;
+    report_range(reader, value, true, "the second edge must be above the first by 1e-6 or more");
+    return std::nullopt;
+}
+
+std::optional<std::array<double, 2>> read_clamp(const Reader& reader, const Value& value) {
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    const auto* flag = std::get_if<bool>(&value.data);
+    if (!flag) return read_bounds(reader, value);
+    return *flag ? std::array<double, 2>{0, 1} : std::array<double, 2>{-unbounded, unbounded};
 }
 
 std::optional<double> read_levels(const Reader& reader, const Value& value) {

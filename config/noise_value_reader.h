@@ -28,6 +28,13 @@ std::optional<std::vector<double>> read_gains(const Reader& reader, const Value&
 // [in_low, in_high, out_low, out_high] with a slope that is finite in single precision.
 std::optional<std::array<double, 4>> read_remap(const Reader& reader, const Value& value);
 
+// The edges of a smooth step, the first below the second, with a slope that is finite in single
+// precision.
+std::optional<std::array<double, 2>> read_edges(const Reader& reader, const Value& value);
+
+// true: [0, 1]; false: no bounds, [-infinity, infinity]; or [low, high].
+std::optional<std::array<double, 2>> read_clamp(const Reader& reader, const Value& value);
+
 // A number of mip levels, or 0 for "all".
 std::optional<double> read_levels(const Reader& reader, const Value& value);
 

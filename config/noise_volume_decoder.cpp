@@ -35,8 +35,9 @@ void resolve_noise_volume(DecodedSection& bake, std::span<const Noise> noises, D
     const std::size_t channels = noise->pack == NoisePacking::none ? noise->channels.size() : 1;
     const Place place = size_place(bake);
     check_voxel_count(bake, size, channels, place, decoder);
-    check_octaves(*noise, noise->channels,
-                  {.size = size, .sampling = noise->sampling, .size_place = place}, decoder);
+    OctaveChecks checks(size);
+    checks.add(*noise, noise->channels, {.sampling = noise->sampling});
+    checks.report(place, decoder);
 }
 
 }  // namespace skybake::config

@@ -16,7 +16,7 @@ namespace {
 
 std::string_view describe_value(const Value& value) {
     constexpr std::array<std::string_view, 7> names = {
-        "a date or time", "true or false", "a number", "a number", "text", "a list", "a table"};
+        "a date or time", "true or false", "a number", "a number", "a string", "a list", "a table"};
     return names[value.data.index()];
 }
 
@@ -34,8 +34,15 @@ bool within(const Range& range, double value) {
 
 std::optional<double> check_range(const Reader& reader, const Value& value, double number) {
     if (within(reader.field.range, number)) return number;
-    report_range(reader, value, std::isfinite(number),
-                 with_hint("must be " + describe_range(reader.field), reader.field));
+    const bool is_fraction =
+        reader.field.kind == Kind::fraction || reader.field.kind == Kind::fractions;
+    // A whole number above 1 was most likely to be per cents.
+    const bool is_percent = is_fraction && number > 1 && within(reader.field.range, number / 100);
+    std::string label = with_hint("must be " + describe_range(reader.field), reader.field);
+    if (is_percent && !std::holds_alternative<std::string>(value.data)) {
+        label = fmt::format("write \"{0} %\" for {0} per cent; ", spell_number(number)) + label;
+    }
+    report_range(reader, value, std::isfinite(number), std::move(label));
     return std::nullopt;
 }
 
@@ -77,7 +84,7 @@ void report_quantity(const Reader& reader, const Value& value, const QuantityErr
     using ErrorKind = QuantityError::Kind;
     const std::string part = shorten(error.part);
     std::string message;
-    std::string label = fmt::format("wanted: {}", describe_kind(reader.field.kind));
+    std::string label = fmt::format("expected {}", describe_kind(reader.field.kind));
     switch (error.kind) {
         case ErrorKind::not_a_number:
             message =
@@ -86,9 +93,10 @@ void report_quantity(const Reader& reader, const Value& value, const QuantityErr
         case ErrorKind::unknown_unit: {
             message = fmt::format("`{}` has an unknown unit: `{}`", reader.path, part);
             const std::vector<std::string_view> names = unit_names(wanted);
-            label = did_you_mean(error.part, names);
+            label = error.part.starts_with(',') ? "write a decimal point, not a comma"
+                                                : did_you_mean(error.part, names);
             if (label.empty() && !names.empty()) label = "units here: " + list_units(wanted);
-            if (label.empty()) label = "wanted: a number without a unit";
+            if (label.empty()) label = "expected a number without a unit";
             break;
         }
         case ErrorKind::too_large:
@@ -106,11 +114,12 @@ void report_dimension(const Reader& reader, const Value& value, Dimension wanted
     const bool unit_missing = found == Dimension::number;
     const std::string what = unit_missing ? "a bare number" : std::string(dimension_name(found));
     const std::string label = unit_missing && wanted != Dimension::fraction
-                                  ? fmt::format("give it with its unit: {}", list_units(wanted))
-                                  : fmt::format("wanted: {}", describe_kind(reader.field.kind));
+                                  ? fmt::format("expected a unit: {}", list_units(wanted))
+                                  : fmt::format("expected {}", describe_kind(reader.field.kind));
     reader.error(
         "E0107", value,
-        fmt::format("`{}`: {} is wanted here, not {}", reader.path, dimension_name(wanted), what),
+        fmt::format("`{}`: expected {}{}, not {}", reader.path, dimension_name(wanted),
+                    wanted == Dimension::number ? "" : " with a unit", what),
         label);
 }
 
@@ -124,8 +133,8 @@ std::optional<double> read_quantity_text(const Reader& reader, const Value& valu
     const Quantity quantity = std::get<Quantity>(parsed);
     const bool bare = quantity.dimension == Dimension::number;
     if (bare && (wanted == Dimension::number || wanted == Dimension::fraction)) {
-        reader.error("E0103", value, fmt::format("`{}` is text: {}", reader.path, written(value)),
-                     "a number without a unit stands without quotes");
+        reader.error("E0103", value, fmt::format("`{}` is a string: {}", reader.path, written(value)),
+                     "write a number without a unit without quotes");
         return std::nullopt;
     }
     if (quantity.dimension != wanted) {
@@ -142,7 +151,7 @@ std::string written(const Value& value) { return shorten(spell_value(value)); }
 void report_type(const Reader& reader, const Value& value, std::string_view wanted) {
     reader.error("E0103", value,
                  fmt::format("`{}` is {}: {}", reader.path, describe_value(value), written(value)),
-                 fmt::format("wanted: {}", wanted));
+                 fmt::format("expected {}", wanted));
 }
 
 void report_range(const Reader& reader, const Value& value, bool finite, std::string label) {

@@ -45,13 +45,14 @@ struct OccupancyResolver {
         if (label.empty() && names.empty()) {
             label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
         }
-        if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
+        if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
         decoder.diagnostics.error(
             "E0133", bake.at("of").source->place,
-            fmt::format("`{}` names {}: `{}`", join_path(bake.path, "of"),
-                        is_other_asset ? "a bake of another asset than cloud_volume"
-                                       : "no bake of the recipe",
-                        shorten(name)),
+            is_other_asset
+                ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
+                              join_path(bake.path, "of"), shorten(name))
+                : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, "of"),
+                              shorten(name)),
             std::move(label));
     }
 
@@ -83,7 +84,7 @@ struct OccupancyResolver {
         if (std::find(channels.begin(), channels.end(), *name) != channels.end()) return;
         decoder.diagnostics.error(
             "E0134", decoded.source->place,
-            fmt::format("`{}` names no channel of `{}`: `{}`", join_path(bake.path, "channel"),
+            fmt::format("`{}`: `{}` has no channel `{}`", join_path(bake.path, "channel"),
                         *text_of(bake.at("of")), shorten(*name)),
             fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
                         fmt::join(channels, ", ")));

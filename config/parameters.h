@@ -7,11 +7,13 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "config/diagnostic.h"
 #include "config/quantity.h"
 
 namespace skybake::config {
@@ -192,9 +194,13 @@ struct NoiseChannel {
     WorleyValue value_form = WorleyValue::one_minus_distance;
     CurlComponent component = CurlComponent::x;  // curl
     std::uint64_t seed = 0;                      // besides the noise's own
-    std::array<double, 4> remap{0, 1, 0, 1};     // [in low, in high, out low, out high], linear
-    bool invert = false;                         // 1 - v, after remap
-    double bias = 0.5;                           // Schlick's, after invert; 0.5 changes nothing
+    // What becomes of a value v, in this order.
+    std::array<double, 4> remap{0, 1, 0, 1};           // [in low, in high, out low, out high]
+    std::optional<std::array<double, 2>> smoothstep;  // from 0 at the first to 1 at the second
+    bool invert = false;                               // 1 - v
+    double bias = 0.5;                                 // Schlick's; 0.5 changes nothing
+    std::array<double, 2> clamp{-std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::infinity()};
 };
 
 enum class NoiseSampling { centers, corners, slices_at_corners };
@@ -207,6 +213,7 @@ struct Noise {
     std::array<int, 3> size{};  // what it is made for; the default of a bake's size
     NoiseSampling sampling = NoiseSampling::centers;
     NoisePacking pack = NoisePacking::none;
+    bool aliases = false;                // octaves too fine for `size` are meant to be
     std::vector<NoiseChannel> channels;  // in the order R, G, B, A
 };
 
@@ -259,6 +266,8 @@ struct CloudMap {
     MapWrap wrap = MapWrap::repeat;
     MapFilter filter = MapFilter::linear;
     MapColorSpace color_space = MapColorSpace::linear;
+    SourceRange file_place;     // of `file` in the recipe
+    SourceRange channel_place;  // of `channel`; of `file` where the recipe names no channel
 };
 
 // A Gaussian of height `amplitude` over the ground plan, in tiles; its periodic images are summed.
@@ -301,6 +310,7 @@ struct Cloud {
     double threshold = 0;
     double edge_softness = 0;
     ThresholdAt threshold_at = ThresholdAt::bake;
+    std::optional<double> full_at;  // the value whose density is 1; threshold_at = bake
     CloudChannels channels = CloudChannels::density;
     InverseLength extinction_scale;  // extinction of density 1
     std::vector<Tower> towers;       // in the order of the recipe

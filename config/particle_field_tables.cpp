@@ -172,7 +172,7 @@ const std::array phase_table = {
                 .range = lookup_error_range,
                 .documentation =
                     "in place of size: the smallest table whose lookups keep within this error",
-                .hint = "0.01 cannot be seen",
+                .hint = "errors below 0.01 are invisible",
                 .exclusive_group = "size"},
                &PhaseBake::max_error},
     PhaseField{{.key = "content",

@@ -1,5 +1,6 @@
 #include "config/presets.h"
 
+#include <algorithm>
 #include <array>
 
 namespace skybake::config {
@@ -11,6 +12,13 @@ constexpr std::array kinds = {
     SectionPresets{"particles", "particles", particle_presets},
     SectionPresets{"atmosphere.layers", "layer", layer_presets},
 };
+
+// Clouds that are much wider than tall, whose cells are to be as tall as wide all the same.
+bool is_layer(std::string_view cloud) {
+    constexpr std::array<std::string_view, 3> layers = {"cumulus_humilis", "stratocumulus",
+                                                        "stratus"};
+    return std::find(layers.begin(), layers.end(), cloud) != layers.end();
+}
 
 }  // namespace
 
@@ -31,6 +39,13 @@ const Preset* find_noise_preset(std::string_view name) {
 
 const Preset* find_cloud_preset(std::string_view name) {
     return find_preset(cloud_presets(), name);
+}
+
+CloudNoisePreset noise_of_cloud_preset(std::string_view cloud, std::string_view noise) {
+    if (const Preset* own = find_noise_preset(cloud)) return {own, "none"};
+    if (noise == "shape" && is_layer(cloud)) return {find_noise_preset("nubis_layer"), "shape"};
+    return {find_noise_preset("nubis_" + std::string(noise)),
+            noise == "detail" ? "detail" : "shape"};
 }
 
 const SectionPresets* find_section_presets(std::string_view name) {

@@ -25,8 +25,9 @@ void check_radii(const DecodedSection& atmosphere, Decoder& decoder) {
     if (high > low) return;
     decoder.diagnostics.error(
         "E0113", top.source->place,
-        fmt::format("`atmosphere.top_radius` is not above ground_radius: {}", spell_length(high)),
-        fmt::format("must be above {}", spell_length(low)));
+        fmt::format("`atmosphere.top_radius` is not above ground_radius: {}",
+                    spell_value(*top.source)),
+        fmt::format("must be above {}", spell_value(*ground.source)));
 }
 
 void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere& result,

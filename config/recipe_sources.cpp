@@ -227,7 +227,7 @@ class Loader {
             label = fmt::format("a preset of {}s: it stands below [{}.NAME]", kind->noun,
                                 kind->section);
         } else if (label.empty()) {
-            label = fmt::format("there are: {}", fmt::join(names, ", "));
+            label = fmt::format("choose one of {}", fmt::join(names, ", "));
         }
         diagnostics_.error("E0115", place, fmt::format("unknown preset `{}`", shorten(name)),
                            std::move(label));

@@ -152,6 +152,11 @@ Json value_schema(const Field& field) {
             return list_schema(number_schema(field.range), 1, most_octaves);
         case Kind::remap:
             return list_schema(number_schema(field.range), 4, 4);
+        case Kind::edges:
+            return list_schema(number_schema(field.range), 2, 2);
+        case Kind::clamp:
+            return {{"anyOf",
+                     {{{"type", "boolean"}}, list_schema(number_schema(field.range), 2, 2)}}};
         case Kind::levels:
             return levels_schema(field.range);
         case Kind::angle:

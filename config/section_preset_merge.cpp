@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -35,7 +36,7 @@ void report_unknown_preset(const SectionPresets& kind, const std::string& name, 
     const auto names = preset_names(kind.all());
     std::string label = home_of(name);
     if (label.empty()) label = did_you_mean(name, names);
-    if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
+    if (label.empty()) label = fmt::format("choose one of {}", fmt::join(names, ", "));
     diagnostics.error("E0115", place,
                       fmt::format("unknown {} preset `{}`", kind.noun, shorten(name)),
                       std::move(label));
@@ -97,13 +98,74 @@ bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source
     return complete;
 }
 
+const std::string* text_at(const Table& table, std::string_view key) {
+    const Entry* entry = find_entry(table, key);
+    return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
+}
+
+// Whether the recipe says by itself what the noise is made of.
+bool has_noise(const Table& root, const std::string& name) {
+    const Entry* noises = find_entry(root, "noise");
+    const Table* all = noises ? as_table(noises->value) : nullptr;
+    const Entry* entry = all ? find_entry(*all, name) : nullptr;
+    if (!entry) return false;
+    const Table* noise = as_table(entry->value);
+    return !noise || find_entry(*noise, "preset") || find_entry(*noise, "channels");
+}
+
+// The noise `name` of a cloud that starts from a preset, as a recipe's text; empty if the recipe
+// has one, or there is none that goes with the preset.
+std::string brought_noise(const Table& root, const std::string& cloud_preset,
+                          const std::string& name) {
+    if (has_noise(root, name) || !is_bare_key(name)) return "";
+    const CloudNoisePreset noise = noise_of_cloud_preset(cloud_preset, name);
+    if (!noise.preset) return "";
+    return fmt::format("[noise.{}]\npreset = \"{}\"\npack = \"{}\"\n", name, noise.preset->name,
+                       noise.pack);
+}
+
+// Lays the recipe over the noises that presets of its clouds name, where it has none of that name.
+void lay_over_noises_of_clouds(Table& root, std::deque<Source>& sources,
+                               DiagnosticList& diagnostics) {
+    const Entry* entry = find_entry(root, "clouds");
+    const Table* clouds = entry ? as_table(entry->value) : nullptr;
+    if (!clouds) return;
+    Table base;
+    for (const Entry& cloud : *clouds) {
+        const Table* table = as_table(cloud.value);
+        const std::string* preset = table ? text_at(*table, "preset") : nullptr;
+        if (!preset || !find_cloud_preset(*preset)) continue;
+        for (const std::string_view key : {"noise", "detail"}) {
+            const std::string* name = text_at(*table, key);
+            std::string text = name ? brought_noise(root, *preset, *name) : "";
+            if (text.empty()) continue;
+            sources.push_back(
+                {Source::Kind::preset, -1, fmt::format("preset {}", *preset), std::move(text)});
+            if (const std::optional<Table> noise = parse_toml(sources.back(), diagnostics)) {
+                merge(base, *noise);
+            }
+        }
+    }
+    merge(base, root);
+    root = std::move(base);
+}
+
 }  // namespace
 
 bool lay_sections_over_presets(Table& root, std::deque<Source>& sources,
                                DiagnosticList& diagnostics) {
     bool complete = true;
-    for (const SectionPresets& kind : section_presets()) {
+    const auto lay = [&](const SectionPresets& kind) {
         complete = lay_over_presets(kind, root, sources, diagnostics) && complete;
+    };
+    // Presets of clouds name noises, which start from presets in their turn.
+    const auto is_of_clouds = [](const SectionPresets& kind) { return kind.section == "clouds"; };
+    const auto all = section_presets();
+    const SectionPresets& clouds = *std::find_if(all.begin(), all.end(), is_of_clouds);
+    lay(clouds);
+    lay_over_noises_of_clouds(root, sources, diagnostics);
+    for (const SectionPresets& kind : all) {
+        if (!is_of_clouds(kind)) lay(kind);
     }
     return complete;
 }

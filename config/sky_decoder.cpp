@@ -38,7 +38,7 @@ std::string what_there_is(const std::string& name, const Atmosphere& atmosphere)
     for (const Layer& layer : atmosphere.layers) names.push_back(layer.name);
     if (names.empty()) return "the atmosphere has no layers";
     std::string label = did_you_mean(name, names);
-    return label.empty() ? fmt::format("there are: {}", fmt::join(names, ", ")) : label;
+    return label.empty() ? fmt::format("this recipe has {}", fmt::join(names, ", ")) : label;
 }
 
 Length default_view_distance() {

@@ -108,7 +108,7 @@ struct SweepReader {
         error("E0103", value.place,
               fmt::format("`{}` is to vary, and {} is one value", swept.key.path,
                           shorten(spell_value(value))),
-              "wanted: a list [...], or { from = ..., to = ..., count = ... }");
+              "expected a list [...], or { from = ..., to = ..., count = ... }");
         return false;
     }
 
@@ -185,7 +185,7 @@ struct SweepReader {
                 if (!fault.empty()) {
                     error(
                         "E0136", own_key("zip")->value.place,
-                        fmt::format("`{}` cannot walk with others: it {}", shorten(path), fault),
+                        fmt::format("`{}` cannot be zipped: it {}", shorten(path), fault),
                         "zip wants paths that vary, each once, with as many values as the others");
                     return;
                 }

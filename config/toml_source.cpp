@@ -88,7 +88,36 @@ bool is_huge_integer(std::string_view value) {
     return all_digits && value.size() >= digits_of_int64;
 }
 
-// The most common slips deserve better than the parser's words: a quantity without its quotes.
+// Where a string of one line begins that the line does not end; npos if there is none.
+std::size_t unclosed_quote(std::string_view line) {
+    std::size_t open = std::string_view::npos;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (open == std::string_view::npos) {
+            if (line[i] == '#') break;
+            if (line[i] == '"' || line[i] == '\'') open = i;
+        } else if (line[i] == '\\' && line[open] == '"') {
+            ++i;
+        } else if (line[i] == line[open]) {
+            open = std::string_view::npos;
+        }
+    }
+    const bool is_of_many_lines =
+        open != std::string_view::npos && open >= 2 && line[open - 1] == line[open];
+    return is_of_many_lines ? std::string_view::npos : open;
+}
+
+// "0,3"
+bool has_decimal_comma(std::string_view value) {
+    const std::size_t comma = value.find(',');
+    if (comma == std::string_view::npos || comma == 0 || comma + 1 == value.size()) return false;
+    constexpr std::string_view digits = "0123456789";
+    return value.find_first_not_of(digits, comma + 1) == std::string_view::npos &&
+           value.substr(0, comma).find_last_not_of(digits) + 1 <=
+               (value.find_first_of("+-") == 0 ? 1U : 0U);
+}
+
+// The most common slips deserve better than the parser's words: a quantity without its quotes, a
+// comma for a decimal point.
 std::string advice(const Place& place) {
     const std::string line = source_range(place).line_text;
     const std::size_t equals = line.find('=');
@@ -101,11 +130,12 @@ std::string advice(const Place& place) {
     while (!value.empty() && (value.back() == ' ' || value.back() == '\t')) {
         value.remove_suffix(1);
     }
-    if (is_huge_integer(value)) return "a number above 2^63 - 1 stands in quotes, as text";
+    if (has_decimal_comma(value)) return "write a decimal point, not a comma";
+    if (is_huge_integer(value)) return "write a number above 2^63 - 1 in quotes";
     const auto parsed = parse_quantity(value);
     const auto* quantity = std::get_if<Quantity>(&parsed);
     if (!quantity || quantity->dimension == Dimension::number) return "";
-    return "a quantity with a unit stands in quotes: " + toml_string(value);
+    return "write a quantity with a unit in quotes: " + toml_string(value);
 }
 
 Place place_at(const Source& source, std::string_view text, std::size_t offset) {
@@ -185,7 +215,15 @@ std::optional<Table> parse_toml(const Source& source, DiagnosticList& diagnostic
     }
     const Parsed parsed = run_parser(text);
     if (!parsed.table) {
-        const Place place = place_of(parsed.region, &source);
+        Place place = place_of(parsed.region, &source);
+        const std::string line = source_range(place).line_text;
+        if (const std::size_t open = unclosed_quote(line); open != std::string::npos) {
+            place.column = text_position(line, open).column;
+            place.length = 1;
+            diagnostics.error("E0101", place, "not TOML: the quote that opens here is not closed",
+                              "close it on the same line");
+            return std::nullopt;
+        }
         diagnostics.error("E0101", place, "not TOML: " + printable(parsed.error), advice(place));
         return std::nullopt;
     }

@@ -193,9 +193,9 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
     if (without.empty()) return;
     decoder.diagnostics.error(
         "E0131", decoded.source ? decoded.source->place : bake.place,
-        fmt::format("`{}` is {}, which {} has not", join_path(bake.path, "pixel_type"),
-                    decoded.field->choices[static_cast<std::size_t>(*type)].name,
-                    fmt::join(without, " and ")),
+        fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
+                    fmt::join(without, " and "),
+                    decoded.field->choices[static_cast<std::size_t>(*type)].name),
         "unorm8 and unorm16 go with formats = [\"bin\"] alone; float and half with all");
 }
 

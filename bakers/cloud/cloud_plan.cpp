@@ -103,6 +103,7 @@ CloudPlan make_cloud_plan(const Cloud& cloud, const Noise& base, const Noise* de
     if (cloud.edge_softness > 0) {
         plan.inverse_softness = static_cast<float>(1 / cloud.edge_softness);
     }
+    if (cloud.full_at) plan.inverse_full = static_cast<float>(1 / *cloud.full_at);
     return plan;
 }
 

@@ -9,7 +9,10 @@
 //
 //   v = max(0, (b - e) / (1 - e))          remap(b, e, 1, 0, 1), Schneider and Vos 2015
 //
-//   density = v smoothstep(t, t + softness, v)      threshold_at = "bake"; else v itself
+//   density = min(1, v / full_at) smoothstep(t, t + softness, v)
+//
+//                                          threshold_at = "bake"; without full_at v in place of the
+//                                          minimum; threshold_at = "runtime": v itself
 //
 // and nothing where b <= t (b <= 0 for threshold_at = "runtime"): erosion takes away.
 //
@@ -48,6 +51,7 @@ struct CloudPlan {
     std::optional<MapLookup> type_map;  // then profiles are blended per column
     float threshold = 0;
     float inverse_softness = 0;  // 0: softness 0
+    float inverse_full = 0;      // 1 / full_at; 0: none
     bool threshold_in_file = true;
     int channels = 1;
     int shaped_channels = 1;  // the first so many; others are the noise as it is

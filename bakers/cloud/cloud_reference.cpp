@@ -135,8 +135,9 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
         value = std::max(0.0, (base - erosion) / (1 - erosion));
     }
     if (!in_file) return value;
-    if (cloud_.edge_softness == 0) return value > cloud_.threshold ? value : 0;
-    return value * smooth_step(cloud_.threshold, cloud_.threshold + cloud_.edge_softness, value);
+    const double inside = cloud_.full_at ? std::fmin(value / *cloud_.full_at, 1) : value;
+    if (cloud_.edge_softness == 0) return value > cloud_.threshold ? inside : 0;
+    return inside * smooth_step(cloud_.threshold, cloud_.threshold + cloud_.edge_softness, value);
 }
 
 bool CloudReference::is_dear() const {

@@ -10,10 +10,12 @@ namespace skybake::cloud {
 namespace {
 
 float density(const CloudPlan& plan, float value) {
-    if (plan.inverse_softness == 0) return value > plan.threshold ? value : 0.0f;
+    const float inside =
+        plan.inverse_full > 0 ? std::min(value * plan.inverse_full, 1.0f) : value;
+    if (plan.inverse_softness == 0) return value > plan.threshold ? inside : 0.0f;
     const float x =
         std::min(std::max((value - plan.threshold) * plan.inverse_softness, 0.0f), 1.0f);
-    return value * ((x * x) * (3.0f - 2.0f * x));
+    return inside * ((x * x) * (3.0f - 2.0f * x));
 }
 
 float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& column, float noise,

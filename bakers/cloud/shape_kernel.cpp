@@ -94,14 +94,17 @@ void Finish(const CloudPlan& plan, std::size_t count, float* values) {
     const FloatVector threshold = constant(plan.threshold);
     const FloatVector inverse = constant(plan.inverse_softness);
     const bool hard = plan.inverse_softness == 0;
+    const bool saturates = plan.threshold_in_file && plan.inverse_full > 0;
     for (std::size_t i = 0; i < count; i += kLanes) {
         const std::size_t left = count - i;
-        FloatVector value = hn::Max(load(values + i, left), zero);
+        const FloatVector made = hn::Max(load(values + i, left), zero);
+        FloatVector value = made;
+        if (saturates) value = hn::Min(hn::Mul(made, constant(plan.inverse_full)), one);
         if (plan.threshold_in_file && hard) {
-            value = hn::IfThenElseZero(hn::Gt(value, threshold), value);
+            value = hn::IfThenElseZero(hn::Gt(made, threshold), value);
         } else if (plan.threshold_in_file) {
             const FloatVector x =
-                hn::Min(hn::Max(hn::Mul(hn::Sub(value, threshold), inverse), zero), one);
+                hn::Min(hn::Max(hn::Mul(hn::Sub(made, threshold), inverse), zero), one);
             const FloatVector edge =
                 hn::Mul(hn::Mul(x, x), hn::Sub(constant(3), hn::Mul(constant(2), x)));
             value = hn::Mul(value, edge);

@@ -311,9 +311,15 @@ class Survey {
                                            range_text(volume_.pixel_type))
                              : fmt::format("{} is not finite", place);
         if (std::isfinite(bad.value)) {
-            result.label = volume_.pixel_type == PixelType::half
-                               ? "remap it, or bake it as float"
-                               : "remap it into [0, 1], or bake it as half or float";
+            const bool is_noise = volume_.kind == "noise_volume";
+            const bool is_half = volume_.pixel_type == PixelType::half;
+            result.label = fmt::format(
+                "{}bake it as {}",
+                is_noise ? fmt::format("bring it into {} by the channel's remap, smoothstep or "
+                                       "clamp, or ",
+                                       range_text(volume_.pixel_type))
+                         : "",
+                is_half ? "float" : "half or float");
         }
         return result;
     }

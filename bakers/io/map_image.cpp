@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -23,8 +24,18 @@ namespace {
 using config::Diagnostic;
 using config::Outcome;
 
-Diagnostic not_a_map(const std::string& file, const std::string& reason) {
-    return file_error("E0304", file, fmt::format("cannot read `{}` as a map: {}", file, reason));
+// At a place of the recipe, or of the picture where no recipe is known to name it.
+Diagnostic map_error(std::string code, const config::CloudMap& map,
+                     const config::SourceRange& place, const std::string& reason) {
+    const std::string file = map.path.string();
+    Diagnostic diagnostic = file_error(std::move(code), file,
+                                       fmt::format("cannot read the map `{}`: {}", file, reason));
+    if (!place.source.empty()) diagnostic.where = place;
+    return diagnostic;
+}
+
+Diagnostic not_a_map(const config::CloudMap& map, const std::string& reason) {
+    return map_error("E0304", map, map.file_place, reason);
 }
 
 // "it has no channel `r`, but `R`, `G`, `B`; did you mean `R`?"
@@ -77,20 +88,25 @@ MapImage finished(MapPixels pixels, config::MapColorSpace color_space) {
 
 Outcome<MapImage> read_map_image(const config::CloudMap& map) {
     const std::string file = map.path.string();
-    Outcome<FileInput> opened = FileInput::open(map.path);  // says why it cannot be
-    if (!opened.value) return {{}, std::move(opened.diagnostics)};
+    const Outcome<FileInput> opened = FileInput::open(map.path);  // says why it cannot be
+    if (!opened.value) {
+        const std::string words = fmt::format("cannot read `{}`: ", file);
+        const std::string& message = opened.diagnostics.at(0).message;
+        assert(message.starts_with(words));
+        return {{}, {map_error("E0300", map, map.file_place, message.substr(words.size()))}};
+    }
     const LoadedImageCodec& loaded = image_codec();
     if (loaded.codec == nullptr) {
-        return {
-            {},
-            {file_error("E0300", file, fmt::format("cannot read `{}`: {}", file, loaded.reason))}};
+        return {{}, {map_error("E0300", map, map.file_place, loaded.reason)}};
     }
     MapPixels pixels = loaded.codec->read(map.path, map.channel);
-    if (!pixels.problem.empty()) return {{}, {not_a_map(file, pixels.problem)}};
+    if (!pixels.problem.empty()) return {{}, {not_a_map(map, pixels.problem)}};
     if (pixels.values.empty()) {
-        return {{}, {not_a_map(file, no_such_channel(map.channel, pixels.channel_names))}};
+        return {{},
+                {map_error("E0304", map, map.channel_place,
+                           no_such_channel(map.channel, pixels.channel_names))}};
     }
-    if (const auto problem = value_out_of_range(pixels)) return {{}, {not_a_map(file, *problem)}};
+    if (const auto problem = value_out_of_range(pixels)) return {{}, {not_a_map(map, *problem)}};
     return {finished(std::move(pixels), map.color_space), {}};
 }
 

@@ -40,6 +40,12 @@ void sum_cells(const ChannelPlan& channel, const std::vector<const float*>& fiel
     }
 }
 
+// By comparisons, since instruction sets differ in which of two zeros their minimum is.
+HWY_INLINE FloatVector between(FloatVector value, FloatVector low, FloatVector high) {
+    value = hn::IfThenElse(hn::Lt(value, low), low, value);
+    return hn::IfThenElse(hn::Gt(value, high), high, value);
+}
+
 HWY_INLINE FloatVector shaped(const ChannelPlan& channel, FloatVector value) {
     if (channel.remapped) {
         value = hn::Add(
@@ -47,12 +53,21 @@ HWY_INLINE FloatVector shaped(const ChannelPlan& channel, FloatVector value) {
             constant(channel.remap_low_out));
     }
     const FloatVector one = constant(1);
+    if (channel.stepped) {
+        const FloatVector x = between(
+            hn::Mul(hn::Sub(value, constant(channel.step_from)), constant(channel.step_scale)),
+            hn::Zero(kFloats), one);
+        value = hn::Mul(hn::Mul(x, x), hn::Sub(constant(3), hn::Mul(constant(2), x)));
+    }
     if (channel.invert) value = hn::Sub(one, value);
     if (channel.biased) {
         const FloatVector biased = hn::Div(
             value, hn::Add(hn::Mul(hn::Sub(one, value), constant(channel.bias_slope)), one));
         const auto inside = hn::And(hn::Ge(value, hn::Zero(kFloats)), hn::Le(value, one));
         value = hn::IfThenElse(inside, biased, value);
+    }
+    if (channel.clamped) {
+        value = between(value, constant(channel.clamp_low), constant(channel.clamp_high));
     }
     return value;
 }
@@ -80,7 +95,7 @@ void combine(const ChannelPlan& channel, const float* gradient,
             hn::StoreU(value, kFloats, out + i);
         }
     }
-    if (!channel.remapped && !channel.invert && !channel.biased) return;
+    if (!channel.is_shaped()) return;
     for (std::size_t i = 0; i < count; i += kLanes) {
         hn::StoreU(shaped(channel, hn::LoadU(kFloats, out + i)), kFloats, out + i);
     }

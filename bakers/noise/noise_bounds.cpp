@@ -93,18 +93,46 @@ Interval plain_bounds(const NoiseChannel& channel) {
     return kEverything;
 }
 
-Interval channel_bounds(const NoiseChannel& channel) {
-    Interval bounds = plain_bounds(channel);
-    if (!std::isfinite(bounds[1])) return kEverything;
+Interval in_order(const Interval& bounds) {
+    return bounds[0] > bounds[1] ? Interval{bounds[1], bounds[0]} : bounds;
+}
+
+Interval remapped_bounds(const NoiseChannel& channel, const Interval& bounds) {
     const auto& [low_in, high_in, low_out, high_out] = channel.remap;
+    const double slope = (high_out - low_out) / (high_in - low_in);
+    if (!std::isfinite(bounds[1])) return kEverything;
+    return in_order(
+        {low_out + (bounds[0] - low_in) * slope, low_out + (bounds[1] - low_in) * slope});
+}
+
+// A step may be so steep that it makes much of what kernels are off by, which is 2e-7 of their
+// values before the remap: the step is taken of an interval that has room for it.
+Interval stepped_bounds(const NoiseChannel& channel, const Interval& bounds) {
+    constexpr double kRoom = 1e-6;
+    const auto& [low_in, high_in, low_out, high_out] = channel.remap;
+    const auto& [from, to] = *channel.smoothstep;
+    const double slope = std::fabs((high_out - low_out) / (high_in - low_in));
+    const auto step = [&](double value) {
+        const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
+        return t * t * (3 - 2 * t);
+    };
+    const auto room = [&](double value) {
+        const double largest = std::max({1.0, std::fabs(low_in), std::fabs(high_in)});
+        return kRoom * (slope * largest + std::max({1.0, std::fabs(value), std::fabs(from)}));
+    };
+    return {step(bounds[0] - room(bounds[0])), step(bounds[1] + room(bounds[1]))};
+}
+
+Interval channel_bounds(const NoiseChannel& channel) {
+    Interval bounds = remapped_bounds(channel, plain_bounds(channel));
+    if (channel.smoothstep) bounds = stepped_bounds(channel, bounds);
     for (double& bound : bounds) {
-        bound = low_out + (bound - low_in) * (high_out - low_out) / (high_in - low_in);
         if (channel.invert) bound = 1 - bound;
         // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.
         if (bound > 0 && bound < 1) bound /= (1 / channel.bias - 2) * (1 - bound) + 1;
+        bound = std::clamp(bound, channel.clamp[0], channel.clamp[1]);
     }
-    if (bounds[0] > bounds[1]) std::swap(bounds[0], bounds[1]);
-    return bounds;
+    return in_order(bounds);
 }
 
 Interval weighted(const Interval& a, const Interval& b, const Interval& c) {

@@ -123,8 +123,7 @@ class BoxFiller {
 
     bool is_direct(std::size_t index) const {
         const ChannelPlan& channel = plan_.channels[index];
-        const bool as_it_is = !channel.remapped && !channel.invert && !channel.biased &&
-                              channel.cells.empty() &&
+        const bool as_it_is = !channel.is_shaped() && channel.cells.empty() &&
                               channel.fractal != config::NoiseFractal::rectified;
         return as_it_is && gradient_lattices_[index] && plan_.pack == config::NoisePacking::none &&
                row_stride_ == static_cast<std::size_t>(box_.size[0]);

@@ -1,6 +1,7 @@
 #include "bakers/noise/noise_plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "bakers/noise/gradient_basis.h"
@@ -185,10 +186,24 @@ ChannelPlan channel_plan(const NoiseChannel& channel, std::uint64_t noise_seed, 
     result.remap_low_in = static_cast<float>(low_in);
     result.remap_scale = static_cast<float>((high_out - low_out) / (high_in - low_in));
     result.remap_low_out = static_cast<float>(low_out);
+    result.stepped = channel.smoothstep.has_value();
+    if (result.stepped) {
+        const auto& [from, to] = *channel.smoothstep;
+        result.step_from = static_cast<float>(from);
+        result.step_scale = static_cast<float>(1 / (to - from));
+    }
     result.invert = channel.invert;
     result.biased = channel.bias != 0.5;
     result.bias_slope = static_cast<float>(1 / channel.bias - 2);
+    result.clamped = std::isfinite(channel.clamp[0]);
+    result.clamp_low = static_cast<float>(channel.clamp[0]);
+    result.clamp_high = static_cast<float>(channel.clamp[1]);
     return result;
+}
+
+double smooth_step(const std::array<double, 2>& edges, double value) {
+    const double t = std::clamp((value - edges[0]) / (edges[1] - edges[0]), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
 }
 
 }  // namespace
@@ -211,12 +226,14 @@ std::array<double, 2> nominal_range(const NoiseChannel& channel) {
     const auto& [low_in, high_in, low_out, high_out] = channel.remap;
     for (double& bound : range) {
         bound = low_out + (bound - low_in) * (high_out - low_out) / (high_in - low_in);
+        if (channel.smoothstep) bound = smooth_step(*channel.smoothstep, bound);
         if (channel.invert) bound = 1 - bound;
         // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.
         if (bound > 0 && bound < 1) bound /= (1 / channel.bias - 2) * (1 - bound) + 1;
+        bound = std::clamp(bound, channel.clamp[0], channel.clamp[1]);
     }
     if (range[0] > range[1]) std::swap(range[0], range[1]);
-    // A remap to one value: a range about it.
+    // One value alone: a range about it.
     if (range[0] == range[1]) range = {range[0] - 0.5, range[1] + 0.5};
     return range;
 }

@@ -72,9 +72,16 @@ struct ChannelPlan {
     // After the noise itself, in this order.
     bool remapped = false;
     float remap_low_in = 0, remap_scale = 1, remap_low_out = 0;
+    bool stepped = false;
+    float step_from = 0, step_scale = 1;  // 1 / (to - from)
     bool invert = false;
     bool biased = false;
     float bias_slope = 0;  // 1/b - 2
+    bool clamped = false;
+    float clamp_low = 0, clamp_high = 1;
+
+    // Whether any of these changes a value.
+    bool is_shaped() const { return remapped || stepped || invert || biased || clamped; }
 };
 
 struct NoisePlan {
@@ -90,7 +97,7 @@ struct NoisePlan {
 NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size);
 
 // The range that a channel's values are meant to lie in: [0, 1], [-1, 1] for curl, either carried
-// through remap, invert and bias. Never empty.
+// through remap, smoothstep, invert, bias and clamp. Never empty.
 std::array<double, 2> nominal_range(const config::NoiseChannel& channel);
 
 }  // namespace skybake::noise

@@ -226,13 +226,22 @@ double value_of(const config::Noise& noise, const NoiseChannel& channel, const V
     return 0;
 }
 
+// Hermite's cubic with level ends: 0 up to the first edge, 1 from the second on.
+double risen(const std::array<double, 2>& edges, double value) {
+    if (value <= edges[0]) return 0;
+    if (value >= edges[1]) return 1;
+    const double t = (value - edges[0]) / (edges[1] - edges[0]);
+    return 3 * t * t - 2 * t * t * t;
+}
+
 double shaped(const NoiseChannel& channel, double value) {
     const auto& [low_in, high_in, low_out, high_out] = channel.remap;
     value = low_out + (value - low_in) / (high_in - low_in) * (high_out - low_out);
+    if (channel.smoothstep) value = risen(*channel.smoothstep, value);
     if (channel.invert) value = 1 - value;
     // Schlick's bias has a pole beyond [0, 1], where it is left out: it is continuous so.
-    if (value < 0 || value > 1) return value;
-    return value / ((1 / channel.bias - 2) * (1 - value) + 1);
+    if (value >= 0 && value <= 1) value /= (1 / channel.bias - 2) * (1 - value) + 1;
+    return std::fmin(std::fmax(value, channel.clamp[0]), channel.clamp[1]);
 }
 
 }  // namespace

@@ -86,13 +86,24 @@ float cell_part(const NoisePlan& plan, const ChannelPlan& channel, const Voxel& 
     return sum;
 }
 
+// A zero keeps its sign where the bound is zero.
+float between(float value, float low, float high) {
+    if (value < low) return low;
+    return value > high ? high : value;
+}
+
 float shaped(const ChannelPlan& channel, float value) {
     if (channel.remapped) {
         value = (value - channel.remap_low_in) * channel.remap_scale + channel.remap_low_out;
     }
+    if (channel.stepped) {
+        const float x = between((value - channel.step_from) * channel.step_scale, 0, 1);
+        value = (x * x) * (3 - 2 * x);
+    }
     if (channel.invert) value = 1 - value;
     if (channel.biased && value >= 0 && value <= 1)
         value = value / ((1 - value) * channel.bias_slope + 1);
+    if (channel.clamped) value = between(value, channel.clamp_low, channel.clamp_high);
     return value;
 }
 

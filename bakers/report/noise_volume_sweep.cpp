@@ -58,7 +58,7 @@ std::optional<Noise> cut_short(Noise noise, std::size_t count) {
     return noise;
 }
 
-// Whether `bake` refuses the size: an octave of gradient noise would be 0 at every voxel (E0127).
+// Whether an octave of gradient noise is 0 at every voxel of the size (W0208).
 bool loses_an_octave(const Noise& noise, const std::array<int, 3>& size) {
     const auto is_lost = [&](const NoiseChannel& channel) {
         if (channel.type != NoiseType::perlin && channel.type != NoiseType::perlin_worley) {

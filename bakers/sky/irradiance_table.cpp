@@ -24,8 +24,9 @@ using config::IrradianceContent;
 namespace {
 
 // Of each level, and of the reference.
-constexpr std::array<IrradianceNodes, 5> kNodes = {{{6}, {8}, {12}, {16}, {22}}};
-constexpr IrradianceNodes kReferenceNodes = {28, 12, 6};
+constexpr std::array<IrradianceNodes, 5> kNodes = {
+    {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}}};
+constexpr IrradianceNodes kReferenceNodes = {28, 32, 12};
 
 Spectrum irradiance(const SkyLight& light, IrradianceContent content, double altitude_km,
                     double sun_cos_zenith, const IrradianceNodes& nodes) {

@@ -112,6 +112,7 @@ TEST(NoiseBounds, HoldForEveryKind) {
         for (config::NoiseChannel& channel : noise.channels) {
             channel.invert = *rc::gen::arbitrary<bool>();
             channel.bias = *rc::gen::element(0.5, 0.2, 0.9);
+            if (*rc::gen::inRange(0, 3) == 0) channel.clamp = {0.3, 0.6};
         }
         const std::size_t outputs =
             noise.pack == config::NoisePacking::none ? noise.channels.size() : 1;
@@ -125,6 +126,24 @@ TEST(NoiseBounds, HoldForEveryKind) {
             }
         }
     }));
+}
+
+// A step as steep as can be, at the greatest value that the noise has as a real number: what the
+// kernels' floats are above it must not become more than the bound.
+TEST(NoiseBounds, HoldForFloatsOfASteepStep) {
+    config::Noise noise = test::noise_of({test::worley({{4, 4, 4}, {8, 8, 8}, {3, 3, 3}})});
+    config::NoiseChannel& channel = noise.channels[0];
+    channel.value_form = config::WorleyValue::one_minus_distance_squared;
+    channel.smoothstep = {1, 1 + 1e-6};
+    EXPECT_GE(noise::value_bounds(noise, 0)[1], 0.5) << "1 + 2e-7 is 0.1 of the step";
+    channel.smoothstep = {1.1, 1.1 + 1e-6};
+    EXPECT_EQ(noise::value_bounds(noise, 0)[1], 0);
+    channel.type = config::NoiseType::curl;
+    channel.smoothstep = {-1, 1};
+    EXPECT_EQ(noise::value_bounds(noise, 0), (std::array<double, 2>{0, 1}));
+    channel.smoothstep.reset();
+    channel.clamp = {-0.25, 0.5};
+    EXPECT_EQ(noise::value_bounds(noise, 0), (std::array<double, 2>{-0.25, 0.5}));
 }
 
 std::vector<float> whole(const test::CloudCase& any) {
@@ -169,6 +188,25 @@ TEST(Cloud, KeepsTheValueForARuntimesThreshold) {
         const double x = std::clamp((values[i] - 0.3) / 0.1, 0.0, 1.0);
         EXPECT_NEAR(densities[i], values[i] * x * x * (3 - 2 * x), 1e-5);
     }
+}
+
+TEST(Cloud, IsFullFromAValueOn) {
+    test::CloudCase any = plain_case({24, 24, 24});
+    const std::vector<float> plain = whole(any);
+    any.cloud.full_at = 0.5;
+    const std::vector<float> full = whole(any);
+    int saturated = 0;
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        EXPECT_EQ(full[i] > 0, plain[i] > 0);
+        // Beyond the edge, which ends at 0.4, the plain density is the value.
+        if (plain[i] > 0.5F) {
+            EXPECT_EQ(full[i], 1);
+            ++saturated;
+        } else {
+            EXPECT_NEAR(full[i], 2 * plain[i], 1e-5);
+        }
+    }
+    EXPECT_GT(saturated, 100);
 }
 
 TEST(Cloud, FollowsItsCoverageMap) {

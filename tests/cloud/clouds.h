@@ -95,6 +95,11 @@ inline config::Noise any_cloud_noise() {
         channel.feature = any_choice<config::WorleyFeature>(3);
         channel.value_form = any_choice<config::WorleyValue>(4);
         if (*rc::gen::inRange(0, 4) == 0) channel.remap = {0.2, 0.9, -0.1, 1.2};
+        if (*rc::gen::inRange(0, 4) == 0) {
+            const double from = any_number(0, 1);
+            channel.smoothstep = {from, from + *rc::gen::element(0.1, 1.0)};
+        }
+        if (*rc::gen::inRange(0, 4) == 0) channel.clamp = {0.1, any_number(0.2, 1)};
         noise.channels.push_back(channel);
     }
     return noise;
@@ -122,6 +127,10 @@ inline CloudCase any_cloud() {
     cloud.threshold = *rc::gen::element(0.0, 0.1, 0.35, 1.0);
     cloud.edge_softness = *rc::gen::element(0.0, 1e-6, 0.05, 1.0);
     cloud.threshold_at = any_choice<config::ThresholdAt>(2);
+    const bool is_full = *rc::gen::inRange(0, 3) == 0;
+    if (is_full && cloud.threshold_at == config::ThresholdAt::bake) {
+        cloud.full_at = *rc::gen::element(0.01, 0.2, 0.9, 3.0);
+    }
     cloud.channels = any_choice<config::CloudChannels>(2);
     const int towers = *rc::gen::inRange(0, 4);
     for (int i = 0; i < towers; ++i) cloud.towers.push_back(any_tower());

@@ -102,6 +102,7 @@ Slopes slopes_of(const config::Cloud& cloud, double largest_base) {
     if (cloud.threshold_at == config::ThresholdAt::bake && cloud.edge_softness > 0) {
         slope *= 1 + 1.5 * largest_base / ((1 - erosion) * cloud.edge_softness);
     }
+    if (cloud.full_at) slope *= std::max(1.0, 1 / *cloud.full_at);
     return {slope, 1e-4};
 }
 
@@ -131,7 +132,11 @@ TEST(RandomClouds, SpecificationIsNearTheReference) {
                 const double scale = std::max(1.0, std::fabs(wanted[c]));
                 if (hard && (found[c] == 0) != (wanted[c] == 0)) {
                     const double value = std::max(double{found[c]}, wanted[c]);
-                    RC_ASSERT(std::fabs(value - any.cloud.threshold) < slopes.jumps * scale);
+                    const double full = any.cloud.full_at.value_or(1);
+                    const double after = any.cloud.full_at
+                                             ? std::min(any.cloud.threshold / full, 1.0)
+                                             : any.cloud.threshold;
+                    RC_ASSERT(std::fabs(value - after) < slopes.jumps * scale / full);
                     continue;
                 }
                 RC_ASSERT(error < 4e-6 * scale * slopes.base);

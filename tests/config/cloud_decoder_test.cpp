@@ -45,6 +45,14 @@ TEST(CloudDecoder, HasItsDefaults) {
     EXPECT_EQ(eroded.wisp_height, 0.1);
 }
 
+TEST(CloudDecoder, DensityIsFullWhereTheFileHoldsIt) {
+    EXPECT_FALSE(cloud_of("").full_at);
+    EXPECT_EQ(cloud_of("full_at = 0.2").full_at, 0.2);
+    EXPECT_EQ(only_diagnostic(cloud_recipe("full_at = 0")).code, "E0110");
+    EXPECT_EQ(only_diagnostic(cloud_recipe("full_at = 0.2\nthreshold_at = 'runtime'")).code,
+              "E0111");
+}
+
 TEST(CloudDecoder, ReadsEveryKey) {
     const Cloud cloud = cloud_of(
         "noise_scale = [4, 5, 1]\ndetail = 'd'\ndetail_scale = 16\nerosion = [0, 0.95]\n"
@@ -58,7 +66,7 @@ TEST(CloudDecoder, ReadsEveryKey) {
         "}\n[[clouds.c.towers]]\ncenter = [0.2, -3]\nsigma = [0.03, 0.06]\nrotation = '180 deg'\n"
         "correlation = -0.5\namplitude = 0.4\n");
     EXPECT_EQ(testing::spell(cloud),
-              "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0\n"
+              "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0 0\n"
               "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1\n   0 1 0\n"
               "12 3 [0.1, 0.2] [1, 3] [0, 1]\n"
               "0 [0.2, -3] [0.03, 0.06] 3.141592653589793 -0.5 0.4");
@@ -162,12 +170,12 @@ TEST(CloudDecoder, ItsNoisesAreThere) {
         "[clouds.c]\nnoise = 'wips'\nextent = ['1 m', '1 m', '1 m']\n"
         "[noise.wisps.channels.Y]\ntype = 'worley'\n");
     EXPECT_EQ(slip.code, "E0130");
-    EXPECT_EQ(slip.message, "`clouds.c.noise` names no noise of the recipe: `wips`");
+    EXPECT_EQ(slip.message, "`clouds.c.noise`: the recipe has no [noise.wips]");
     EXPECT_EQ(slip.label, "did you mean `wisps`?");
     EXPECT_EQ(slip.where.line, 2);
     const Diagnostic detail = fault("detail = 'x'");
     EXPECT_EQ(detail.code, "E0130");
-    EXPECT_EQ(detail.label, "there are: d, n");
+    EXPECT_EQ(detail.label, "this recipe has d, n");
     const auto missing = testing::parse("[clouds.c]\n").diagnostics;
     EXPECT_EQ(testing::codes_and_places(missing),
               (std::vector<std::string>{"E0105 1:9", "E0105 1:9"}));

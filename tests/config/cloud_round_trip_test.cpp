@@ -117,7 +117,10 @@ std::string any_cloud() {
     if (coin()) text += fmt::format("coverage = '{} %'\n", any_number(0, 100));
     if (coin()) text += fmt::format("threshold = {}\n", any_number(0, 3));
     if (coin()) text += fmt::format("edge_softness = {}\n", coin() ? 0 : any_number(1e-6, 3));
-    if (coin()) text += "threshold_at = " + any_of("bake", "runtime") + "\n";
+    const bool at_bake = coin();
+    if (at_bake && coin()) text += "threshold_at = 'bake'\n";
+    if (at_bake && coin()) text += fmt::format("full_at = {}\n", any_number(1e-6, 3));
+    if (!at_bake) text += "threshold_at = 'runtime'\n";
     if (coin()) text += "channels = " + any_of("density", "noise") + "\n";
     if (coin()) text += fmt::format("extinction_scale = '{} /km'\n", any_number(0, 99));
     if (coin()) {

@@ -21,6 +21,19 @@ TEST(DiagnosticList, SortsByPlace) {
     EXPECT_EQ(diagnostics[2].code, "E3");
 }
 
+// What a person has to mend is the last on the screen, however many warnings there are.
+TEST(DiagnosticList, ErrorsComeLast) {
+    const Source source{Source::Kind::file, 0, "a.toml", "one\ntwo\nthree\n"};
+    DiagnosticList list;
+    list.error("E1", {&source, 1, 1, 1}, "");
+    list.warning("W3", {&source, 3, 1, 1}, "");
+    list.error("E2", {&source, 2, 1, 1}, "");
+    list.warning("W2", {&source, 2, 1, 1}, "");
+    std::string codes;
+    for (const Diagnostic& diagnostic : list.take()) codes += diagnostic.code;
+    EXPECT_EQ(codes, "W2W3E1E2");
+}
+
 TEST(DiagnosticList, AWarningIsNoError) {
     DiagnosticList list;
     list.warning("W0202", {}, "");

@@ -65,10 +65,16 @@ TEST(Explain, KnowsClouds) {
 }
 
 TEST(Explain, KnowsSweeps) {
-    EXPECT_TRUE(mentions(explain("sweep"), "paths that walk together"));
+    EXPECT_TRUE(mentions(explain("sweep"), "keys varied in lockstep"));
     EXPECT_TRUE(mentions(explain("sweep"), "[sweep.*]"));
     EXPECT_TRUE(mentions(explain("sweep.sobol"), "Joe and Kuo 2008"));
     EXPECT_TRUE(mentions(explain("scale"), "equal ratios"));
+}
+
+TEST(Explain, SpeaksInTheUnitsOfTheKey) {
+    EXPECT_TRUE(mentions(explain("heading"), "in [-360 deg, 360 deg]"));
+    EXPECT_TRUE(mentions(explain("kinds"), "for example [\"air\""));
+    EXPECT_FALSE(mentions(explain("refractive_index"), "0.8"));
 }
 
 TEST(Explain, EveryCodeAndEveryKeyIsExplained) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace skybake::config {
 namespace {
 
@@ -28,6 +30,7 @@ TEST(FieldValue, SpellsWhatNoisesHave) {
     const Field frequency{.key = "x", .kind = Kind::frequency};
     const Field seed{.key = "x", .kind = Kind::seed};
     const Field remap{.key = "x", .kind = Kind::remap};
+    const Field clamp{.key = "x", .kind = Kind::clamp};
     using Triple = std::array<int, 3>;
     EXPECT_EQ(canonical_text(list, std::vector{ChoiceIndex{1}, ChoiceIndex{0}}),
               "[\"two\", \"one\"]");
@@ -37,6 +40,9 @@ TEST(FieldValue, SpellsWhatNoisesHave) {
     EXPECT_EQ(canonical_text(frequency, std::vector{Triple{4, 4, 8}, Triple{9, 9, 9}}),
               "[[4, 4, 8], 9]");
     EXPECT_EQ(canonical_text(remap, std::array<double, 4>{0.25, 1, 0, 1}), "[0.25, 1, 0, 1]");
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(canonical_text(clamp, std::array<double, 2>{0, 1}), "[0, 1]");
+    EXPECT_EQ(canonical_text(clamp, std::array<double, 2>{-infinity, infinity}), "false");
     EXPECT_EQ(canonical_text(seed, std::uint64_t{9223372036854775807u}), "9223372036854775807");
     EXPECT_EQ(canonical_text(seed, std::uint64_t{9223372036854775808u}), "\"9223372036854775808\"");
 }

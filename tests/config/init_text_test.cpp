@@ -115,6 +115,19 @@ TEST(InitText, TheSweepInCommentsIsValid) {
     EXPECT_EQ(variants(cloud_init_text(*find_cloud_preset("cumulus_humilis"))), 4);
 }
 
+// three-clouds loads raw bytes and nothing else.
+TEST(InitText, TakramsNoisesAreBytes) {
+    for (const char* preset : {"takram_shape", "takram_detail"}) {
+        const Recipe recipe = valid(noise_init_text(*find_noise_preset(preset)));
+        const auto& bake = std::get<NoiseVolumeBake>(recipe.parameters.bakes.at(0).asset);
+        EXPECT_EQ(bake.formats, std::vector<VolumeFormat>{VolumeFormat::bin}) << preset;
+        EXPECT_EQ(bake.pixel_type, PixelType::unorm8) << preset;
+    }
+    const Recipe nubis = valid(noise_init_text(*find_noise_preset("nubis_shape")));
+    const auto& bake = std::get<NoiseVolumeBake>(nubis.parameters.bakes.at(0).asset);
+    EXPECT_EQ(bake.formats, std::vector<VolumeFormat>{VolumeFormat::exr});
+}
+
 TEST(InitText, SaysUnitRangeAndMeaning) {
     const std::string text = init_text(*find_preset("earth"));
     EXPECT_NE(text.find("in (-1, 1); typical haze 0.76"), std::string::npos);

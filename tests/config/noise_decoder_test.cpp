@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/config/noises.h"
 
 namespace skybake::config {
@@ -39,17 +41,41 @@ TEST(NoiseDecoder, HasDefaults) {
     EXPECT_EQ(channel.remap, (std::array<double, 4>{0, 1, 0, 1}));
     EXPECT_FALSE(channel.invert);
     EXPECT_EQ(channel.bias, 0.5);
+    EXPECT_FALSE(channel.smoothstep);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(channel.clamp, (std::array<double, 2>{-infinity, infinity}));
+}
+
+TEST(NoiseDecoder, ReadsStepsAndClamps) {
+    const auto channel = [](const std::string& keys) {
+        return channel_of("type = 'worley'\n" + keys);
+    };
+    EXPECT_EQ(*channel("smoothstep = [0.8, 1.4]").smoothstep, (std::array<double, 2>{0.8, 1.4}));
+    EXPECT_EQ(channel("clamp = true").clamp, (std::array<double, 2>{0, 1}));
+    EXPECT_EQ(channel("clamp = [-0.5, 2]").clamp, (std::array<double, 2>{-0.5, 2}));
+    EXPECT_EQ(channel("clamp = [1, 1]").clamp, (std::array<double, 2>{1, 1}));
+    EXPECT_EQ(testing::spell(channel("clamp = false")), testing::spell(channel("")));
+    const auto code = [](const std::string& keys) {
+        return only_diagnostic(channel_recipe("type = 'worley'\n" + keys)).code;
+    };
+    EXPECT_EQ(code("smoothstep = [1.4, 0.8]"), "E0110");
+    EXPECT_EQ(code("smoothstep = [1, 1]"), "E0110");
+    EXPECT_EQ(code("smoothstep = [0, 1, 2]"), "E0108");
+    EXPECT_EQ(code("smoothstep = true"), "E0103");
+    EXPECT_EQ(code("clamp = [1, 0]"), "E0113");
+    EXPECT_EQ(code("clamp = [0, 1e7]"), "E0110");
+    EXPECT_EQ(code("clamp = 1"), "E0103");
 }
 
 TEST(NoiseDecoder, ReadsEveryKey) {
     const NoiseChannel channel = channel_of(
         "type = 'perlin_worley'\nfractal = 'billow'\nfeature = 'f2_minus_f1'\n"
         "value_form = 'one_minus_distance_over_sqrt3'\nseed = 3\nremap = [0.1, 0.9, 1, 0]\n"
-        "invert = true\nbias = 0.25\nfrequencies = [3]\nworley_frequencies = [5, 6]\n"
+        "smoothstep = [0.2, 0.7]\ninvert = true\nbias = 0.25\nclamp = [0.1, 0.5]\nfrequencies = [3]\nworley_frequencies = [5, 6]\n"
         "worley_gains = [2, 1]");
     EXPECT_EQ(testing::spell(channel),
               "Y 3 0 | [[3, 3, 3]] [1] | [[5, 5, 5], [6, 6, 6]] [2, 1] | 3 2 2 0 3 "
-              "[0.1, 0.9, 1, 0] true 0.25");
+              "[0.1, 0.9, 1, 0] [0.2, 0.7] true 0.25 [0.1, 0.5]");
     EXPECT_EQ(channel_of("type = 'curl'\ncomponent = 'z'").component, CurlComponent::z);
     EXPECT_EQ(channel_of("type = 'constant'\nvalue = -0.5").value, -0.5);
 }
@@ -72,7 +98,7 @@ TEST(NoiseDecoder, ChannelsMakeAPicture) {
         EXPECT_GT(diagnostic.where.line, 2) << letters;
     }
     EXPECT_EQ(only_diagnostic(with_channels("RG")).label,
-              "wanted: R, G, B; type = \"constant\" and value = 0 make up the missing one");
+              "expected R, G, B; type = \"constant\" and value = 0 make up the missing one");
     EXPECT_EQ(only_diagnostic(with_channels("RG")).message, "[noise.n] has channels R, G");
 }
 

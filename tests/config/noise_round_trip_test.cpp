@@ -129,8 +129,7 @@ TEST(NoiseRoundTrip, ParametersAreARecipeOfTheSameNoise) {
         const std::string text = any_recipe();
         const Outcome<Recipe> once = parse(text);
         for (const Diagnostic& diagnostic : once.diagnostics) {
-            // Random noises may have octaves that vanish on random grids, and nothing else.
-            if (diagnostic.severity == Severity::error) RC_ASSERT(diagnostic.code == "E0127");
+            RC_ASSERT(diagnostic.severity == Severity::warning);
         }
         if (!once.value) return;
         ++whole;

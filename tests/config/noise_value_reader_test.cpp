@@ -50,7 +50,7 @@ TEST(NoiseValueReader, ASettingMayBeAnySeed) {
 TEST(NoiseValueReader, AHugeSeedInAFileIsAdvised) {
     const Diagnostic diagnostic = only_diagnostic("[noise.n]\nseed = 18446744073709551615\n");
     EXPECT_EQ(diagnostic.code, "E0101");
-    EXPECT_EQ(diagnostic.label, "a number above 2^63 - 1 stands in quotes, as text");
+    EXPECT_EQ(diagnostic.label, "write a number above 2^63 - 1 in quotes");
 }
 
 TEST(NoiseValueReader, FrequenciesAreOneNumberOrOnePerAxis) {

@@ -41,12 +41,14 @@ inline std::string spell(const NoiseOctaves& octaves) {
 
 // Every member, so that equal texts mean equal noises.
 inline std::string spell(const NoiseChannel& channel) {
-    return fmt::format("{} {} {} | {} | {} | {} {} {} {} {} {} {} {}", channel.name,
+    return fmt::format("{} {} {} | {} | {} | {} {} {} {} {} {} {} {} {} {}",
+                       channel.name,
                        static_cast<int>(channel.type), channel.value, spell(channel.octaves),
                        spell(channel.worley_octaves), static_cast<int>(channel.fractal),
                        static_cast<int>(channel.feature), static_cast<int>(channel.value_form),
                        static_cast<int>(channel.component), channel.seed, channel.remap,
-                       channel.invert, channel.bias);
+                       channel.smoothstep.value_or(std::array<double, 2>{}), channel.invert,
+                       channel.bias, channel.clamp);
 }
 
 inline std::string spell(const Noise& noise) {

@@ -140,12 +140,12 @@ TEST(OccupancyDecoder, ItIsOfACloudVolume) {
     const Diagnostic slip =
         only_diagnostic(occupancy_recipe("") + "[bake.p]\nasset = 'occupancy'\nof = 'w'\n");
     EXPECT_EQ(slip.code, "E0133");
-    EXPECT_EQ(slip.message, "`bake.p.of` names no bake of the recipe: `w`");
-    EXPECT_EQ(slip.label, "there are: v");
+    EXPECT_EQ(slip.message, "`bake.p.of`: the recipe has no [bake.w]");
+    EXPECT_EQ(slip.label, "this recipe has v");
     const Diagnostic other =
         only_diagnostic(occupancy_recipe("") + "[bake.p]\nasset = 'occupancy'\nof = 'o'\n");
     EXPECT_EQ(other.code, "E0133");
-    EXPECT_EQ(other.message, "`bake.p.of` names a bake of another asset than cloud_volume: `o`");
+    EXPECT_EQ(other.message, "`bake.p.of` must name a cloud_volume, and [bake.o] is another asset");
     EXPECT_EQ(only_diagnostic("[noise.n.channels.Y]\ntype = 'worley'\n[bake.occupancy]\nof = 'x'\n")
                   .label,
               "the recipe has no [bake.NAME] with asset = \"cloud_volume\"");
@@ -162,7 +162,7 @@ TEST(OccupancyDecoder, ItIsOfACloudVolume) {
 TEST(OccupancyDecoder, ChannelsAreThoseOfTheVolume) {
     const Diagnostic diagnostic = fault("channel = 'R'");
     EXPECT_EQ(diagnostic.code, "E0134");
-    EXPECT_EQ(diagnostic.message, "`bake.o.channel` names no channel of `v`: `R`");
+    EXPECT_EQ(diagnostic.message, "`bake.o.channel`: `v` has no channel `R`");
     EXPECT_EQ(diagnostic.label, "channel is Y");
     EXPECT_EQ(occupancy("channel = ''").channel, "") << "the first";
 }

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "config/zenith_optical_depth.h"
 #include "tests/config/recipes.h"
 
@@ -23,16 +26,43 @@ using Values = std::vector<double>;
 
 TEST(Presets, AreThoseOfTheIssue) {
     EXPECT_EQ(preset_names(),
-              (std::vector<std::string_view>{"dense_earth", "earth", "earth_bruneton", "mars",
-                                             "takram", "tiny_planet", "vacuum"}));
+              (std::vector<std::string_view>{"dense_earth", "earth", "earth_bruneton",
+                                             "earth_hillaire", "mars", "takram", "tiny_planet", "vacuum"}));
     EXPECT_EQ(find_preset("moon"), nullptr);
 }
 
-TEST(Presets, AreValidRecipesWithATitleAndTwoBakes) {
+// What a newcomer bakes first is the best that there is; who must match a runtime asks for it.
+TEST(Presets, TheEarthHasItsLightSolved) {
+    const auto second_order = [](const char* preset) {
+        const Recipe recipe = valid(std::string(find_preset(preset)->text));
+        return std::get<MultipleScatteringBake>(recipe.parameters.bakes.at(1).asset);
+    };
+    for (const char* preset : {"earth", "mars"}) {
+        EXPECT_EQ(second_order(preset).method, MultipleScatteringMethod::solved) << preset;
+        EXPECT_EQ(second_order(preset).mapping, MultipleScatteringMapping::twilight) << preset;
+    }
+    EXPECT_EQ(second_order("earth_hillaire").method, MultipleScatteringMethod::converged);
+    EXPECT_EQ(second_order("earth_hillaire").mapping, MultipleScatteringMapping::hillaire);
+    std::string earth(find_preset("earth")->text);
+    std::string hillaire(find_preset("earth_hillaire")->text);
+    const auto air = [](const std::string& text) {
+        return text.substr(text.find("[atmosphere]"), text.find("[bake.") - text.find("[atmos"));
+    };
+    EXPECT_EQ(air(earth), air(hillaire));
+}
+
+TEST(Presets, TheExampleIsThePreset) {
+    std::ifstream file(SKYBAKE_EXAMPLES "/earth.toml");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_EQ(text, find_preset("earth")->text);
+}
+
+TEST(Presets, AreValidRecipesWithATitleAndBakes) {
     for (const Preset& entry : presets()) {
         const Recipe recipe = valid(std::string(entry.text));
-        // takram's are the four textures that its loader wants.
-        EXPECT_EQ(recipe.parameters.bakes.size(), entry.name == "takram" ? 4u : 2u) << entry.name;
+        // takram's are the four textures that its loader wants; the Earth has a sky besides.
+        const std::size_t bakes = entry.name == "takram" ? 4 : entry.name == "earth" ? 3 : 2;
+        EXPECT_EQ(recipe.parameters.bakes.size(), bakes) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
         EXPECT_FALSE(preset_title(entry).empty()) << entry.name;
         EXPECT_LE(preset_title(entry).size(), 80u) << entry.name;

@@ -45,15 +45,15 @@ const std::string cloud =
 const std::vector<Fault> faults = {
     {"E0100", vacuum + "# \xff", 2, 3, 1, "a recipe is TOML text in UTF-8"},
     {"E0101", vacuum + "[atmosphere]\nground_radius = 8 km", 3, 19, 1,
-     "a quantity with a unit stands in quotes: \"8 km\""},
+     "write a quantity with a unit in quotes: \"8 km\""},
     {"E0102", vacuum + "include_ = []", 2, 1, 8, "did you mean `include`?"},
-    {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "wanted: true or false"},
+    {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "expected true or false"},
     {"E0104", layer + "phase = \"raleigh\"", 5, 9, 9, "did you mean `rayleigh`?"},
     {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19,
-     "give a number without a unit, such as 0.8"},
+     "give a number without a unit"},
     {"E0106", layer + "scattering = \"1 /mm\"", 5, 14, 7, "did you mean `/m`?"},
     {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
-     "wanted: a length with its unit, such as \"8 km\""},
+     "expected a length with a unit, such as \"8 km\""},
     {"E0108", vacuum + "[atmosphere]\nground_albedo = [0.1, 0.2]", 3, 17, 10,
      "one value, or 3: one per wavelength"},
     {"E0109", layer + "extinction = \"1e-6 /m\"\nabsorption = \"0 /m\"", 6, 1, 10,
@@ -78,18 +78,16 @@ const std::vector<Fault> faults = {
     {"E0119", vacuum + "format = 2", 2, 10, 1, "must be 1"},
     {"E0126", shape + "size = [10000, 10000, 10000]", 6, 8, 21,
      "at most 68719476736 (2^36) voxels"},
-    {"E0127", perlin + "frequency = 256\n[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"", 6, 9,
-     3, "a larger or odd size, a lower frequency, or an octave less"},
     {"E0128", perlin + "lacunarity = 16\noctaves = 6", 4, 11, 1,
-     "at most 1048576 cells a tile: fewer octaves, or a lower lacunarity"},
+     "at most 1048576 cells per tile: fewer octaves, or a lower lacunarity"},
     {"E0129", perlin + "[noise.n.channels.R]\ntype = \"perlin\"", 3, 19, 1,
-     "wanted: Y; or R; or R, G, B; or R, G, B, A"},
+     "expected Y; or R; or R, G, B; or R, G, B, A"},
     {"E0130", perlin + "[bake.n]\nasset = \"noise_volume\"\nnoise = \"m\"", 5, 9, 3,
-     "there are: n"},
+     "this recipe has n"},
     {"E0131", shape + "pixel_type = \"unorm8\"", 6, 14, 8,
      "unorm8 and unorm16 go with formats = [\"bin\"] alone; float and half with all"},
     {"E0132", cloud + "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"d\"\nsize = [16, 16, 16]", 8,
-     9, 3, "there are: c"},
+     9, 3, "this recipe has c"},
     {"E0133", cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"o\"", 8, 6, 3,
      "the recipe has no [bake.NAME] with asset = \"cloud_volume\""},
     {"E0134",
@@ -157,8 +155,8 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
-    for (const char* name : {"E0126", "E0127", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
-                             "E0134", "W0203", "W0204"}) {
+    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
+                             "E0134", "W0203", "W0204", "W0208", "W0209"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;
@@ -168,6 +166,36 @@ TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
         EXPECT_TRUE(right.value) << name;
         EXPECT_TRUE(right.diagnostics.empty()) << name;
     }
+}
+
+TEST(Recipe, AnswersInTheUsersUnits) {
+    const auto radii = parse(
+        "preset = 'vacuum'\n[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\n");
+    ASSERT_EQ(radii.diagnostics.size(), 1u);
+    EXPECT_EQ(radii.diagnostics[0].message,
+              "`atmosphere.top_radius` is not above ground_radius: \"6360 km\"");
+    EXPECT_EQ(radii.diagnostics[0].label, "must be above \"6460 km\"");
+    const auto label = [](const std::string& bake) {
+        return parse("preset = 'earth'\n[bake.transmittance]\n" + bake).diagnostics.at(0).label;
+    };
+    EXPECT_TRUE(label("max_error = 5").starts_with("write \"5 %\" for 5 per cent; must be in"));
+    EXPECT_TRUE(label("max_error = 500").starts_with("must be in"));
+    EXPECT_TRUE(label("max_error = '500 %'").starts_with("must be in"));
+    const auto comma = parse("preset = 'vacuum'\n[atmosphere]\ntop_radius = '6460,5 km'\n");
+    EXPECT_EQ(comma.diagnostics.at(0).label, "write a decimal point, not a comma");
+}
+
+// Two files on one disk, one file on another.
+TEST(Recipe, BakesDifferInMoreThanCapitals) {
+    const auto outcome = parse(
+        "preset = 'earth'\n[bake.Sun]\nasset = 'transmittance'\n[bake.sun]\n"
+        "asset = 'transmittance'\n[bake.sUN]\nasset = 'transmittance'\n");
+    EXPECT_TRUE(outcome.value);
+    ASSERT_EQ(outcome.diagnostics.size(), 2u);
+    EXPECT_EQ(outcome.diagnostics[0].code, "W0209");
+    EXPECT_EQ(outcome.diagnostics[0].message,
+              "[bake.sun] and [bake.Sun] are one file on macOS and Windows");
+    EXPECT_EQ(outcome.diagnostics[0].where.line, 4);
 }
 
 TEST(Recipe, AllErrorsAreReportedInOneRun) {
@@ -187,7 +215,7 @@ TEST(Recipe, AllErrorsAreReportedInOneRun) {
     EXPECT_EQ(diagnostics[1].message, "`atmosphere.layers.mie.g` is out of range: 1.2");
     EXPECT_EQ(diagnostics[4].where.source, "--set `atmosphere.layers.ozone.center_altitude=40deg`");
     EXPECT_EQ(diagnostics[4].message,
-              "`atmosphere.layers.ozone.center_altitude`: a length is wanted here, not an angle");
+              "`atmosphere.layers.ozone.center_altitude`: expected a length with a unit, not an angle");
 }
 
 TEST(Recipe, AFileWithAByteOrderMarkIsFine) {

@@ -58,7 +58,7 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
     EXPECT_EQ(slip.label, "did you mean `nubis_shape`?");
     EXPECT_EQ(slip.where.line, 2);
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
-              "there are: nubis_detail, nubis_shape, takram_detail, takram_shape, thesis");
+              "choose one of nubis_detail, nubis_layer, nubis_shape, takram_detail, takram_shape, thesis");
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
 }
 
@@ -90,6 +90,59 @@ TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
     EXPECT_EQ(plainer.extent[0].meters, plain.extent[0].meters);
     EXPECT_EQ(only_diagnostic(noises + "[clouds.c]\npreset = 'cumulus_humulis'\n").label,
               "did you mean `cumulus_humilis`?");
+}
+
+const std::string plain_cloud = "[clouds.c]\npreset = 'cumulus_humilis'\n";
+const std::string bake_of_it =
+    "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [512, 512, 64]\n";
+
+TEST(SectionPresetMerge, PresetsOfCloudsBringTheirNoises) {
+    const Recipe alone = valid(plain_cloud + bake_of_it);
+    const Recipe written = valid(
+        "[noise.shape]\npreset = 'nubis_layer'\npack = 'shape'\n[noise.detail]\n"
+        "preset = 'nubis_detail'\npack = 'detail'\n" +
+        plain_cloud + bake_of_it);
+    ASSERT_EQ(alone.parameters.noises.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(testing::spell(alone.parameters.noises[i]),
+                  testing::spell(written.parameters.noises[i]));
+    }
+    const Recipe thesis = valid("[clouds.c]\npreset = 'thesis'\n");
+    EXPECT_EQ(thesis.parameters.noises.at(0).channels.size(), 4u);
+    EXPECT_EQ(thesis.parameters.noises.at(0).pack, NoisePacking::none);
+}
+
+TEST(SectionPresetMerge, TheRecipesOwnNoiseStays) {
+    const Recipe other =
+        valid("[noise.shape.channels.Y]\ntype = 'worley'\n" + plain_cloud + "detail = ''\n");
+    ASSERT_EQ(other.parameters.noises.size(), 1u);
+    EXPECT_EQ(other.parameters.noises[0].channels.size(), 1u);
+    EXPECT_EQ(other.parameters.noises[0].pack, NoisePacking::none);
+    // Keys alone are laid over what the preset brings, be they in the recipe or in --set.
+    for (const Recipe& seeded : {valid(plain_cloud + "[noise.shape]\nseed = 7\n"),
+                                 valid(plain_cloud, {"noise.shape.seed=7"})}) {
+        ASSERT_EQ(seeded.parameters.noises.size(), 2u);
+        const Noise& shape = seeded.parameters.noises[1];
+        EXPECT_EQ(shape.name, "shape");
+        EXPECT_EQ(shape.seed, 7u);
+        EXPECT_EQ(shape.channels.size(), 4u);
+    }
+    EXPECT_EQ(valid("[clouds.a]\npreset = 'stratus'\n[clouds.b]\npreset = 'cumulus_congestus'\n")
+                  .parameters.noises.size(),
+              2u)
+        << "detail and shape, which both have";
+}
+
+TEST(SectionPresetMerge, AMissingNoiseSaysWhatToWrite) {
+    const Diagnostic own = only_diagnostic(
+        "[clouds.c]\nnoise = 'shape'\nextent = ['1 km', '1 km', '1 km']\n");
+    EXPECT_EQ(own.code, "E0130");
+    EXPECT_EQ(own.message, "`clouds.c.noise`: the recipe has no [noise.shape]");
+    EXPECT_EQ(own.label,
+              "add [noise.shape] with preset = \"nubis_shape\" and pack = \"shape\"");
+    const Diagnostic other = only_diagnostic(plain_cloud + "noise = 'wisps'\n");
+    EXPECT_EQ(other.code, "E0130");
+    EXPECT_EQ(other.message, "`clouds.c.noise`: the recipe has no [noise.wisps]");
 }
 
 // A noise and a cloud may start from presets of one name.

@@ -61,7 +61,32 @@ TEST(TomlSource, ReportsSyntaxErrors) {
 TEST(TomlSource, KnowsTheCommonSlip) {
     const auto errors = errors_of("scale_height = 8 km  # air\n");
     ASSERT_EQ(errors.size(), 1u);
-    EXPECT_EQ(errors[0].label, "a quantity with a unit stands in quotes: \"8 km\"");
+    EXPECT_EQ(errors[0].label, "write a quantity with a unit in quotes: \"8 km\"");
+}
+
+TEST(TomlSource, KnowsAnUnclosedQuote) {
+    for (const char* text : {"a = 1\nb = \"8 km\nc = 2\n", "a = 1\nb = \"8 km",
+                             "a = 1\nb = '8 km\nc = 2\n", "a = 1\nb = \"8 \\\" km\n"}) {
+        const auto errors = errors_of(text);
+        ASSERT_EQ(errors.size(), 1u) << text;
+        EXPECT_EQ(errors[0].message, "not TOML: the quote that opens here is not closed") << text;
+        EXPECT_EQ(errors[0].where.line, 2) << text;
+        EXPECT_EQ(errors[0].where.column, 5) << text;
+    }
+    EXPECT_EQ(errors_of("a = '\xc3\xa4' = \"\n").at(0).where.column, 11);
+    const auto other = errors_of("a = \"it's\" 'b'\n");
+    EXPECT_EQ(other.at(0).message.find("quote"), std::string::npos) << other[0].message;
+}
+
+TEST(TomlSource, KnowsADecimalComma) {
+    for (const char* value : {"0,3", "-12,5", "+1,0  # half"}) {
+        EXPECT_EQ(errors_of(std::string("a = ") + value + "\n").at(0).label,
+                  "write a decimal point, not a comma")
+            << value;
+    }
+    EXPECT_EQ(errors_of("a = 1,\n").at(0).label, "");
+    EXPECT_EQ(errors_of("a = ,1\n").at(0).label, "");
+    EXPECT_EQ(errors_of("a = 1,2,3\n").at(0).label, "");
 }
 
 TEST(TomlSource, ReportsTextThatIsNotUtf8) {

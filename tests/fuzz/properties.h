@@ -87,6 +87,13 @@ inline void check_channel(const NoiseChannel& channel) {
     for (const double bound : channel.remap) require(within(bound, -1e6, 1e6), "remap in range");
     require(std::fabs(channel.remap[1] - channel.remap[0]) >= 1e-6, "remap has a slope");
     require(within(channel.bias, 0.001, 0.999), "bias in range");
+    if (channel.smoothstep) {
+        for (const double edge : *channel.smoothstep) {
+            require(within(edge, -1e6, 1e6), "smoothstep in range");
+        }
+        require((*channel.smoothstep)[1] - (*channel.smoothstep)[0] >= 1e-6, "smoothstep rises");
+    }
+    require(channel.clamp[0] <= channel.clamp[1], "clamp in order");
 }
 
 inline void check_noise(const Noise& noise) {
@@ -170,6 +177,9 @@ inline void check_cloud(const Cloud& cloud, const Parameters& parameters) {
     require(within(cloud.threshold, 0, 1e6), "threshold in range");
     require(cloud.edge_softness == 0 || within(cloud.edge_softness, 1e-6, 1e6),
             "softness in range");
+    require(!cloud.full_at || (within(*cloud.full_at, 1e-6, 1e6) &&
+                               cloud.threshold_at == ThresholdAt::bake),
+            "full in range, of densities in the file");
     require(within(cloud.extinction_scale.per_meter, 0, 1e6), "extinction in range");
     require(cloud.type_map.file.empty() || cloud.height_profile.type == HeightProfileType::blended,
             "a map of types where types are blended");

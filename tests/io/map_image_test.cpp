@@ -170,10 +170,26 @@ TEST(MapImage, IsTheSameOnEveryMachine) {
 // --- What is refused ----------------------------------------------------------------------------
 
 TEST(MapImageFails, WhereThereIsNoFile) {
-    EXPECT_EQ(error_of(data / "none.png"), "E0300 cannot read `" + (data / "none.png").string() +
+    EXPECT_EQ(error_of(data / "none.png"), "E0300 cannot read the map `" +
+                                               (data / "none.png").string() +
                                                "`: No such file or directory");
     EXPECT_EQ(error_of(data).substr(0, 5), "E0300");
     EXPECT_EQ(error_of("/dev/null").substr(0, 5), "E0300");
+}
+
+// The recipe's line where a recipe names the map: the file's, or that of the channel.
+TEST(MapImageFails, AtTheRecipesLine) {
+    CloudMap map;
+    map.path = data / "none.png";
+    EXPECT_EQ(read_map_image(map).diagnostics.at(0).where.source, map.path.string());
+    map.file_place = {"k.toml", 17, 8, 10, ""};
+    map.channel_place = {"k.toml", 18, 11, 3, ""};
+    EXPECT_EQ(read_map_image(map).diagnostics.at(0).where.line, 17);
+    map.path = data / "rgba8.png";
+    map.channel = "Y";
+    EXPECT_EQ(read_map_image(map).diagnostics.at(0).where.line, 18);
+    map.path = data / "deep.exr";
+    EXPECT_EQ(read_map_image(map).diagnostics.at(0).where.line, 17);
 }
 
 void expect_refused(const std::filesystem::path& path, const std::string& words,

@@ -323,12 +323,14 @@ TEST(NoiseReference, CurlIsTheCurlOfItsPotentials) {
 
 // --- What becomes of values ---------------------------------------------------------------------
 
-TEST(NoiseReference, RemapsThenInvertsThenBiases) {
+TEST(NoiseReference, RemapsStepsInvertsBiasesThenClamps) {
     NoiseChannel channel = worley({{4, 4, 4}});
     for (int i = 0; i < 100; ++i) {
         channel.remap = {0, 1, 0, 1};
         channel.invert = false;
         channel.bias = 0.5;
+        channel.smoothstep.reset();
+        channel.clamp = NoiseChannel().clamp;
         const Place place = place_at(i);
         const double v = noise_reference(noise_of({channel}), place)[0];
         channel.remap = {0.25, 2.25, 1, 0};
@@ -340,6 +342,19 @@ TEST(NoiseReference, RemapsThenInvertsThenBiases) {
         const bool inside = inverted >= 0 && inverted <= 1;
         const double wanted = inside ? inverted / ((1 / 0.2 - 2) * (1 - inverted) + 1) : inverted;
         EXPECT_NEAR(noise_reference(noise_of({channel}), place)[0], wanted, 1e-13);
+
+        channel.smoothstep = {0.6, 0.9};
+        const double in_step = (1 - (v - 0.25) / 2 - 0.6) / 0.3;
+        const double t = in_step < 0 ? 0 : in_step > 1 ? 1 : in_step;
+        const double fallen = 1 - t * t * (3 - 2 * t);
+        const double stepped = fallen / (3 * (1 - fallen) + 1);
+        EXPECT_NEAR(noise_reference(noise_of({channel}), place)[0], stepped, 1e-12);
+        channel.clamp = {0.2, 0.3};
+        EXPECT_NEAR(noise_reference(noise_of({channel}), place)[0],
+                    stepped < 0.2   ? 0.2
+                    : stepped > 0.3 ? 0.3
+                                    : stepped,
+                    1e-12);
     }
 }
 

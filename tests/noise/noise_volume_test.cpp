@@ -134,6 +134,38 @@ TEST(NoiseVolume, RefusesWhatThePixelTypeCannotHold) {
     EXPECT_EQ(outcome.diagnostics[0].code, "E0402");
 }
 
+// The low clouds of takram's weather map: Worley octaves of amplitudes 0.4 times powers of 0.95,
+// which add up to as much as 1.484, through smoothstep(0.8, 1.4).
+config::Noise takram_weather() {
+    config::NoiseChannel channel =
+        test::worley({{16, 16, 1}, {32, 32, 1}, {64, 64, 1}, {128, 128, 1}});
+    channel.octaves.gains = {1, 0.95, 0.9025, 0.857375};
+    channel.value_form = config::WorleyValue::one_minus_distance_squared;
+    channel.remap = {0, 1, 0, 0.4 * (1 + 0.95 + 0.9025 + 0.857375)};
+    return test::noise_of({channel});
+}
+
+TEST(NoiseVolume, WeatherAsBytesTakesAStep) {
+    config::Noise weather = takram_weather();
+    config::NoiseVolumeBake bake = bake_of({64, 64, 1});
+    bake.formats = {config::VolumeFormat::bin};
+    bake.pixel_type = PixelType::unorm8;
+    const auto refused = bake_noise_volume(weather, bake, {}, {});
+    ASSERT_FALSE(refused.diagnostics.empty());
+    EXPECT_EQ(refused.diagnostics[0].code, "E0402");
+    EXPECT_NE(refused.diagnostics[0].label.find("smoothstep or clamp"), std::string::npos);
+
+    weather.channels[0].smoothstep = {0.8, 1.4};
+    const BakedVolume stepped = baked(weather, bake);
+    EXPECT_EQ(stepped.levels[0].statistics[0].minimum, 0);
+    EXPECT_GT(stepped.levels[0].statistics[0].maximum, 0.5);
+
+    weather.channels[0].smoothstep.reset();
+    weather.channels[0].clamp = {0, 1};
+    const BakedVolume clamped = baked(weather, bake);
+    EXPECT_EQ(clamped.levels[0].statistics[0].maximum, 1);
+}
+
 TEST(NoiseVolume, PacksIntoOneChannelY) {
     config::Noise noise = cloud_shape();
     noise.pack = config::NoisePacking::detail;

@@ -87,6 +87,14 @@ NoiseChannel any_channel(const std::array<int, 3>& size) {
     }
     channel.invert = *rc::gen::arbitrary<bool>();
     if (*rc::gen::inRange(0, 3) == 0) channel.bias = any_number(0.001, 0.999);
+    if (*rc::gen::inRange(0, 3) == 0) {
+        const double from = any_number(-1, 1);
+        channel.smoothstep = {from, from + any_number(0.01, 2)};
+    }
+    if (*rc::gen::inRange(0, 3) == 0) {
+        const double low = *rc::gen::element(0.0, any_number(-1, 0.5));
+        channel.clamp = {low, *rc::gen::element(low, 1.0, any_number(0.5, 2))};
+    }
     return channel;
 }
 

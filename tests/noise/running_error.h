@@ -122,13 +122,15 @@ inline double cell_error(const config::NoiseChannel& channel, const config::Nois
         });
 }
 
-// The channel before remap, invert and bias.
+// The channel before remap, smoothstep, invert, bias and clamp.
 inline Uncertain unshaped(config::Noise noise, config::NoiseChannel channel,
                           const std::array<double, 3>& place) {
     using config::NoiseType;
     channel.remap = {0, 1, 0, 1};
     channel.invert = false;
     channel.bias = 0.5;
+    channel.smoothstep.reset();
+    channel.clamp = config::NoiseChannel().clamp;
     noise.pack = config::NoisePacking::none;
     noise.channels = {channel};
     const double value = noise::noise_reference(noise, place)[0];
@@ -160,11 +162,23 @@ inline Uncertain unshaped(config::Noise noise, config::NoiseChannel channel,
     return {};
 }
 
+// Bounds bring values nearer to each other, never farther apart.
+inline Uncertain clamped(Uncertain value, Uncertain low, Uncertain high) {
+    return {std::clamp(value.value, low.value, high.value),
+            value.error + std::max(low.error, high.error)};
+}
+
 inline Uncertain shaped(const config::NoiseChannel& channel, Uncertain value) {
     const auto& [low_in, high_in, low_out, high_out] = channel.remap;
     if (channel.remap != std::array<double, 4>{0, 1, 0, 1}) {
         value = (value - cast(low_in)) * cast((high_out - low_out) / (high_in - low_in)) +
                 cast(low_out);
+    }
+    if (channel.smoothstep) {
+        const auto& [from, to] = *channel.smoothstep;
+        const Uncertain t =
+            clamped((value - cast(from)) * cast(1 / (to - from)), exactly(0), exactly(1));
+        value = t * t * (exactly(3) - exactly(2) * t);
     }
     if (channel.invert) value = exactly(1) - value;
     // Beyond [0, 1] bias changes nothing; there it is steep, but continuous.
@@ -172,7 +186,8 @@ inline Uncertain shaped(const config::NoiseChannel& channel, Uncertain value) {
     if (channel.bias != 0.5 && beyond <= value.error) {
         value = value / ((exactly(1) - value) * cast(1 / channel.bias - 2) + exactly(1));
     }
-    return value;
+    if (!std::isfinite(channel.clamp[0])) return value;
+    return clamped(value, cast(channel.clamp[0]), cast(channel.clamp[1]));
 }
 
 // All output channels at a place.

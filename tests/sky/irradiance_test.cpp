@@ -85,6 +85,20 @@ TEST(SkyIrradiance, IsThatOfTheSolvedLightAtTheGround) {
     }
 }
 
+// Dust of an optical depth of 0.5 up to where the air ends: light scattered before is as sharp at
+// the horizon as light scattered once, so that the finest level looks in as many directions.
+TEST(IrradianceTable, HoldsItsErrorInTheDustOfMars) {
+    const SkyLight light(test::preset_atmosphere("mars"), SkyOrders::multiple, {}, {});
+    config::IrradianceBake bake;
+    bake.size = {16, 4};
+    bake.content = config::IrradianceContent::sky;
+    bake.orders = SkyOrders::multiple;
+    bake.max_texel_error = 0.002;
+    const auto table = bake_irradiance(light, bake, {.threads = 2}, {});
+    ASSERT_TRUE(table.value) << table.diagnostics.at(0).message;
+    EXPECT_LE(table.value->certificate.texel.max, 0.002);
+}
+
 TEST(SunIrradiance, IsTheCosineTimesTheTransmittance) {
     const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::single);
     EXPECT_EQ(sun_irradiance(vacuum.light(), 0, 0.25), (Spectrum{0.25, 0.25, 0.25}));
