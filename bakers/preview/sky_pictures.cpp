@@ -234,7 +234,7 @@ PreviewPicture panoramas(const SkyScene& scene) {
 
 // Solves for the reference.
 void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
-    const BakeOptions options{scene.threads, Certification::off, nullptr};
+    const BakeOptions options{scene.threads, Certification::off, scene.options.progress};
     auto light =
         std::make_unique<SkyLight>(atmosphere, config::SkyOrders::all, std::vector<std::string>{},
                                    options);
@@ -245,6 +245,16 @@ void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
     } else {
         scene.solved = std::move(light);
     }
+}
+
+// Tells of the picture that comes next; false once the user has interrupted.
+bool goes_on(const SkyScene& scene, double sun_elevation_degrees, std::size_t done) {
+    Progress* progress = scene.options.progress;
+    if (progress == nullptr) return true;
+    const std::size_t count = scene.options.sun_elevations_degrees.size() + 1;
+    progress->advance(fmt::format("sun {:g} deg", sun_elevation_degrees),
+                      static_cast<double>(done) / static_cast<double>(count));
+    return !progress->cancelled();
 }
 
 }  // namespace
@@ -271,11 +281,14 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     SkyScene scene = {std::move(medium), std::move(*tables.value), altitude_km, options,
                       threads,           nullptr,                  ""};
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
+    // After an interruption the solution is not to be used.
+    if (options.progress != nullptr && options.progress->cancelled()) return pictures;
     // What is to be looked at comes first, what is to be measured after it.
     if (options.panorama_pixels > 0 && !options.sun_elevations_degrees.empty()) {
         pictures.push_back(panoramas(scene));
     }
     for (const double elevation : options.sun_elevations_degrees) {
+        if (!goes_on(scene, elevation, pictures.size())) return pictures;
         pictures.push_back(dome_of(scene, elevation));
     }
     return pictures;

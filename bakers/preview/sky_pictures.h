@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "bakers/core/progress.h"
 #include "bakers/preview/picture.h"
 #include "bakers/preview/preview_asset.h"
 #include "config/parameters.h"
@@ -20,6 +21,7 @@ struct SkyPreviewOptions {
     int dome_pixels = 512;
     int solved_pixels = 128;     // of the dome of the solved sky; 0: none, and no difference
     int panorama_pixels = 1080;  // its width; 0: none
+    Progress* progress = nullptr;
 };
 
 // Small pictures and no solved sky: a tenth of a second for all.
