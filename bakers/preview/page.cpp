@@ -248,6 +248,7 @@ std::string page_state_text(const PageState& state) {
     return fmt::format("skybakePreview({});\n",
                        script_text({{"revision", state.revision},
                                     {"seconds", state.seconds},
+                                    {"quality", state.full ? "full" : "draft"},
                                     {"ended", state.ended},
                                     {"diagnostics", std::move(diagnostics)}}));
 }

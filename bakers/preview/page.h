@@ -77,6 +77,7 @@ std::string page_html(const PreviewPage& page);
 struct PageState {
     int revision = 0;    // of the page that belongs to it
     double seconds = 0;  // from the change to the files
+    bool full = false;   // the page has full quality; else a draft's, while the full one is made
     bool ended = false;  // nobody watches any longer
     std::vector<config::Diagnostic> diagnostics;
 };
