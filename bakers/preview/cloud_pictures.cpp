@@ -163,6 +163,7 @@ PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& me
     picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, exposure);
     picture.picture = tone_mapped(view.radiance, exposure);
     picture.exposure = exposure;
+    picture.kind = PictureKind::scene;
     return picture;
 }
 

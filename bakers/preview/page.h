@@ -18,6 +18,7 @@ struct PagePicture {
     int width = 0;
     int height = 0;
     std::string png;  // bytes
+    PictureKind kind = PictureKind::image;
 };
 
 // An asset with its pictures.
@@ -70,7 +71,8 @@ struct PreviewPage {
 };
 
 // The page's text. It needs no other file and no network, but for pages that watch, which look at
-// page_state_name beside them.
+// page_state_name beside them. Its pictures stand in the HTML: a browser without scripts shows them
+// one below the other.
 std::string page_html(const PreviewPage& page);
 
 // What a watched page is told. Its file is page_state_name.

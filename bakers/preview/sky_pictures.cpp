@@ -222,6 +222,7 @@ PreviewPicture panoramas(const SkyScene& scene) {
     }
     PreviewPicture result;
     result.name = "sky_panoramas";
+    result.kind = PictureKind::scene;
     result.title = "Sky all around";
     result.caption = fmt::format(
         "The sky from the tables, azimuth from -180 to 180 deg about the sun's, elevation from {:g} "

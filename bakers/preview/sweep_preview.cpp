@@ -150,6 +150,7 @@ class SweepPreview {
             std::max(1, static_cast<int>(std::lround(std::sqrt(2 * count / shape))));
         PreviewPicture sheet;
         sheet.name = "contact_sheet";
+        sheet.kind = PictureKind::scene;
         sheet.title = "All variants";
         sheet.caption = "Each picture with the values that vary.";
         if (!light_.empty()) sheet.caption += fmt::format(" All have {}.", light_);
