@@ -38,12 +38,12 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
     const LitPictures lit = lit_pictures_of(bakes);
     auto unused = unused_options(lit, request.options);
     if (!unused.empty()) return {{}, std::move(unused)};
-    const BakeStages stages = {
-        &progress, static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
+    const BakeStages stages = {&progress,
+                               static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
     request.options.stages_before = static_cast<int>(bakes.size());
-    auto assets = bake_assets(selection.value->recipe, bakes, request.paths[0].filename().string(),
-                              {selection.value->threads, Certification::quick, &progress}, nullptr,
-                              stages);
+    auto assets =
+        bake_assets(selection.value->recipe, bakes, request.paths[0].filename().string(),
+                    {selection.value->threads, Certification::quick, &progress}, nullptr, stages);
     assets.diagnostics.insert(assets.diagnostics.begin(), selection.diagnostics.begin(),
                               selection.diagnostics.end());
     return assets;

@@ -135,9 +135,9 @@ void read_size(const Invocation& invocation, PreviewOptions& options,
     if (width && height) {
         options.picture_size = {*width, *height};
     } else {
-        problems.push_back(bad_value("--size", text, "size",
-                                     fmt::format("expected pixels from {} to {}, such as 1920x1080",
-                                                 least, most)));
+        problems.push_back(bad_value(
+            "--size", text, "size",
+            fmt::format("expected pixels from {} to {}, such as 1920x1080", least, most)));
     }
 }
 
@@ -185,10 +185,10 @@ void read_camera(const Invocation& invocation, PreviewOptions& options,
         const std::size_t equals = std::min(part.find('='), part.size());
         const std::string_view value = part.substr(std::min(equals + 1, part.size()));
         if (read_camera_part(part.substr(0, equals), value, camera)) continue;
-        problems.push_back(bad_value(
-            "--camera", part, "part of a camera",
-            "expected some of position=X,Y,Z heading=A pitch=A fov=A, such as "
-            "\"position=2km,3km,200m heading=63deg pitch=12deg fov=50deg\""));
+        problems.push_back(
+            bad_value("--camera", part, "part of a camera",
+                      "expected some of position=X,Y,Z heading=A pitch=A fov=A, such as "
+                      "\"position=2km,3km,200m heading=63deg pitch=12deg fov=50deg\""));
     }
     options.camera = camera;
 }
@@ -250,9 +250,8 @@ std::optional<int> read_draft_edge(const Invocation& invocation,
     const std::string text = invocation.value("draft");
     const auto edge = count_of(text, least, most);
     if (!edge) {
-        problems.push_back(
-            bad_value("--draft", text, "number of voxels",
-                      fmt::format("expected a number from {} to {}", least, most)));
+        problems.push_back(bad_value("--draft", text, "number of voxels",
+                                     fmt::format("expected a number from {} to {}", least, most)));
     }
     return edge;
 }

@@ -13,7 +13,8 @@ namespace skybake::cli {
 // Their declarations.
 std::vector<Option> preview_options();
 
-// Suns, exposure, camera and size. Adds E0001 for what is no number, has no unit or is out of range.
+// Suns, exposure, camera and size. Adds E0001 for what is no number, has no unit or is out of
+// range.
 PreviewOptions read_preview_options(const Invocation& invocation,
                                     std::vector<config::Diagnostic>& problems);
 

@@ -67,11 +67,7 @@ std::string_view spell_planned(VariantStatus status) {
 }  // namespace
 
 SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json)
-    : job_(job),
-      variants_(variants),
-      console_(console),
-      json_(json),
-      start_(steady_clock::now()) {
+    : job_(job), variants_(variants), console_(console), json_(json), start_(steady_clock::now()) {
     line_.emplace(console_, [this] { return text(); });
 }
 
@@ -124,8 +120,8 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
                               {"seconds", seconds}}));
     }
     if (console_.error_is_terminal() || (!made && !failed)) return;
-    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name,
-                              failed ? "failed" : "made", seconds, finished_, variants_));
+    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name, failed ? "failed" : "made",
+                              seconds, finished_, variants_));
 }
 
 void SweepReporter::finish() { line_.reset(); }

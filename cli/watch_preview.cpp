@@ -129,8 +129,8 @@ class Watch {
     }
 
     void note_made(const char* what, double seconds) {
-        console_.note(fmt::format("{}: {} in {:.2f} s\n",
-                                  (request_.output / page_name).string(), what, seconds));
+        console_.note(fmt::format("{}: {} in {:.2f} s\n", (request_.output / page_name).string(),
+                                  what, seconds));
     }
 
     std::string title() const { return request_.paths[0].filename().string(); }
@@ -171,8 +171,7 @@ class Watch {
         const BakeStages stages{&progress,
                                 count + picture_stages(bakes.size(), lit_pictures_of(bakes))};
         Outcome<PreviewPage> outcome;
-        const auto assets =
-            bake_assets(recipe, bakes, title(), options, &memory.assets, stages);
+        const auto assets = bake_assets(recipe, bakes, title(), options, &memory.assets, stages);
         outcome.diagnostics = assets.diagnostics;
         if (!assets.value) return outcome;
         PreviewOptions pictures = request_.options;

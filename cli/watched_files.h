@@ -21,7 +21,8 @@ class WatchedFiles {
     // cost of one stat per file and look.
     bool wait();
 
-    // Whether wait() would find a change at once. From any thread, while no other call is under way.
+    // Whether wait() would find a change at once. From any thread, while no other call is under
+    // way.
     bool changed() const { return look() != seen_; }
 
   private:

@@ -19,16 +19,16 @@ struct CameraRequest {
 };
 
 // Steps of one voxel (the cube root of its volume), longer ones towards a low sun so that there are
-// at most kSunSamples. Of a volume that repeats a camera that sees much of the layer, and a reach of
-// some tiles; of one that does not a camera that has all of it in the picture.
+// at most kSunSamples. Of a volume that repeats a camera that sees much of the layer, and a reach
+// of some tiles; of one that does not a camera that has all of it in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height, const CameraRequest& request = {});
 
 // "position=1.86km,0.72km,0.3km heading=63deg pitch=12deg fov=50deg", which --camera reads.
 std::string camera_text(const CloudCamera& camera);
 
-// Where there is something to see, in metres: x and y from the tile's corner, altitudes. Of a volume
-// without anything the whole tile.
+// Where there is something to see, in metres: x and y from the tile's corner, altitudes. Of a
+// volume without anything the whole tile.
 struct CloudBox {
     std::array<double, 3> low_m{};
     std::array<double, 3> high_m{};

@@ -97,8 +97,7 @@ LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector
 }
 
 CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
-                         const std::array<int, 3>& size, int channels, int threads,
-                         bool repeats) {
+                         const std::array<int, 3>& size, int channels, int threads, bool repeats) {
     CloudMedium medium;
     for (std::size_t a = 0; a < 3; ++a) medium.extent_m[a] = cloud.extent[a].meters;
     medium.base_m = cloud.base_altitude.meters;

@@ -2,8 +2,8 @@
 // may leap without seeing anything.
 //
 // Positions are in voxel units: voxel i of an axis has its centre at i + 1/2. The volume repeats
-// along x and y, or stands alone with nothing beside it; along z it is clamped, and there is nothing
-// below 0 and above size[2].
+// along x and y, or stands alone with nothing beside it; along z it is clamped, and there is
+// nothing below 0 and above size[2].
 #pragma once
 
 #include <array>

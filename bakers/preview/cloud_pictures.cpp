@@ -83,9 +83,8 @@ Leaps leaps_of(const CloudPreviewInput& input, const CloudMedium& medium, int th
 CloudViewSettings settings_of(const CloudPreviewInput& input, const CloudMedium& medium,
                               const SunDirection& sun) {
     const int reduction = input.draft ? 2 : 1;
-    CloudViewSettings settings =
-        framed_view(medium, sun, std::max(input.width / reduction, 1),
-                    std::max(input.height / reduction, 1), input.camera);
+    CloudViewSettings settings = framed_view(medium, sun, std::max(input.width / reduction, 1),
+                                             std::max(input.height / reduction, 1), input.camera);
     settings.step_m *= reduction;
     settings.light_step_m *= reduction;
     return settings;
@@ -215,10 +214,9 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
         return grid_pictures(*input.occupancy, input.occupancy_bake, input.cloud, input.draft);
     }
     const ManifestAsset& entry = input.volume->entry;
-    CloudMedium medium = cloud_medium(*input.cloud, input.volume->voxels.data(),
-                                      {entry.size[0], entry.size[1], entry.size[2]},
-                                      static_cast<int>(entry.channels.size()), threads,
-                                      !input.single);
+    CloudMedium medium = cloud_medium(
+        *input.cloud, input.volume->voxels.data(), {entry.size[0], entry.size[1], entry.size[2]},
+        static_cast<int>(entry.channels.size()), threads, !input.single);
     std::vector<PreviewPicture> pictures;
     if (const std::optional<Lighting> lighting = lighting_of(input, threads)) {
         Leaps leaps = leaps_of(input, medium, threads);

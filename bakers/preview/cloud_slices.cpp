@@ -229,7 +229,8 @@ PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::strin
     picture.title = "Optical depth from above";
     picture.kind = PictureKind::plot;
     picture.caption = fmt::format(
-        "Extinction integrated over each column, on a logarithmic scale from {:.3g} to the maximum, "
+        "Extinction integrated over each column, on a logarithmic scale from {:.3g} to the "
+        "maximum, "
         "{:.3g}; {:.0f} % of the columns are empty.",
         scale.low, greatest,
         100.0 * static_cast<double>(clear) / static_cast<double>(optical_depth.texels.size()));
@@ -290,7 +291,8 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
         fmt::format("{}_cells_{}", grid_name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Cells at {}", place_of(medium, axis, at));
     picture.caption = fmt::format(
-        "Cells of {} voxels per edge over the {} (grey). Occupied cells are framed, {:.1f} % of all; "
+        "Cells of {} voxels per edge over the {} (grey). Occupied cells are framed, {:.1f} % of "
+        "all; "
         "the bluer an empty cell is, the farther a ray may leap from it, up to {:.0f} cells.",
         cell, value_title(medium),
         100.0 * static_cast<double>(occupied) / static_cast<double>(leaps.size()),

@@ -2,10 +2,10 @@
 // towards it, sky and ground by their mean radiances, all from the baked tables.
 //
 // The layer is flat, repeats along x and y unless the medium says that it does not, and is marched
-// up to `reach_m` from the camera. Samples stand every `step_m` along a ray, shifted for each sample
-// of the picture by interleaved gradient noise (Jimenez, "Next Generation Post Processing in Call of
-// Duty: Advanced Warfare", SIGGRAPH 2014), which turns bands into fine grain; those towards the sun
-// by another noise.
+// up to `reach_m` from the camera. Samples stand every `step_m` along a ray, shifted for each
+// sample of the picture by interleaved gradient noise (Jimenez, "Next Generation Post Processing in
+// Call of Duty: Advanced Warfare", SIGGRAPH 2014), which turns bands into fine grain; those towards
+// the sun by another noise.
 //
 // Air between camera and cloud dims and adds light as at the mean distance of what is seen
 // (Hillaire 2016, section 5.9): with T that far and T_end along the whole ray, the share
@@ -83,8 +83,8 @@ struct Atmosphere {
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads);
 
-// The picture: cloud, air and sky; radiance of the atmosphere's channels. What `progress` is told is
-// the march; after an interruption the picture is not to be used.
+// The picture: cloud, air and sky; radiance of the atmosphere's channels. What `progress` is told
+// is the march; after an interruption the picture is not to be used.
 struct CloudView {
     Image2<float> radiance;
     FetchCounts fetches;

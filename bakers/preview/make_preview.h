@@ -18,7 +18,8 @@ namespace skybake {
 struct LitPictures {
     bool sky = false;     // of a transmittance and a multiple_scattering table
     bool clouds = false;  // of a cloud volume
-    bool sweep = false;   // a contact sheet, whose pictures show clouds if there are any, else the sky
+    bool sweep =
+        false;  // a contact sheet, whose pictures show clouds if there are any, else the sky
 };
 
 struct PreviewOptions {
@@ -29,10 +30,10 @@ struct PreviewOptions {
     std::optional<CameraRequest> camera;     // of lit clouds
     std::optional<std::array<int, 2>> picture_size;  // width, height of lit clouds
     bool single = false;  // one tile of a cloud stands alone, and all of it is in the picture
-    bool draft = false;                      // few pictures, small and quick
-    int threads = 0;                         // 0: as many as the machine has
+    bool draft = false;   // few pictures, small and quick
+    int threads = 0;      // 0: as many as the machine has
     StageProgress* progress = nullptr;
-    int stages_before = 0;  // that progress was told of, of the same preview
+    int stages_before = 0;            // that progress was told of, of the same preview
     PictureMemory* memory = nullptr;  // of previews with the same options
 };
 

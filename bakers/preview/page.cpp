@@ -30,9 +30,9 @@ std::string_view kind_name(PictureKind kind) {
 
 // Its image stands in the HTML, found by the name of the file.
 Json to_json(const PagePicture& picture) {
-    return {{"name", picture.name},       {"file", picture.name + ".png"},
-            {"title", picture.title},     {"caption", picture.caption},
-            {"width", picture.width},     {"height", picture.height},
+    return {{"name", picture.name},           {"file", picture.name + ".png"},
+            {"title", picture.title},         {"caption", picture.caption},
+            {"width", picture.width},         {"height", picture.height},
             {"kind", kind_name(picture.kind)}};
 }
 

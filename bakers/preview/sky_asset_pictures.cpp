@@ -201,11 +201,12 @@ std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
     const ChartAxis altitude{"altitude (km)",
                              [top = entry.axes[1].last](double t) { return t * t * top; },
                              AxisTicks::decimal};
-    return {{entry.name + "_texels", title,
-             fmt::format("The file's texels, its first row at the bottom; {}.", tone_text(exposure)),
-             framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, sun,
-                    altitude),
-             exposure}};
+    return {
+        {entry.name + "_texels", title,
+         fmt::format("The file's texels, its first row at the bottom; {}.", tone_text(exposure)),
+         framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, sun,
+                altitude),
+         exposure}};
 }
 
 std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset) {

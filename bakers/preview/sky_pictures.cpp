@@ -146,7 +146,8 @@ std::string percent_text(double share) { return number_text(100 * share) + " %";
 // What every caption of a sky says of light and camera.
 std::string how_shown(const SkyScene& scene) {
     return fmt::format(
-        "The camera is at {:g} km; each ray is marched in {} steps. Radiance is per solar irradiance "
+        "The camera is at {:g} km; each ray is marched in {} steps. Radiance is per solar "
+        "irradiance "
         "of 1 in each channel, so that sunlight outside of the air is white; channels are shown as "
         "linear sRGB",
         scene.camera_altitude_km, kSkySteps);
@@ -162,8 +163,7 @@ void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_
     const int pixels = scene.options.dome_pixels;
     const SkyView view = dome_view(scene, sun_elevation_degrees, pixels);
     const SkyView small = dome_view(scene, sun_elevation_degrees, scene.options.solved_pixels);
-    const SkyCost cost =
-        sky_cost(scene.medium, scene.tables, *scene.solved, small, scene.threads);
+    const SkyCost cost = sky_cost(scene.medium, scene.tables, *scene.solved, small, scene.threads);
     const std::string difference = figures_text(cost.difference.error);
     const std::string marching = figures_text(cost.marching);
     result.picture = contact_sheet(
@@ -177,11 +177,14 @@ void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_
          fmt::format("tables: {}; of which {} steps: {}", difference, kSkySteps, marching)},
         3);
     result.caption += fmt::format(
-        " The middle shows the reference of every method, the solved sky: all orders of scattering, "
+        " The middle shows the reference of every method, the solved sky: all orders of "
+        "scattering, "
         "as the asset `sky_view` bakes them, without the sun's disc. The right shows how far the "
         "tables are from it: {}; of each pixel the channel that is furthest off, relative to the "
-        "reference or to 1e-3 of the channel's largest value, whichever is larger. The colour scale "
-        "is clipped at +-{:g} %. Marching in {} steps costs, by itself and with the same tables: {}.",
+        "reference or to 1e-3 of the channel's largest value, whichever is larger. The colour "
+        "scale "
+        "is clipped at +-{:g} %. Marching in {} steps costs, by itself and with the same tables: "
+        "{}.",
         difference, percent_shown(cost.difference.relative), kSkySteps, marching);
 }
 
@@ -195,9 +198,8 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     result.name = "sky_" + sun_stem(sun_elevation_degrees);
     result.title = fmt::format("Sky, {}", sun_text(sun_elevation_degrees));
     result.exposure = exposure;
-    result.caption =
-        fmt::format("A fisheye of the upper hemisphere, the sun upwards. {}; {}.",
-                    how_shown(scene), tone_text(exposure));
+    result.caption = fmt::format("A fisheye of the upper hemisphere, the sun upwards. {}; {}.",
+                                 how_shown(scene), tone_text(exposure));
     const Picture dome = dome_picture(radiance, view, exposure);
     if (scene.solved) {
         compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
@@ -217,15 +219,15 @@ PreviewPicture panoramas(const SkyScene& scene) {
         const double exposure = exposure_of(scene.options, radiance);
         add_sun_disc(scene.medium, scene.tables, view, radiance);
         pictures.push_back(tone_mapped(radiance, exposure));
-        captions.push_back(
-            fmt::format("{}, {}", sun_text(elevation), exposure_text(exposure)));
+        captions.push_back(fmt::format("{}, {}", sun_text(elevation), exposure_text(exposure)));
     }
     PreviewPicture result;
     result.name = "sky_panoramas";
     result.kind = PictureKind::scene;
     result.title = "Sky all around";
     result.caption = fmt::format(
-        "The sky from the tables, azimuth from -180 to 180 deg about the sun's, elevation from {:g} "
+        "The sky from the tables, azimuth from -180 to 180 deg about the sun's, elevation from "
+        "{:g} "
         "to {:g} deg. {}; tone curve {}. The ground is lit by the sun and, through the table of "
         "multiple scattering, by a sky that is taken as equally bright all over.",
         kLowestDegrees, kHighestDegrees, how_shown(scene), tone_curve_name());
@@ -236,9 +238,8 @@ PreviewPicture panoramas(const SkyScene& scene) {
 // Solves for the reference.
 void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
     const BakeOptions options{scene.threads, Certification::off, scene.options.progress};
-    auto light =
-        std::make_unique<SkyLight>(atmosphere, config::SkyOrders::all, std::vector<std::string>{},
-                                   options);
+    auto light = std::make_unique<SkyLight>(atmosphere, config::SkyOrders::all,
+                                            std::vector<std::string>{}, options);
     const auto problem = light->problem("the sky's reference");
     if (problem) {
         scene.why_unsolved =
@@ -279,8 +280,8 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     SkyMedium medium = make_sky_medium(atmosphere);
     if (medium.air.channels != tables.value->transmittance.channels) return pictures;
     const double altitude_km = std::min(options.camera_altitude_km, medium.air.thickness_km);
-    SkyScene scene = {std::move(medium), std::move(*tables.value), altitude_km, options,
-                      threads,           nullptr,                  ""};
+    SkyScene scene = {
+        std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, ""};
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
     // After an interruption the solution is not to be used.
     if (options.progress != nullptr && options.progress->cancelled()) return pictures;

@@ -16,8 +16,8 @@ Image2<float> render_sky_reference(const SkyLight& light, const SkyView& view, i
         for (int x = 0; x < (view.width + 1) / 2; ++x) {
             const std::optional<SkyDirection> direction = direction_at(view, x, y);
             if (!direction) continue;
-            const Spectrum radiance = light.wanted(
-                light.integrator().radiance(view.camera_altitude_km, sun, *direction));
+            const Spectrum radiance =
+                light.wanted(light.integrator().radiance(view.camera_altitude_km, sun, *direction));
             for (int c = 0; c < image.channels; ++c) {
                 const auto value = static_cast<float>(radiance[static_cast<std::size_t>(c)]);
                 image.texel(x, y)[c] = value;

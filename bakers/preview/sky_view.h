@@ -20,8 +20,8 @@
 // no air at all, one channel, albedo 0 and 1.
 #pragma once
 
-#include "bakers/core/image.h"
 #include "bakers/atmosphere/sky_medium.h"
+#include "bakers/core/image.h"
 #include "bakers/preview/sky_rays.h"
 #include "bakers/preview/sky_tables.h"
 
@@ -32,8 +32,8 @@ namespace skybake {
 // steps where the air is dense, from the camera on for rays upwards t = length (i / n)^2.
 inline constexpr int kSkySteps = 40;
 
-// Radiance of the tables' channels, row 0 at the top; outside of a dome 0. `steps` segments per ray.
-// The same bits for any number of threads and any vector width.
+// Radiance of the tables' channels, row 0 at the top; outside of a dome 0. `steps` segments per
+// ray. The same bits for any number of threads and any vector width.
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
                          int threads, int steps = kSkySteps);
 

@@ -49,7 +49,8 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
     const bool sky = lit.sky && !(lit.sweep && lit.clouds);
     const bool any = sky || lit.clouds;
     constexpr std::string_view light = "pictures of a sky or of a lit cloud use it";
-    constexpr std::string_view clouds = "pictures of a lit cloud use it, of a [bake.*] cloud volume";
+    constexpr std::string_view clouds =
+        "pictures of a lit cloud use it, of a [bake.*] cloud volume";
     constexpr std::string_view skies =
         "pictures of a sky use it, of a transmittance and a multiple_scattering table";
     const OptionUse uses[] = {

@@ -32,7 +32,8 @@ class Watcher {
     Watcher(const TemporaryFolder& folder, const std::string& recipe,
             const std::vector<std::string>& options = {})
         : out_((folder / "out").string()) {
-        std::vector<std::string> words = {SKYBAKE_PROGRAM, "preview", recipe, "--watch", "-o", out_};
+        std::vector<std::string> words = {SKYBAKE_PROGRAM, "preview", recipe,
+                                          "--watch",       "-o",      out_};
         words.insert(words.end(), options.begin(), options.end());
         std::vector<char*> arguments;
         for (std::string& word : words) arguments.push_back(word.data());

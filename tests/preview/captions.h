@@ -9,8 +9,8 @@
 
 namespace skybake::test {
 
-// A caption is read by people: it begins as a sentence does, or with a name or a figure, and ends as
-// one does.
+// A caption is read by people: it begins as a sentence does, or with a name or a figure, and ends
+// as one does.
 inline void expect_sentences(const PreviewPicture& picture) {
     const std::string& caption = picture.caption;
     ASSERT_FALSE(caption.empty()) << picture.name;

@@ -6,10 +6,10 @@
 #pragma once
 
 #include "bakers/core/image.h"
-#include "tests/preview/multiple_scattering_grid.h"
 #include "bakers/preview/sky_rays.h"
 #include "bakers/sky/isotropic_orders.h"
 #include "bakers/sky/sky_radiance.h"
+#include "tests/preview/multiple_scattering_grid.h"
 
 namespace skybake::test {
 

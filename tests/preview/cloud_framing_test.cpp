@@ -34,8 +34,8 @@ TEST(CloudFraming, KnowsWhereThereIsSomething) {
     EXPECT_EQ(box.low_m, (std::array<double, 3>{800, 600, 1400}));
     EXPECT_EQ(box.high_m, (std::array<double, 3>{1200, 1000, 1800}));
     const std::vector<float> nothing(index_of(0, 0, kSize[2]));
-    const CloudBox whole = occupied_box(cloud_medium(test::cloud_of({3200, 2400, 1600}, 500),
-                                                     nothing.data(), kSize, 1, 1, false));
+    const CloudBox whole = occupied_box(
+        cloud_medium(test::cloud_of({3200, 2400, 1600}, 500), nothing.data(), kSize, 1, 1, false));
     EXPECT_EQ(whole.low_m, (std::array<double, 3>{0, 0, 500}));
     EXPECT_EQ(whole.high_m, (std::array<double, 3>{3200, 2400, 2100}));
 }
@@ -122,8 +122,8 @@ TEST(CloudView, OfASingleTileIsThatOfALargeTileWithNothingElse) {
             }
         }
     }
-    CloudMedium large = cloud_medium(test::cloud_of({9600, 7200, 1600}, 1000), voxels.data(), size,
-                                     1, 1);
+    CloudMedium large =
+        cloud_medium(test::cloud_of({9600, 7200, 1600}, 1000), voxels.data(), size, 1, 1);
     CloudMedium single = alone;
     single.leaps = leaps_of_voxels(single, 4, 1);
     large.leaps = leaps_of_voxels(large, 4, 1);

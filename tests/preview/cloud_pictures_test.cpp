@@ -85,10 +85,10 @@ TEST(CloudPictures, ShowAVolumeWithItsGrid) {
     CloudPreviewInput input = baked.input();
     input.suns = {{40, 100}, {-3, 100}};
     const auto pictures = cloud_pictures(input, 2);
-    EXPECT_EQ(
-        names_of(pictures),
-        (std::set<std::string>{"sky_lit_sun_40", "sky_lit_sun_minus_3", "sky_optical_depth", "sky_slice_x",
-                               "sky_slice_y", "sky_slice_z", "grid_cells_y", "grid_cells_z"}));
+    EXPECT_EQ(names_of(pictures),
+              (std::set<std::string>{"sky_lit_sun_40", "sky_lit_sun_minus_3", "sky_optical_depth",
+                                     "sky_slice_x", "sky_slice_y", "sky_slice_z", "grid_cells_y",
+                                     "grid_cells_z"}));
     EXPECT_EQ(pictures[0].picture.width, 64);
     EXPECT_EQ(pictures[0].picture.height, 36);
     EXPECT_TRUE(says(pictures[0], "Leaping by grid"));
@@ -121,8 +121,8 @@ Picture quartered(const Picture& picture) {
         const std::size_t x = 2 * (pixel % static_cast<std::size_t>(small.width));
         const std::size_t y = 2 * (pixel / static_cast<std::size_t>(small.width));
         int sum = 0;
-        for (const std::size_t at : {y * width + x, y * width + x + 1, (y + 1) * width + x,
-                                     (y + 1) * width + x + 1}) {
+        for (const std::size_t at :
+             {y * width + x, y * width + x + 1, (y + 1) * width + x, (y + 1) * width + x + 1}) {
             sum += picture.rgb[3 * at + i % 3];
         }
         small.rgb[i] = static_cast<std::uint8_t>(sum / 4);

@@ -35,10 +35,9 @@ test::Sky example_sky(const std::vector<std::string>& settings) {
 // other one's closure.
 TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
     const test::Sky better = example_sky({});
-    const test::Sky worse =
-        example_sky({"bake.multiple_scattering.method=\"hillaire\"",
-                     "bake.multiple_scattering.mapping=\"hillaire\"",
-                     "bake.multiple_scattering.size=[32,32]"});
+    const test::Sky worse = example_sky({"bake.multiple_scattering.method=\"hillaire\"",
+                                         "bake.multiple_scattering.mapping=\"hillaire\"",
+                                         "bake.multiple_scattering.size=[32,32]"});
     const SkyLight light = solved(better.recipe.parameters.atmosphere);
     for (const double sun : {60.0, 10.0, 0.0, -4.0}) {
         const SkyView view = test::dome(20, 0.2, sun);

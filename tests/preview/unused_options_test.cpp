@@ -16,12 +16,17 @@ struct Case {
 };
 
 const Case cases[] = {
-    {"sun-elevation", [](PreviewOptions& options) { options.sun_elevations_deg = {3}; }, true, true},
+    {"sun-elevation", [](PreviewOptions& options) { options.sun_elevations_deg = {3}; }, true,
+     true},
     {"exposure", [](PreviewOptions& options) { options.exposure_stops = 0; }, true, true},
     {"altitude", [](PreviewOptions& options) { options.altitude_m = 0; }, true, false},
     {"sun-azimuth", [](PreviewOptions& options) { options.sun_azimuth_deg = 0; }, false, true},
     {"camera", [](PreviewOptions& options) { options.camera.emplace(); }, false, true},
-    {"size", [](PreviewOptions& options) { options.picture_size = {16, 16}; }, false, true},
+    {"size",
+     [](PreviewOptions& options) {
+         options.picture_size = {16, 16};
+     },
+     false, true},
     {"single", [](PreviewOptions& options) { options.single = true; }, false, true},
 };
 
