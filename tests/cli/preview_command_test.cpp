@@ -257,7 +257,7 @@ TEST(PreviewCommand, PlacesTheCameraOfACloud) {
     write_bytes(scene.recipe, cloud_text);
     const Result result = scene.preview(
         {scene.recipe, "--camera", " position=0.1km,200m,50m  heading=1rad fov=40", "--size",
-         "40x30", "--sun-azimuth=-20 deg", "--sun-elevation", "-3", "--single"});
+         "40x30", "--sun-azimuth=-20 deg", "--sun-elevation=-3", "--single"});
     ASSERT_EQ(result.code, 0) << result.error;
     const json picture = data_of(scene.page())["assets"][0]["pictures"][0];
     EXPECT_EQ(picture["file"], "c_lit_sun_minus_3.png");
@@ -273,8 +273,8 @@ TEST(PreviewCommand, PlacesTheCameraOfACloud) {
     const std::size_t from = caption.find('`') + 1;
     const std::string camera = caption.substr(from, caption.find('`', from) - from);
     ASSERT_EQ(scene
-                  .preview({scene.recipe, "--camera", camera, "--size", "40x30", "--sun-azimuth",
-                            "-20", "--sun-elevation", "-3", "--single"})
+                  .preview({scene.recipe, "--camera", camera, "--size", "40x30",
+                            "--sun-azimuth=-20", "--sun-elevation=-3", "--single"})
                   .code,
               0);
     EXPECT_TRUE(contains(

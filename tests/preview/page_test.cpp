@@ -149,12 +149,14 @@ TEST(Page, HasTheFrameThatBrowsersWant) {
 }
 
 TEST(Page, StateIsOneCallThatNoDiagnosticEnds) {
-    PageState state{3, 0.25, false, {{config::Severity::error, "E0102", "</script>\n\"", {}, ""}}};
+    PageState state{
+        3, 0.25, true, false, {{config::Severity::error, "E0102", "</script>\n\"", {}, ""}}};
     state.diagnostics[0].where = {"a.toml", 3, 5, 2, "x = '\\'"};
     const std::string text = page_state_text(state);
     ASSERT_TRUE(text.starts_with("skybakePreview(") && text.ends_with(");\n"));
     const json data = json::parse(text.substr(15, text.size() - 18));
     EXPECT_EQ(data["revision"], 3);
+    EXPECT_EQ(data["quality"], "full");
     EXPECT_EQ(data["diagnostics"][0]["message"], "</script>\n\"");
     EXPECT_EQ(data["diagnostics"][0]["text"], "x = '\\'");
     EXPECT_EQ(count(text, "<"), 0u);
