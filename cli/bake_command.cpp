@@ -93,7 +93,10 @@ ExitCode run(const Invocation& invocation, Console& console) {
     }
     BakeReporter reporter(console, json);
     const auto baked = bake_folder(*bake.value, reporter);
-    if (interrupted() && !baked.value) return ExitCode::interrupted;
+    if (interrupted() && !baked.value) {
+        console.note("interrupted; nothing was written\n");
+        return ExitCode::interrupted;
+    }
     if (const ExitCode code = console.report(baked.diagnostics); !baked.value) return code;
     if (cache) console.report(cache->problems());
     if (invocation.has("depfile")) {

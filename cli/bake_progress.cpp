@@ -1,7 +1,5 @@
 #include "cli/bake_progress.h"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "cli/console.h"
@@ -9,32 +7,39 @@
 
 namespace skybake::cli {
 
-using std::chrono::duration;
-using std::chrono::steady_clock;
+BakeProgress::BakeProgress(std::string what, Console& console, int index, int count)
+    : start_(std::chrono::steady_clock::now()),
+      index_(index),
+      count_(count),
+      what_(std::move(what)),
+      line_(console, [this] { return text(); }) {}
 
-BakeProgress::BakeProgress(std::string asset, Console& console)
-    : asset_(std::move(asset)),
-      console_(console),
-      start_(steady_clock::now()),
-      shown_(steady_clock::now()) {}
+double BakeProgress::elapsed_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
 
 void BakeProgress::advance(std::string_view step, double fraction) {
     const std::lock_guard lock(mutex_);
-    const auto now = steady_clock::now();
-    const double since_shown = duration<double>(now - shown_).count();
-    const bool terminal = console_.error_is_terminal();
-    if (since_shown < (terminal ? 0.1 : 10.0)) return;
-    shown_ = now;
-    const std::string text = fmt::format("{}: {} {:.0f} %, {:.0f} s", asset_, step, 100 * fraction,
-                                         duration<double>(now - start_).count());
-    line_shown_ = terminal;
-    console_.note(terminal ? fmt::format("\r\033[K  {}", text) : text + "\n");
+    const double elapsed = elapsed_s();
+    if (step != step_ || !clock_.advance(fraction, elapsed)) clock_ = {fraction, elapsed};
+    step_ = step;
+}
+
+void BakeProgress::begin_stage(int index, int count, std::string_view what) {
+    const std::lock_guard lock(mutex_);
+    index_ = index;
+    count_ = count;
+    what_ = what;
+    step_.clear();
+}
+
+std::string BakeProgress::text() const {
+    const std::lock_guard lock(mutex_);
+    const double elapsed = elapsed_s();
+    const double left = step_.empty() ? -1 : clock_.seconds_left(elapsed);
+    return progress_text({index_, count_, what_, step_, clock_.fraction(), elapsed, left});
 }
 
 bool BakeProgress::cancelled() const { return interrupted(); }
-
-BakeProgress::~BakeProgress() {
-    if (line_shown_) console_.note("\r\033[K");
-}
 
 }  // namespace skybake::cli

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "bakers/incremental/bake_folder.h"
 
@@ -22,6 +24,7 @@ class BakeReporter : public BakeObserver {
   private:
     Console& console_;
     bool json_;
+    std::vector<std::string> stale_;  // what is to be made, in order
 };
 
 }  // namespace skybake::cli

@@ -47,8 +47,17 @@ void Console::result(std::string_view text) {
     if (!result_lost_ && !out_.write(text)) result_lost_ = true;
 }
 
+bool Console::shows_notes() const {
+    return !display_.quiet && !is_machine_format(display_.diagnostics);
+}
+
+void Console::write_error(std::string_view text) {
+    const std::lock_guard lock(error_mutex_);
+    error_.write(text);
+}
+
 void Console::note(std::string_view text) {
-    if (!display_.quiet && !is_machine_format(display_.diagnostics)) error_.write(text);
+    if (shows_notes()) write_error(text);
 }
 
 void Console::detail(std::string_view text) {
@@ -73,7 +82,7 @@ ExitCode Console::report_to(bool results, std::span<const config::Diagnostic> di
         if (results) {
             result(text);
         } else {
-            error_.write(text);
+            write_error(text);
         }
     }
     return static_cast<ExitCode>(config::exit_code(diagnostics));
@@ -85,7 +94,7 @@ ExitCode Console::finish(ExitCode code) {
         if (sarif_is_result_) {
             result(text);
         } else {
-            error_.write(text);
+            write_error(text);
         }
         sarif_.clear();
     }

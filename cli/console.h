@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,7 +35,7 @@ struct Display {
 bool wants_color(std::string_view choice, bool terminal, const char* no_color);
 
 // Never throws for a stream that is gone. Once a result could not be written the process's exit
-// code becomes `io`, see finish.
+// code becomes `io`, see finish. Notes may come from any thread.
 class Console {
   public:
     Console(Sink out, Sink error, Display display);
@@ -59,10 +60,13 @@ class Console {
 
     const Display& display() const { return display_; }
     bool error_is_terminal() const { return error_.terminal; }
+    bool shows_notes() const;
 
   private:
     ExitCode report_to(bool results, std::span<const config::Diagnostic> diagnostics);
+    void write_error(std::string_view text);
 
+    std::mutex error_mutex_;
     Sink out_;
     Sink error_;
     Display display_;

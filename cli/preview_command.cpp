@@ -12,11 +12,13 @@
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/report_plots.h"
 #include "bakers/preview/sweep_preview.h"
+#include "bakers/preview/unused_options.h"
 #include "cli/bake_progress.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/preview_options.h"
 #include "cli/preview_output.h"
 #include "cli/preview_request.h"
 #include "cli/watch_preview.h"
@@ -27,29 +29,37 @@ namespace {
 using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
-Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, const PreviewRequest& request,
-                                   Progress& progress) {
+// Options that no picture will use are told before anything is baked.
+Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest& request,
+                                   StageProgress& progress) {
     auto selection = select_bakes(invocation);
     if (!selection.value) return {{}, std::move(selection.diagnostics)};
-    auto assets = bake_assets(selection.value->recipe, selection.value->bakes,
-                              request.paths[0].filename().string(),
-                              {selection.value->threads, Certification::quick, &progress});
+    const std::vector<config::Bake>& bakes = selection.value->bakes;
+    const LitPictures lit = lit_pictures_of(bakes);
+    auto unused = unused_options(lit, request.options);
+    if (!unused.empty()) return {{}, std::move(unused)};
+    const BakeStages stages = {&progress,
+                               static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
+    request.options.stages_before = static_cast<int>(bakes.size());
+    auto assets =
+        bake_assets(selection.value->recipe, bakes, request.paths[0].filename().string(),
+                    {selection.value->threads, Certification::quick, &progress}, nullptr, stages);
     assets.diagnostics.insert(assets.diagnostics.begin(), selection.diagnostics.begin(),
                               selection.diagnostics.end());
     return assets;
 }
 
-Outcome<PreviewAssets> gather(const Invocation& invocation, const PreviewRequest& request,
-                              Progress& progress) {
+Outcome<PreviewAssets> gather(const Invocation& invocation, PreviewRequest& request,
+                              StageProgress& progress) {
     if (request.subject == Subject::recipe) return bake_recipe(invocation, request, progress);
     if (request.subject == Subject::folder) return load_folder(request.paths[0]);
     return load_files(request.paths);
 }
 
 // No value and no errors: the user has interrupted.
-Outcome<PreviewPage> make_page(const Invocation& invocation, const PreviewRequest& request,
-                               Progress& progress) {
-    PreviewOptions options = request.options;
+Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest request,
+                               StageProgress& progress) {
+    PreviewOptions& options = request.options;
     options.progress = &progress;
     if (request.subject == Subject::sweep) return make_sweep_preview(request.paths[0], options);
     auto assets = gather(invocation, request, progress);
@@ -70,7 +80,10 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
         BakeProgress progress("preview", console);
         return make_page(invocation, request, progress);
     }();
-    if (interrupted()) return ExitCode::interrupted;
+    if (interrupted()) {
+        console.note("interrupted; nothing was written\n");
+        return ExitCode::interrupted;
+    }
     if (const ExitCode code = console.report(page.diagnostics); !page.value) return code;
     std::vector<std::string> paths;
     if (const ExitCode code = write_preview(*page.value, request, console, paths);
@@ -113,7 +126,9 @@ Command preview_command() {
                          {"skybake preview out --sun-elevation 40,5,-4 -o sky",
                           "of what was baked, for three suns"},
                          {"skybake preview cumulus.toml --watch",
-                          "a page that follows the recipe while you write it"}},
+                          "a page that follows the recipe while you write it"},
+                         {"skybake preview tower.toml --single --size 1280x1280 --sun-azimuth 150",
+                          "one tile alone, all of it in the picture"}},
             .exit_codes = {ExitCode::io, ExitCode::checks},
             .run = run};
 }

@@ -2,25 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numbers>
 #include <string>
-#include <string_view>
 
 #include "bakers/io/manifest.h"
 #include "bakers/io/spelling.h"
 #include "bakers/preview/load_sweep.h"
 #include "cli/bake_selection.h"
 #include "cli/parse_arguments.h"
+#include "cli/preview_options.h"
 #include "config/key_path.h"
-#include "config/units.h"
 
 namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using config::Diagnostic;
-using config::Dimension;
 using Subject = PreviewRequest::Subject;
 
 Subject subject_of(const fs::path& path) {
@@ -30,71 +26,6 @@ Subject subject_of(const fs::path& path) {
     const std::string extension = path.extension().string();
     const bool baked = extension.size() > 1 && volume_format_of(extension.substr(1)).has_value();
     return baked ? Subject::files : Subject::recipe;
-}
-
-// A number, or a quantity of that dimension, in base units.
-std::optional<double> value_of(std::string_view text, Dimension dimension) {
-    const auto parsed = config::parse_quantity(text);
-    const auto* quantity = std::get_if<config::Quantity>(&parsed);
-    if (quantity == nullptr || quantity->dimension != dimension) return std::nullopt;
-    return quantity->value;
-}
-
-// "20" and "20 deg" alike.
-std::optional<double> degrees_of(std::string_view text) {
-    if (const auto number = value_of(text, Dimension::number)) return number;
-    const auto radians = value_of(text, Dimension::angle);
-    if (!radians) return std::nullopt;
-    return *radians * 180 / std::numbers::pi;
-}
-
-Diagnostic bad_value(std::string_view option, std::string_view text, std::string label) {
-    return usage_error(fmt::format("{}: `{}` will not do", option, config::printable(text)),
-                       std::move(label));
-}
-
-// Each value may hold several, with commas between.
-void read_elevations(const Invocation& invocation, PreviewOptions& options,
-                     std::vector<Diagnostic>& problems) {
-    for (const std::string& list : invocation.values("sun-elevation")) {
-        for (std::size_t at = 0; at <= list.size();) {
-            const std::size_t comma = std::min(list.find(',', at), list.size());
-            const std::string_view text = std::string_view(list).substr(at, comma - at);
-            const auto elevation = degrees_of(text);
-            if (elevation && *elevation >= -90 && *elevation <= 90) {
-                options.sun_elevations_deg.push_back(*elevation);
-            } else {
-                problems.push_back(
-                    bad_value("--sun-elevation", text, "degrees in [-90, 90]: 40, 5, -4"));
-            }
-            at = comma + 1;
-        }
-    }
-}
-
-void read_exposure(const Invocation& invocation, PreviewOptions& options,
-                   std::vector<Diagnostic>& problems) {
-    if (!invocation.has("exposure")) return;
-    const std::string text = invocation.value("exposure");
-    const auto stops = value_of(text, Dimension::number);
-    constexpr double most_stops = 32;  // beyond, every pixel is black or white
-    if (stops && *stops >= -most_stops && *stops <= most_stops) {
-        options.exposure_stops = *stops;
-    } else {
-        problems.push_back(bad_value("--exposure", text, "stops in [-32, 32]: 4, -1.5"));
-    }
-}
-
-void read_altitude(const Invocation& invocation, PreviewOptions& options,
-                   std::vector<Diagnostic>& problems) {
-    if (!invocation.has("altitude")) return;
-    const std::string text = invocation.value("altitude");
-    const auto meters = value_of(text, Dimension::length);
-    if (meters && *meters >= 0) {
-        options.altitude_m = *meters;
-    } else {
-        problems.push_back(bad_value("--altitude", text, "a length from 0 on, such as 2km"));
-    }
 }
 
 // Recipes have options that what is baked already has not.
@@ -119,28 +50,6 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
 
 }  // namespace
 
-std::vector<Option> preview_options() {
-    return {{.name = "output",
-             .short_name = 'o',
-             .value = "FOLDER",
-             .help = "where index.html and its pictures go",
-             .fallback = "preview"},
-            set_option(),
-            only_option("show [bake.NAME] alone"),
-            {.name = "sun-elevation",
-             .value = "DEGREES",
-             .help = "of skies and clouds, with commas between",
-             .repeatable = true},
-            {.name = "exposure", .value = "STOPS", .help = "fixed: 0 is 1 (default: chosen)"},
-            {.name = "altitude",
-             .value = "LENGTH",
-             .help = "of the camera under the sky (default 200m)"},
-            {.name = "report", .help = "measure and plot speed against error, too"},
-            {.name = "watch", .help = "follow the recipe: drafts, at every save, until Ctrl-C"},
-            jobs_option("threads; pictures do not depend on it (default: all)"),
-            {.name = "force", .help = "overwrite files that no preview has made"}};
-}
-
 config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     PreviewRequest request;
     for (const std::string& path : invocation.arguments()) request.paths.emplace_back(path);
@@ -161,9 +70,11 @@ config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
                                        "a report takes longer than a glance"));
     }
     check_combination(invocation, request, problems);
-    read_elevations(invocation, request.options, problems);
-    read_exposure(invocation, request.options, problems);
-    read_altitude(invocation, request.options, problems);
+    request.options = read_preview_options(invocation, problems);
+    request.draft_edge = read_draft_edge(invocation, problems).value_or(request.draft_edge);
+    if (invocation.has("draft") && !request.watch) {
+        problems.push_back(usage_error("--draft is for --watch", "other previews have no drafts"));
+    }
     const config::Outcome<int> threads = jobs_of(invocation);
     problems.insert(problems.end(), threads.diagnostics.begin(), threads.diagnostics.end());
     if (!problems.empty()) return outcome;

@@ -18,11 +18,9 @@ struct PreviewRequest {
     bool force = false;
     bool report = false;
     bool watch = false;
+    int draft_edge = 64;  // voxels along the longest edge of a draft's volumes
     PreviewOptions options;
 };
-
-// The declarations of its options.
-std::vector<Option> preview_options();
 
 // A folder or a manifest.json is a folder; .exr, .vdb and .bin are files; anything else is a
 // recipe. E0001: what cannot go together, what is no number or out of range.

@@ -285,6 +285,13 @@ ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, b
     return console.report(unfinished(failed));
 }
 
+// Variants are written whole, one by one.
+std::string interrupted_text(int made) {
+    if (made == 0) return "interrupted; nothing was written\n";
+    return fmt::format("interrupted; {} {} written, and the next run goes on from there\n", made,
+                       made == 1 ? "variant was" : "variants were");
+}
+
 ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     const bool json = invocation.has("json");
@@ -295,7 +302,10 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         if (const ExitCode code = console.report(obstacles); code != ExitCode::done) return code;
     }
     std::vector<PlannedVariant> plan = plan_sweep(job, interrupted);
-    if (interrupted()) return ExitCode::interrupted;
+    if (interrupted()) {
+        console.note("interrupted; nothing was written\n");
+        return ExitCode::interrupted;
+    }
     if (writes_index && all_failed(plan)) return console.report(plan[0].result.diagnostics);
     if (invocation.has("dry-run")) return dry_run(job, plan, json, console);
     if (json) console.result(sweep_event(job, plan));
@@ -303,7 +313,10 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
 
     SweepReporter reporter(job, plan.size(), console, json);
     const std::vector<VariantResult> results = make(job, std::move(plan), merge, reporter);
-    if (interrupted()) return ExitCode::interrupted;
+    if (interrupted()) {
+        console.note(interrupted_text(reporter.made()));
+        return ExitCode::interrupted;
+    }
     if (writes_index) {
         const auto failures = write_index(job.folder, job.sweep, results);
         if (!failures.empty()) return console.report(failures);

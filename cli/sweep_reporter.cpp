@@ -67,18 +67,15 @@ std::string_view spell_planned(VariantStatus status) {
 }  // namespace
 
 SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json)
-    : job_(job),
-      variants_(variants),
-      console_(console),
-      json_(json),
-      start_(steady_clock::now()),
-      shown_(steady_clock::now()) {}
+    : job_(job), variants_(variants), console_(console), json_(json), start_(steady_clock::now()) {
+    line_.emplace(console_, [this] { return text(); });
+}
 
 bool SweepReporter::cancelled() const { return interrupted(); }
 
 std::string SweepReporter::count_text() const {
     const double elapsed = duration<double>(steady_clock::now() - start_).count();
-    std::string text = fmt::format("{}/{} variants", finished_, variants_);
+    std::string text = fmt::format("[{}/{}] variants", finished_, variants_);
     if (failed_ > 0) text += fmt::format(", {} failed", failed_);
     text += fmt::format(", {:.0f} s", elapsed);
     if (made_ > 0) {
@@ -89,29 +86,30 @@ std::string SweepReporter::count_text() const {
     return text;
 }
 
-void SweepReporter::show(const std::string& text) {
-    const auto now = steady_clock::now();
-    const bool terminal = console_.error_is_terminal();
-    if (duration<double>(now - shown_).count() < (terminal ? 0.1 : 10.0)) return;
-    shown_ = now;
-    line_shown_ = terminal;
-    console_.note(terminal ? fmt::format("\r\033[K  {}", text) : text + "\n");
+std::string SweepReporter::text() const {
+    const std::lock_guard lock(mutex_);
+    return at_work_.empty() ? count_text() : fmt::format("{}; {}", count_text(), at_work_);
 }
 
 void SweepReporter::advance(const VariantResult& variant, std::string_view step, double fraction) {
-    show(fmt::format("{}; {}: {} {:.0f} %", count_text(), variant.name, step, 100 * fraction));
+    const std::lock_guard lock(mutex_);
+    at_work_ = fmt::format("{}: {} {:.0f} %", variant.name, step, 100 * fraction);
 }
 
 void SweepReporter::waits(const VariantResult& variant) {
-    finish();
-    console_.note(fmt::format("waiting for another skybake that bakes {}\n", variant.name));
+    console_.note(fmt::format("{}waiting: another skybake is baking {}\n",
+                              console_.error_is_terminal() ? "\r\033[K" : "", variant.name));
 }
 
 void SweepReporter::finished(const VariantResult& variant, bool made, double seconds) {
-    ++finished_;
     const bool failed = variant.status == VariantStatus::failed;
-    if (failed) ++failed_;
-    if (made && !failed) ++made_;
+    {
+        const std::lock_guard lock(mutex_);
+        ++finished_;
+        if (failed) ++failed_;
+        if (made && !failed) ++made_;
+        at_work_.clear();
+    }
     if (json_) {
         const std::string_view state = failed ? "failed" : made ? "made" : "up_to_date";
         console_.result(line({{"event", "variant"},
@@ -121,19 +119,12 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
                               {"state", state},
                               {"seconds", seconds}}));
     }
-    if (console_.error_is_terminal()) {
-        show(count_text());
-    } else if (made || failed) {
-        console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name,
-                                  failed ? "failed" : "made", seconds, finished_, variants_));
-        shown_ = steady_clock::now();
-    }
+    if (console_.error_is_terminal() || (!made && !failed)) return;
+    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name, failed ? "failed" : "made",
+                              seconds, finished_, variants_));
 }
 
-void SweepReporter::finish() {
-    if (line_shown_) console_.note("\r\033[K");
-    line_shown_ = false;
-}
+void SweepReporter::finish() { line_.reset(); }
 
 std::string plan_note(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
     std::string text =

@@ -2,18 +2,21 @@
 #pragma once
 
 #include <chrono>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bakers/sweep/run_sweep.h"
+#include "cli/progress_line.h"
 
 namespace skybake::cli {
 
 class Console;
 
-// On a terminal one line that is rewritten, elsewhere a line for each variant that was made and a
-// heartbeat every ten seconds.
+// On a terminal one line that is rewritten, elsewhere a line for each variant that was made and one
+// every ten seconds.
 class SweepReporter : public SweepObserver {
   public:
     SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json);
@@ -31,18 +34,19 @@ class SweepReporter : public SweepObserver {
 
   private:
     std::string count_text() const;
-    void show(const std::string& text);
+    std::string text() const;
 
     const SweepJob& job_;
     std::size_t variants_;
     Console& console_;
     bool json_;
     std::chrono::steady_clock::time_point start_;
-    std::chrono::steady_clock::time_point shown_;
+    mutable std::mutex mutex_;  // of what follows
     std::size_t finished_ = 0;
     int made_ = 0;
     int failed_ = 0;
-    bool line_shown_ = false;
+    std::string at_work_;  // "0002_seed=3: voxels 40 %"
+    std::optional<ProgressLine> line_;
 };
 
 // "12 variants, 6 in this shard, 2 up to date; 4 share shape (baked once)".

@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <atomic>
 #include <chrono>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/io/atomic_file.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/draft.h"
+#include "bakers/preview/unused_options.h"
 #include "cli/bake_progress.h"
 #include "cli/bake_selection.h"
 #include "cli/console.h"
@@ -25,12 +29,44 @@ namespace fs = std::filesystem;
 using config::Diagnostic;
 using config::Outcome;
 
+// Ends the work once a file is saved: what is being made is of the text before.
+class UntilSaved : public BakeProgress {
+  public:
+    UntilSaved(Console& console, const WatchedFiles& files)
+        : BakeProgress("full quality", console), files_(files) {}
+
+    bool cancelled() const override { return BakeProgress::cancelled() || saved(); }
+
+  private:
+    // Files are looked at now and then, by one of the threads.
+    bool saved() const {
+        const std::unique_lock lock(look_mutex_, std::try_to_lock);
+        const auto now = std::chrono::steady_clock::now();
+        if (lock && !saved_ && now - looked_ > look_every) {
+            looked_ = now;
+            saved_ = files_.changed();
+        }
+        return saved_;
+    }
+
+    static constexpr std::chrono::milliseconds look_every{50};
+
+    const WatchedFiles& files_;
+    mutable std::mutex look_mutex_;
+    mutable std::chrono::steady_clock::time_point looked_;
+    mutable std::atomic<bool> saved_ = false;
+};
+
+// What earlier rounds of one quality have made.
+struct RoundMemory {
+    AssetMemory assets;
+    PictureMemory pictures;
+};
+
 class Watch {
   public:
     Watch(const Invocation& invocation, PreviewRequest request, Console& console)
-        : invocation_(invocation), request_(std::move(request)), console_(console) {
-        request_.options.draft = true;
-    }
+        : invocation_(invocation), request_(std::move(request)), console_(console) {}
 
     ExitCode run() {
         std::error_code error;
@@ -39,6 +75,7 @@ class Watch {
             const ExitCode code = look_again();
             if (interrupted()) break;
             if (!there) return code;
+            if (code == ExitCode::done) refine();
         } while (exit_code_ == ExitCode::done && files_.wait());
         state_.ended = true;
         tell();
@@ -57,18 +94,49 @@ class Watch {
         if (!page.value && state_.revision == 0) page.value.emplace().title = title();
         if (page.value && !write(*page.value)) return exit_code_;
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-        if (page.value) state_.seconds = elapsed.count();
-        tell();
-        if (code == ExitCode::done) {
-            console_.note(fmt::format("{} in {:.2f} s\n", (request_.output / page_name).string(),
-                                      elapsed.count()));
+        if (page.value) {
+            state_.seconds = elapsed.count();
+            state_.full = false;
         }
+        tell();
+        if (code == ExitCode::done) note_made("a draft", elapsed.count());
         return code;
+    }
+
+    // The same at full quality, unless a file is saved before it is made.
+    void refine() {
+        if (!selection_ || exit_code_ != ExitCode::done) return;
+        const auto start = std::chrono::steady_clock::now();
+        bool given_up = false;
+        Outcome<PreviewPage> page = [&] {
+            UntilSaved progress(console_, files_);
+            auto made = page_of(*selection_, selection_->recipe, false, full_, progress);
+            given_up = progress.cancelled();
+            return made;
+        }();
+        if (given_up) return;
+        if (!page.value) {
+            console_.report(page.diagnostics);
+            state_.diagnostics = std::move(page.diagnostics);
+            return tell();
+        }
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        state_.full = true;
+        state_.seconds = elapsed.count();
+        if (!write(*page.value)) return;
+        tell();
+        note_made("full quality", elapsed.count());
+    }
+
+    void note_made(const char* what, double seconds) {
+        console_.note(fmt::format("{}: {} in {:.2f} s\n", (request_.output / page_name).string(),
+                                  what, seconds));
     }
 
     std::string title() const { return request_.paths[0].filename().string(); }
 
     Outcome<PreviewPage> draft_page() {
+        selection_.reset();
         follow_inputs();
         auto selection = select_bakes(invocation_);
         Outcome<PreviewPage> outcome;
@@ -76,27 +144,41 @@ class Watch {
         if (!selection.value) return outcome;
         good_inputs_ = selection.value->recipe.inputs;
         follow_inputs();
-        add(outcome, draft_assets(*selection.value));
+        auto unused = unused_options(lit_pictures_of(selection.value->bakes), request_.options);
+        if (!unused.empty()) {
+            add(outcome, {{}, std::move(unused)});
+            return outcome;
+        }
+        selection_ = std::move(*selection.value);
+        BakeProgress progress("draft", console_);
+        add(outcome, page_of(*selection_, draft_of(selection_->recipe, request_.draft_edge), true,
+                             draft_, progress));
         return outcome;
     }
 
-    Outcome<PreviewPage> draft_assets(const BakeSelection& selection) {
-        const config::Recipe draft = draft_of(selection.recipe);
+    // Of the sections that are selected, as `recipe` has them.
+    Outcome<PreviewPage> page_of(const BakeSelection& selection, const config::Recipe& recipe,
+                                 bool draft, RoundMemory& memory, BakeProgress& progress) {
         std::vector<config::Bake> bakes;
-        for (const config::Bake& bake : draft.parameters.bakes) {
+        for (const config::Bake& bake : recipe.parameters.bakes) {
             for (const config::Bake& wanted : selection.bakes) {
                 if (wanted.name == bake.name) bakes.push_back(bake);
             }
         }
-        BakeProgress progress("preview", console_);
-        const BakeOptions options{selection.threads, Certification::off, &progress};
+        const int count = static_cast<int>(bakes.size());
+        const BakeOptions options{selection.threads,
+                                  draft ? Certification::off : Certification::quick, &progress};
+        const BakeStages stages{&progress,
+                                count + picture_stages(bakes.size(), lit_pictures_of(bakes))};
         Outcome<PreviewPage> outcome;
-        const auto assets = bake_assets(draft, bakes, title(), options, &baked_);
+        const auto assets = bake_assets(recipe, bakes, title(), options, &memory.assets, stages);
         outcome.diagnostics = assets.diagnostics;
         if (!assets.value) return outcome;
         PreviewOptions pictures = request_.options;
+        pictures.draft = draft;
         pictures.progress = &progress;
-        pictures.memory = &pictures_;
+        pictures.stages_before = count;
+        pictures.memory = &memory.pictures;
         add(outcome, make_preview(*assets.value, pictures));
         return outcome;
     }
@@ -140,8 +222,9 @@ class Watch {
     Console& console_;
     WatchedFiles files_;
     std::vector<fs::path> good_inputs_;
-    AssetMemory baked_;
-    PictureMemory pictures_;
+    std::optional<BakeSelection> selection_;  // of the draft that is shown
+    RoundMemory draft_;
+    RoundMemory full_;
     PageState state_;
     ExitCode exit_code_ = ExitCode::done;  // of writing: what ends the watch
 };

@@ -18,8 +18,12 @@ class WatchedFiles {
     // Waits until a file was written, replaced, made or removed, and then until all have been at
     // rest for one look (editors write in several goes). True after a change, false once
     // interrupted. Looks by name, so that editors may rename a new file over the old one, at the
-    // cost of one stat a file and look.
+    // cost of one stat per file and look.
     bool wait();
+
+    // Whether wait() would find a change at once. From any thread, while no other call is under
+    // way.
+    bool changed() const { return look() != seen_; }
 
   private:
     static constexpr std::chrono::milliseconds look_every{25};

@@ -12,7 +12,7 @@ trap 'rm -rf "$folder"' EXIT
 "$skybake" preview clouds.toml -o "$folder/clouds" --sun-elevation 20 -q >/dev/null
 
 mkdir -p pictures
-for picture in clouds/cumulus_lit_20 clouds/cumulus_occupancy_cells_z phase/cloud_phase sky/sky_panoramas sky/sky_sun_10; do
+for picture in clouds/cumulus_lit_sun_20 clouds/cumulus_occupancy_cells_z phase/cloud_phase sky/sky_panoramas sky/sky_sun_10; do
     cp "$folder/$picture.png" pictures/
 done
-cp "$folder/phase/sky_view_0.png" pictures/fog_bow.png
+cp "$folder/phase/sky_view_sun_20.png" pictures/fog_bow.png

@@ -62,13 +62,17 @@ PreviewAsset table_asset(BakedTable table, const BakeOptions& options) {
 
 class PreviewBake {
   public:
-    PreviewBake(const config::Recipe& recipe, const BakeOptions& options, AssetMemory* memory)
-        : recipe_(recipe), options_(options), memory_(memory) {}
+    PreviewBake(const config::Recipe& recipe, const BakeOptions& options, AssetMemory* memory,
+                const BakeStages& stages)
+        : recipe_(recipe), options_(options), memory_(memory), stages_(stages) {}
 
     Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
         shown_.title = title;
         shown_.recipe = recipe_;
         for (const config::Bake& bake : bakes) {
+            if (stages_.progress != nullptr) {
+                stages_.progress->begin_stage(++stage_, stages_.count, bake.name);
+            }
             const bool made = add(bake);
             if (options_.progress != nullptr && options_.progress->cancelled()) return {};
             if (!made) return {{}, std::move(diagnostics_)};
@@ -119,6 +123,8 @@ class PreviewBake {
     const config::Recipe& recipe_;
     const BakeOptions& options_;
     AssetMemory* memory_;
+    const BakeStages& stages_;
+    int stage_ = 0;
     AssetMemory fresh_memory_;
     PreviewAssets shown_;
     std::vector<config::Diagnostic> diagnostics_;
@@ -128,8 +134,9 @@ class PreviewBake {
 
 Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
                                    std::span<const config::Bake> bakes, const std::string& title,
-                                   const BakeOptions& options, AssetMemory* memory) {
-    return PreviewBake(recipe, options, memory).bake(bakes, title);
+                                   const BakeOptions& options, AssetMemory* memory,
+                                   const BakeStages& stages) {
+    return PreviewBake(recipe, options, memory, stages).bake(bakes, title);
 }
 
 }  // namespace skybake

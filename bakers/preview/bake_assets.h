@@ -7,6 +7,7 @@
 
 #include "bakers/core/bake_options.h"
 #include "bakers/preview/preview_assets.h"
+#include "bakers/preview/stage_progress.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 
@@ -18,6 +19,12 @@ struct AssetMemory {
     std::map<std::string, PreviewAsset> assets;
 };
 
+// Who is told of each asset as a stage of `count`.
+struct BakeStages {
+    StageProgress* progress = nullptr;
+    int count = 0;
+};
+
 // Bakes the sections `bakes` of the recipe (its own, or reduced ones of the same names). Values are
 // rounded to the pixel type, as a file would hold them. What `memory` has is taken from there; it
 // keeps what was shown this time, and no more. Diagnostics as of bake_asset. No value and no
@@ -25,6 +32,7 @@ struct AssetMemory {
 config::Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
                                            std::span<const config::Bake> bakes,
                                            const std::string& title, const BakeOptions& options,
-                                           AssetMemory* memory = nullptr);
+                                           AssetMemory* memory = nullptr,
+                                           const BakeStages& stages = {});
 
 }  // namespace skybake

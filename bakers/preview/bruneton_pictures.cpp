@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 
+#include "bakers/preview/caption_words.h"
 #include "bakers/preview/chart.h"
 #include "bakers/preview/field_scaling.h"
 #include "bakers/preview/tone_curve.h"
@@ -80,8 +81,7 @@ class BrunetonPictures {
             captions.push_back(caption(z));
         }
         return {entry_.name + suffix, title,
-                fmt::format("The texels {}, tone-mapped by {} with exposure {:.3g}.", axes,
-                            tone_curve_name(), exposure),
+                fmt::format("The texels {}; {}.", axes, tone_text(exposure)),
                 contact_sheet(pictures, captions, slices_.size() > 1 ? 2 : 1), exposure};
     }
 

@@ -37,13 +37,19 @@ float gradient_noise(int x, int y, int layer) {
 
 RaySpan span_in_layer(const CloudMedium& medium, const CloudCamera& camera,
                       const Direction& direction, double reach_m) {
-    const double low = medium.base_m - camera.position_m[2];
-    const double high = low + medium.extent_m[2];
-    const double slope = direction[2];
-    if (slope == 0) return low <= 0 && high >= 0 ? RaySpan{0, reach_m} : RaySpan{1, 0};
-    const double first = (slope > 0 ? low : high) / slope;
-    const double last = (slope > 0 ? high : low) / slope;
-    return {std::max(first, 0.0), std::min(last, reach_m)};
+    RaySpan span{0, reach_m};
+    for (std::size_t a = medium.repeats ? 2 : 0; a < 3; ++a) {
+        const double low = (a == 2 ? medium.base_m : 0) - camera.position_m[a];
+        const double high = low + medium.extent_m[a];
+        const double slope = direction[a];
+        if (slope == 0) {
+            if (low > 0 || high < 0) return {1, 0};
+            continue;
+        }
+        span.first_m = std::max(span.first_m, (slope > 0 ? low : high) / slope);
+        span.last_m = std::min(span.last_m, (slope > 0 ? high : low) / slope);
+    }
+    return span;
 }
 
 }  // namespace skybake

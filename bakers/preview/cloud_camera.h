@@ -27,7 +27,8 @@ class CameraRays {
 // In [0, 1], a function of the pixel alone; neighbours differ much. `layer` 0, 1 ... makes others.
 float gradient_noise(int x, int y, int layer);
 
-// Where a ray is within the layer, as distances; none where first > last.
+// Where a ray is within the layer, or the one tile that there is, as distances; none where first >
+// last.
 struct RaySpan {
     double first_m = 0;
     double last_m = 0;

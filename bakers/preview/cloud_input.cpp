@@ -42,6 +42,32 @@ void add_sky(const PreviewAssets& assets, CloudPreviewInput& input) {
     input.atmosphere = &assets.recipe->parameters.atmosphere;
 }
 
+void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
+    const double azimuth = options.sun_azimuth_deg.value_or(input.suns.front().azimuth_degrees);
+    std::vector<double> elevations = options.sun_elevations_deg;
+    if (elevations.empty()) elevations = {input.suns.front().elevation_degrees};
+    input.suns.clear();
+    for (const double elevation : elevations) input.suns.push_back({elevation, azimuth});
+    input.exposure_stops = options.exposure_stops;
+}
+
+// A draft has half of the size, which is at most 768 along its longer edge.
+void choose_frame(const PreviewOptions& options, CloudPreviewInput& input) {
+    constexpr int longest_of_draft = 768;
+    if (options.camera) input.camera = *options.camera;
+    if (options.picture_size) {
+        input.width = (*options.picture_size)[0];
+        input.height = (*options.picture_size)[1];
+    }
+    input.single = options.single;
+    input.progress = options.progress;
+    input.draft = options.draft;
+    const int longest = std::max(input.width, input.height);
+    if (!options.draft || longest <= longest_of_draft) return;
+    input.width = std::max(input.width * longest_of_draft / longest, 1);
+    input.height = std::max(input.height * longest_of_draft / longest, 1);
+}
+
 }  // namespace
 
 CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& asset,
@@ -62,19 +88,8 @@ CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& a
         add_occupancy(assets, input);
         add_sky(assets, input);
     }
-    if (!options.sun_elevations_deg.empty()) {
-        const double azimuth = input.suns.front().azimuth_degrees;
-        input.suns.clear();
-        for (const double elevation : options.sun_elevations_deg) {
-            input.suns.push_back({elevation, azimuth});
-        }
-    }
-    input.exposure_stops = options.exposure_stops;
-    input.draft = options.draft;
-    if (options.draft) {  // of which it makes half
-        input.width = 768;
-        input.height = 432;
-    }
+    choose_light(options, input);
+    choose_frame(options, input);
     return input;
 }
 

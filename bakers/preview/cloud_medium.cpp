@@ -50,7 +50,7 @@ double density(const CloudOptics& optics, double value) {
 }
 
 PaddedVolume padded_volume(const float* voxels, const std::array<int, 3>& size, int channel,
-                           int channels, int threads) {
+                           int channels, int threads, bool repeats) {
     PaddedVolume padded;
     padded.size = size;
     padded.values.resize(static_cast<std::size_t>(padded.plane()) *
@@ -60,14 +60,18 @@ PaddedVolume padded_volume(const float* voxels, const std::array<int, 3>& size, 
         float* out = padded.values.data() + plane * padded.plane();
         for (int row = 0; row < size[1] + 2; ++row) {
             const int y = occupancy::wrapped(row - 1, size[1]);
+            if (!repeats && y != row - 1) {  // nothing, as the padding began
+                out += padded.row();
+                continue;
+            }
             const auto at = [&](int x) {
                 return voxels[occupancy::index_of(size, x, y, z) *
                                   static_cast<std::size_t>(channels) +
                               static_cast<std::size_t>(channel)];
             };
-            *out++ = at(size[0] - 1);
+            *out++ = repeats ? at(size[0] - 1) : 0;
             for (int x = 0; x < size[0]; ++x) *out++ = at(x);
-            *out++ = at(0);
+            *out++ = repeats ? at(0) : 0;
         }
     });
     return padded;
@@ -93,12 +97,13 @@ LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector
 }
 
 CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
-                         const std::array<int, 3>& size, int channels, int threads) {
+                         const std::array<int, 3>& size, int channels, int threads, bool repeats) {
     CloudMedium medium;
     for (std::size_t a = 0; a < 3; ++a) medium.extent_m[a] = cloud.extent[a].meters;
     medium.base_m = cloud.base_altitude.meters;
     medium.optics = cloud_optics(cloud);
-    medium.volume = padded_volume(voxels, size, 0, channels, threads);
+    medium.repeats = repeats;
+    medium.volume = padded_volume(voxels, size, 0, channels, threads, repeats);
     medium.visible_above = visible_above(medium.optics, medium.volume);
     const std::vector<float> all_occupied(occupancy::count_of(CellGrid{size, 16}.size()), 0.0F);
     medium.leaps = leap_grid(size, 16, all_occupied);

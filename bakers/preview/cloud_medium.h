@@ -2,7 +2,8 @@
 // may leap without seeing anything.
 //
 // Positions are in voxel units: voxel i of an axis has its centre at i + 1/2. The volume repeats
-// along x and y; along z it is clamped, and there is nothing below 0 and above size[2].
+// along x and y, or stands alone with nothing beside it; along z it is clamped, and there is
+// nothing below 0 and above size[2].
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ CloudOptics cloud_optics(const config::Cloud& cloud);
 double density(const CloudOptics& optics, double value);
 
 // Voxels with one more on each side, so that the eight voxels of any lookup are where they should
-// be: of the next tile along x and y, the same again along z.
+// be: of the next tile along x and y, or 0 where there is none; the same again along z.
 struct PaddedVolume {
     std::array<int, 3> size{};  // without the padding
     AlignedFloats values;       // (size + 2)^3, x fastest
@@ -41,7 +42,7 @@ struct PaddedVolume {
 
 // Of channel `channel` of `channels` interleaved ones. At most 2^31 - 1 padded voxels.
 PaddedVolume padded_volume(const float* voxels, const std::array<int, 3>& size, int channel,
-                           int channels, int threads);
+                           int channels, int threads, bool repeats = true);
 
 // How far a ray may leap: everything within `reach` voxels of an empty cell's faces is empty; -1
 // where a cell is occupied.
@@ -60,6 +61,7 @@ LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector
 struct CloudMedium {
     std::array<double, 3> extent_m{};  // of the tile, and the layer's height
     double base_m = 0;                 // altitude of z = 0
+    bool repeats = true;               // along x and y
     CloudOptics optics;
     PaddedVolume volume;
     // A lookup in float above this is something. Roundings of a trilinear lookup in float, three
@@ -73,9 +75,11 @@ struct CloudMedium {
     double meters_per_voxel(std::size_t axis) const { return extent_m[axis] / volume.size[axis]; }
 };
 
-// Without leaps: all cells are occupied.
+// Without leaps: all cells are occupied. Leaps of a volume that repeats hold for one that does not,
+// which has less.
 CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
-                         const std::array<int, 3>& size, int channels, int threads);
+                         const std::array<int, 3>& size, int channels, int threads,
+                         bool repeats = true);
 
 // Leaps from the voxels themselves, by the exact rule for trilinear lookups.
 LeapGrid leaps_of_voxels(const CloudMedium& medium, int cell, int threads);

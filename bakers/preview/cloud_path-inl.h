@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE {
 struct Place {
     FloatLanes x, y, z;
     FloatLanes tile_x, tile_y;
-    FloatMask within_height;  // both faces belong to the volume
+    FloatMask within;  // where the volume is; both its faces along z belong to it
 };
 
 // Splits x into the tile's beginning and the rest in [0, size), in steps that are exact but for
@@ -93,13 +93,20 @@ struct CloudPath {
     HWY_INLINE FloatLanes y_at(FloatLanes t) const { return origin_y + t * direction_y; }
     HWY_INLINE FloatLanes z_at(FloatLanes t) const { return origin_z + t * direction_z; }
 
+    HWY_INLINE FloatMask in_first_tile(const Place& place) const {
+        const FloatLanes zero(0.0F);
+        return (place.tile_x <= zero) & (zero <= place.tile_x) & (place.tile_y <= zero) &
+               (zero <= place.tile_y);
+    }
+
     HWY_INLINE Place place(FloatLanes t) const {
         Place place;
         split(x_at(t), static_cast<float>(medium.volume.size[0]), place.x, place.tile_x);
         split(y_at(t), static_cast<float>(medium.volume.size[1]), place.y, place.tile_y);
         place.z = z_at(t);
         const FloatLanes top(static_cast<float>(medium.volume.size[2]));
-        place.within_height = (FloatLanes(0.0F) <= place.z) & (place.z <= top);
+        place.within = (FloatLanes(0.0F) <= place.z) & (place.z <= top);
+        if (!medium.repeats) place.within = place.within & in_first_tile(place);
         return place;
     }
 };

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "bakers/cloud/cloud_volume.h"
 #include "bakers/preview/bake_assets.h"
+#include "bakers/preview/caption_words.h"
 #include "bakers/preview/cloud_slices.h"
 #include "bakers/preview/occupancy_leaps.h"
+#include "bakers/preview/stage_progress.h"
 #include "bakers/preview/tone_curve.h"
 #include "config/cloud_extent.h"
 #include "config/recipe.h"
@@ -81,39 +84,104 @@ Leaps leaps_of(const CloudPreviewInput& input, const CloudMedium& medium, int th
 
 CloudViewSettings settings_of(const CloudPreviewInput& input, const CloudMedium& medium,
                               const SunDirection& sun) {
-    if (!input.draft) return framed_view(medium, sun, input.width, input.height);
-    CloudViewSettings settings =
-        framed_view(medium, sun, std::max(input.width / 2, 1), std::max(input.height / 2, 1));
-    settings.step_m *= 2;
-    settings.light_step_m *= 2;
+    const int reduction = input.draft ? 2 : 1;
+    CloudViewSettings settings = framed_view(medium, sun, std::max(input.width / reduction, 1),
+                                             std::max(input.height / reduction, 1), input.camera);
+    settings.step_m *= reduction;
+    settings.light_step_m *= reduction;
     return settings;
+}
+
+// Two samples along each edge of a pixel, else one.
+int samples_along_edge(const CloudViewSettings& settings) {
+    return std::int64_t{settings.width} * settings.height <= kSmallPixels ? 2 : 1;
+}
+
+// Means of squares of edge x edge.
+Image2<float> means_of_squares(const Image2<float>& image, int edge) {
+    Image2<float> result(image.width / edge, image.height / edge, image.channels);
+    const auto count = static_cast<float>(edge * edge);
+    for (int y = 0; y < result.height * edge; ++y) {
+        for (int x = 0; x < result.width * edge; ++x) {
+            for (int c = 0; c < image.channels; ++c) {
+                result.texel(x / edge, y / edge)[c] += image.texel(x, y)[c] / count;
+            }
+        }
+    }
+    return result;
+}
+
+CloudView render_samples(const CloudMedium& medium, const Lighting& lighting,
+                         CloudViewSettings settings, int threads, Progress* progress) {
+    const int edge = samples_along_edge(settings);
+    settings.width *= edge;
+    settings.height *= edge;
+    CloudView view =
+        render_cloud(medium, {lighting.medium, lighting.tables}, settings, threads, progress);
+    if (edge > 1) view.radiance = means_of_squares(view.radiance, edge);
+    return view;
+}
+
+// Where the sun stands for somebody who looks along the camera's heading; azimuths go from +x
+// towards +y, to the left.
+std::string beside_view(const SunDirection& sun, const CloudCamera& camera) {
+    const double turn = std::remainder(sun.azimuth_degrees - camera.azimuth_degrees, 360.0);
+    if (turn == 0) return "straight ahead";
+    return fmt::format("{:.4g} degrees to the {} of the view", std::fabs(turn),
+                       turn > 0 ? "left" : "right");
+}
+
+std::string lit_caption(const CloudPreviewInput& input, const CloudViewSettings& settings,
+                        const Lighting& lighting, const Leaps& leaps, const FetchCounts& fetches,
+                        double exposure) {
+    const int samples = samples_along_edge(settings) * samples_along_edge(settings);
+    const double pixels = static_cast<double>(settings.width) * settings.height;
+    return fmt::format(
+        "{}, the {}, {}, in the light of {}; {}. The camera is `{}`. There {} per pixel, {:.3g} m "
+        "steps along the view and {:.3g} m steps towards the sun, and {} octaves of scattering "
+        "(Wrenninge et al. 2013). Leaping by {}, each pixel takes {:.0f} lookups of the volume and "
+        "{:.0f} of the grid.",
+        input.single ? "One tile alone" : "The layer that the tile repeats to",
+        sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
+        lighting.name, tone_text(exposure), camera_text(settings.camera),
+        samples == 1 ? std::string("is one sample") : fmt::format("are {} samples", samples),
+        settings.step_m, settings.light_step_m, kOctaves, leaps.name,
+        static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
+        static_cast<double>(fetches.cells) / pixels);
 }
 
 PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& medium,
                            const Lighting& lighting, const Leaps& leaps, const SunDirection& sun,
-                           int threads) {
+                           int threads, Progress* progress) {
     const CloudViewSettings settings = settings_of(input, medium, sun);
-    const CloudView view =
-        render_cloud(medium, {lighting.medium, lighting.tables}, settings, threads);
+    const CloudView view = render_samples(medium, lighting, settings, threads, progress);
     const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
                                                  : kExposureShare * exposure_for(view.radiance);
-    const double pixels = static_cast<double>(settings.width) * settings.height;
     PreviewPicture picture;
-    picture.name = fmt::format("{}_lit_{:g}", input.volume->entry.name, sun.elevation_degrees);
-    picture.title = fmt::format("Lit, the sun {:g} degrees high", sun.elevation_degrees);
-    picture.caption = fmt::format(
-        "Sun {:g} degrees high, {:g} degrees from the view's azimuth, in the light of {}; exposure "
-        "{:.3g}, shown as {}. Steps of {:.3g} m, of {:.3g} m towards the sun; {} octaves of "
-        "scattering (Wrenninge et al. 2013). Leaping by {}: {:.0f} fetches of the volume and "
-        "{:.0f} "
-        "of the grid a pixel.",
-        sun.elevation_degrees, sun.azimuth_degrees - settings.camera.azimuth_degrees, lighting.name,
-        exposure, tone_curve_name(), settings.step_m, settings.light_step_m, kOctaves, leaps.name,
-        static_cast<double>(view.fetches.samples + view.fetches.light_samples) / pixels,
-        static_cast<double>(view.fetches.cells) / pixels);
+    picture.name =
+        fmt::format("{}_lit_{}", input.volume->entry.name, sun_stem(sun.elevation_degrees));
+    picture.title = fmt::format("Lit, {}", sun_text(sun.elevation_degrees));
+    picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, exposure);
     picture.picture = tone_mapped(view.radiance, exposure);
     picture.exposure = exposure;
+    picture.kind = PictureKind::scene;
     return picture;
+}
+
+bool is_cancelled(const CloudPreviewInput& input) {
+    return input.progress != nullptr && input.progress->cancelled();
+}
+
+void add_lit_pictures(const CloudPreviewInput& input, const CloudMedium& medium,
+                      const Lighting& lighting, const Leaps& leaps, int threads,
+                      std::vector<PreviewPicture>& pictures) {
+    const double share = 1.0 / static_cast<double>(input.suns.size());
+    for (std::size_t i = 0; i < input.suns.size() && !is_cancelled(input); ++i) {
+        const SunDirection& sun = input.suns[i];
+        const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
+        ProgressPart part(input.progress, step, static_cast<double>(i) * share, share);
+        pictures.push_back(lit_picture(input, medium, lighting, leaps, sun, threads, &part));
+    }
 }
 
 void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
@@ -159,14 +227,14 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
     const ManifestAsset& entry = input.volume->entry;
     CloudMedium medium = cloud_medium(*cloud, input.volume->voxels.data(),
                                       {entry.size[0], entry.size[1], entry.size[2]},
-                                      static_cast<int>(entry.channels.size()), threads);
+                                      static_cast<int>(entry.channels.size()), threads,
+                                      !input.single);
     std::vector<PreviewPicture> pictures;
     if (const std::optional<Lighting> lighting = lighting_of(input, threads)) {
         Leaps leaps = leaps_of(input, medium, threads);
         medium.leaps = std::move(leaps.grid);
-        for (const SunDirection& sun : input.suns) {
-            pictures.push_back(lit_picture(input, medium, *lighting, leaps, sun, threads));
-        }
+        add_lit_pictures(input, medium, *lighting, leaps, threads, pictures);
+        if (is_cancelled(input)) return pictures;
     }
     const Image2<float> depth = column_optical_depth(medium, threads);
     pictures.push_back(optical_depth_picture(medium, entry.name, depth));

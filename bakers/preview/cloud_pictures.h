@@ -4,12 +4,16 @@
 #include <optional>
 #include <vector>
 
+#include "bakers/preview/cloud_framing.h"
 #include "bakers/preview/cloud_view.h"
 #include "bakers/preview/picture.h"
 #include "bakers/preview/preview_asset.h"
 #include "config/parameters.h"
 
 namespace skybake {
+
+// Below it a sample's grain is as large as what there is to see, and four samples are soon marched.
+inline constexpr int kSmallPixels = 640 * 400;
 
 // Any pointer but `cloud` may be null.
 struct CloudPreviewInput {
@@ -25,15 +29,19 @@ struct CloudPreviewInput {
     std::vector<SunDirection> suns = {
         {20, 105}};                        // a lit picture for each; the view's azimuth is 63
     std::optional<double> exposure_stops;  // the exposure is 2 to this; none: chosen
-    int width = 960;                       // of lit pictures
+    CameraRequest camera;
+    bool single = false;  // one tile alone, not the layer that it repeats to
+    int width = 960;      // of lit pictures
     int height = 540;
     bool draft = false;  // half that size, steps twice as long, the most telling pictures alone
+    Progress* progress = nullptr;  // is told of lit pictures
 };
 
 // Of a volume: the lit picture for each sun, the column's optical depth from above, and slices,
 // with the cells of the occupancy grid over them if there is one. Of a grid alone: its slices.
 // Slices go through where there is most to see. No lit pictures where make_sky_tables
-// (sky_tables.h) refuses the tables.
+// (sky_tables.h) refuses the tables. Fewer pictures: the user has interrupted.
+// Lit pictures of at most kSmallPixels have four samples per pixel.
 //
 // The march leaps by the grid where that is sure to lose nothing: the exact rule for this volume's
 // first channel, at this size, and a filter as wide as the march's trilinear one. Else by cells

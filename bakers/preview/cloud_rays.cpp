@@ -207,9 +207,9 @@ void march_packet(const CloudMarch& march, const RayBlock& rays, std::size_t fir
         const FloatLanes k = progress.k;
         const FloatLanes t = path.samples.distance(k);
         const Place at = path.place(t);
-        const FloatMask before = and_not(going, at.within_height);
+        const FloatMask before = and_not(going, at.within);
         progress.k = select(before, k + one, k);
-        FloatMask sampling = going & at.within_height;
+        FloatMask sampling = going & at.within;
         if (march.leaping) {
             sampling = leap_or_look(path, pace, at, sampling, end, progress, counts.cells);
         }

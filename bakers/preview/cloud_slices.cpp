@@ -165,8 +165,9 @@ PreviewPicture grid_picture(const PreviewAsset& grid, const GridChannel& channel
     PreviewPicture picture;
     picture.name = fmt::format("{}_{}_{}", grid.entry.name, channel.name, axis_name);
     picture.title = fmt::format("{}, cells {} = {}", channel.name, axis_name, at);
-    picture.caption = fmt::format("What the grid holds as {}{}, a cell a square.", channel.name,
-                                  channel.is_leap ? ", in cells" : "");
+    picture.caption = fmt::format("The grid's channel `{}`{}, one square per cell.", channel.name,
+                                  channel.is_leap ? ", leap distances in cells" : "");
+    picture.kind = PictureKind::plot;
     picture.picture =
         false_colour_chart(field, scale_of(field, channel.name), picture.title, across, up);
     return picture;
@@ -226,10 +227,12 @@ PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::strin
     PreviewPicture picture;
     picture.name = name + "_optical_depth";
     picture.title = "Optical depth from above";
+    picture.kind = PictureKind::plot;
     picture.caption = fmt::format(
-        "Extinction integrated over each column, on a logarithmic scale that ends at a thousandth "
-        "of the greatest, {:.3g}; {:.0f} % of the columns are empty.",
-        greatest,
+        "Extinction integrated over each column, on a logarithmic scale from {:.3g} to the "
+        "maximum, "
+        "{:.3g}; {:.0f} % of the columns are empty.",
+        scale.low, greatest,
         100.0 * static_cast<double>(clear) / static_cast<double>(optical_depth.texels.size()));
     picture.picture =
         false_colour_chart(shown, scale, picture.title, axis_km(medium.extent_m, medium.base_m, 0),
@@ -245,7 +248,8 @@ PreviewPicture slice_picture(const CloudMedium& medium, const PreviewAsset& volu
     picture.name =
         fmt::format("{}_slice_{}", volume.entry.name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Slice at {}", place_of(medium, axis, at));
-    picture.caption = fmt::format("{} as stored, channel {}.",
+    picture.kind = PictureKind::plot;
+    picture.caption = fmt::format("{} as the file stores it, channel {}.",
                                   medium.optics.has_edge ? "Value before its threshold" : "Density",
                                   volume.entry.channels.front());
     picture.picture =
@@ -287,8 +291,9 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
         fmt::format("{}_cells_{}", grid_name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Cells at {}", place_of(medium, axis, at));
     picture.caption = fmt::format(
-        "Cells of {} voxels an edge over the {} (grey): occupied ones are framed, {:.1f} % of "
-        "all; empty ones are the bluer the farther a ray may leap, up to {:.0f} cells.",
+        "Cells of {} voxels per edge over the {} (grey). Occupied cells are framed, {:.1f} % of "
+        "all; "
+        "the bluer an empty cell is, the farther a ray may leap from it, up to {:.0f} cells.",
         cell, value_title(medium),
         100.0 * static_cast<double>(occupied) / static_cast<double>(leaps.size()),
         double{greatest});

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bakers/core/parallel.h"
+#include "bakers/core/tiles.h"
 #include "bakers/preview/cloud_camera.h"
 #include "bakers/preview/sun_leaps.h"
 
@@ -116,12 +116,14 @@ class ViewMarch {
 }  // namespace
 
 double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun) {
-    const double longest = std::max(medium.extent_m[0], medium.extent_m[1]);
+    const double longest = medium.repeats ? std::max(medium.extent_m[0], medium.extent_m[1])
+                                          : std::hypot(medium.extent_m[0], medium.extent_m[1]);
     const double slope = std::fabs(sine_of_degrees(sun.elevation_degrees));
     return slope * longest > medium.extent_m[2] ? medium.extent_m[2] / slope : longest;
 }
 
-MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads) {
+MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
+                       Progress* progress) {
     const ViewMarch march(medium, settings, threads);
     MarchedView view;
     view.through = march.through();
@@ -129,7 +131,8 @@ MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& setti
     const int across = (settings.width + kTile - 1) / kTile;
     const int down = (settings.height + kTile - 1) / kTile;
     std::vector<FetchCounts> counts(static_cast<std::size_t>(across * down));
-    parallel_for(across * down, threads, [&](int tile) {
+    const BakeOptions options{threads, Certification::off, progress};
+    for_each_tile(across * down, options, "marching", [&](int tile) {
         counts[static_cast<std::size_t>(tile)] =
             march.march_tile(tile % across, tile / across, view.results);
     });
@@ -139,33 +142,6 @@ MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& setti
         view.fetches.cells += count.cells;
     }
     return view;
-}
-
-CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
-                              int height) {
-    CloudViewSettings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.sun = sun;
-    const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
-    settings.step_m =
-        exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
-                              medium.meters_per_voxel(2)) /
-                    3);
-    settings.light_step_m =
-        std::max(settings.step_m, sun_march_length_m(medium, sun) / kSunSamples);
-    settings.reach_m = std::min(std::max(24 * tile, 40e3), 256 * tile);
-    // From below where the layer is high enough that its nearest clouds are some voxels away, else
-    // from above. The azimuth is no simple fraction of a turn: tiles do not line up.
-    const double below_m = std::max(medium.base_m - 0.25 * tile, 2.0);
-    const bool from_below = medium.base_m >= 0.1 * tile;
-    const double top_m = medium.base_m + medium.extent_m[2];
-    settings.camera.position_m = {0.31 * medium.extent_m[0], 0.12 * medium.extent_m[1],
-                                  from_below ? below_m : top_m + 0.15 * tile};
-    settings.camera.azimuth_degrees = 63;
-    settings.camera.elevation_degrees = from_below ? 12 : -9;
-    settings.camera.horizontal_field_degrees = 50;
-    return settings;
 }
 
 }  // namespace skybake

@@ -1,10 +1,11 @@
 // A lit picture of a cloud volume, ray-marched as a runtime would: the sun by a second march
 // towards it, sky and ground by their mean radiances, all from the baked tables.
 //
-// The layer is flat, repeats along x and y, and is marched up to `reach_m` from the camera. Samples
-// stand every `step_m` along a ray, shifted for each pixel by interleaved gradient noise (Jimenez,
-// "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014), which turns
-// bands into fine grain; those towards the sun by another noise.
+// The layer is flat, repeats along x and y unless the medium says that it does not, and is marched
+// up to `reach_m` from the camera. Samples stand every `step_m` along a ray, shifted for each
+// sample of the picture by interleaved gradient noise (Jimenez, "Next Generation Post Processing in
+// Call of Duty: Advanced Warfare", SIGGRAPH 2014), which turns bands into fine grain; those towards
+// the sun by another noise.
 //
 // Air between camera and cloud dims and adds light as at the mean distance of what is seen
 // (Hillaire 2016, section 5.9): with T that far and T_end along the whole ray, the share
@@ -15,10 +16,11 @@
 #include <array>
 #include <cstddef>
 
+#include "bakers/atmosphere/sky_medium.h"
 #include "bakers/core/image.h"
+#include "bakers/core/progress.h"
 #include "bakers/preview/cloud_medium.h"
 #include "bakers/preview/cloud_rays.h"
-#include "bakers/atmosphere/sky_medium.h"
 #include "bakers/preview/sky_tables.h"
 
 namespace skybake {
@@ -39,7 +41,7 @@ struct SunDirection {
 };
 
 // How far a march towards the sun goes: to where sunlight enters the layer, but no farther than a
-// tile is long: there the same clouds come again.
+// tile is long, where the same clouds come again, or than its diagonal where they do not.
 double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun);
 
 struct CloudViewSettings {
@@ -54,11 +56,6 @@ struct CloudViewSettings {
     bool sunlit = true;   // else nothing is marched towards the sun
 };
 
-// A camera that sees much of the layer, with steps of one voxel (the cube root of its volume),
-// longer ones towards a low sun so that there are at most kSunSamples, and a reach of some tiles.
-CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
-                              int height);
-
 // What the march sees before anything is known of light's colours: RayResults, a channel each, in
 // their order. Row 0 at the top. The same bits for any number of threads and instruction set, and
 // with or without leaping.
@@ -68,7 +65,8 @@ struct MarchedView {
     FetchCounts fetches;
     double through = 1;  // of diffuse light, through the whole layer
 };
-MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads);
+MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
+                       Progress* progress = nullptr);
 
 // The light that a cloud layer is in, per unit of solar irradiance: one entry a channel.
 struct CloudIllumination {
@@ -85,12 +83,14 @@ struct Atmosphere {
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads);
 
-// The picture: cloud, air and sky; radiance of the atmosphere's channels.
+// The picture: cloud, air and sky; radiance of the atmosphere's channels. What `progress` is told
+// is the march; after an interruption the picture is not to be used.
 struct CloudView {
     Image2<float> radiance;
     FetchCounts fetches;
 };
 CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
-                       const CloudViewSettings& settings, int threads);
+                       const CloudViewSettings& settings, int threads,
+                       Progress* progress = nullptr);
 
 }  // namespace skybake

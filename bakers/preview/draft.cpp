@@ -8,10 +8,8 @@
 namespace skybake {
 namespace {
 
-constexpr int most_voxels = 64;  // an edge
-
-// The longest edge becomes `most_voxels`, the others keep their proportion to it, rounded.
-std::array<int, 3> reduced(const std::array<int, 3>& size) {
+// The longest edge becomes at most `most_voxels`, the others keep their proportion to it, rounded.
+std::array<int, 3> reduced(const std::array<int, 3>& size, int most_voxels) {
     const std::int64_t longest = *std::max_element(size.begin(), size.end());
     if (longest <= most_voxels) return size;
     std::array<int, 3> fewer{};
@@ -33,6 +31,8 @@ void reduce_table(Table& table, const std::array<int, 2>& most) {
 }
 
 struct Reduce {
+    int most_voxels;
+
     void operator()(config::TransmittanceBake& table) const { reduce_table(table, {256, 64}); }
     void operator()(config::MultipleScatteringBake& table) const {
         reduce_table(table, {32, 32});
@@ -66,11 +66,11 @@ struct Reduce {
         volume.mips = 1;
     }
     void operator()(config::NoiseVolumeBake& volume) const {
-        volume.size = reduced(volume.size);
+        volume.size = reduced(volume.size, most_voxels);
         volume.mips = 1;
     }
     void operator()(config::CloudVolumeBake& volume) const {
-        volume.size = reduced(volume.size);
+        volume.size = reduced(volume.size, most_voxels);
         volume.mips = 1;
     }
     void operator()(config::OccupancyBake& grid) const { grid.mips = 1; }
@@ -78,8 +78,10 @@ struct Reduce {
 
 }  // namespace
 
-config::Recipe draft_of(config::Recipe recipe) {
-    for (config::Bake& bake : recipe.parameters.bakes) std::visit(Reduce{}, bake.asset);
+config::Recipe draft_of(config::Recipe recipe, int most_voxels) {
+    for (config::Bake& bake : recipe.parameters.bakes) {
+        std::visit(Reduce{most_voxels}, bake.asset);
+    }
     return recipe;
 }
 

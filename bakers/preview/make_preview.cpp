@@ -14,6 +14,7 @@
 #include "bakers/preview/sky_asset_pictures.h"
 #include "bakers/preview/sky_pictures.h"
 #include "bakers/preview/table_pictures.h"
+#include "bakers/preview/unused_options.h"
 
 namespace skybake {
 namespace {
@@ -44,8 +45,10 @@ class Preview {
         add_sky();
         for (const PreviewAsset& asset : assets_.assets) {
             if (cancelled()) return {};
+            begin_stage(asset.entry.name);
             add(asset);
         }
+        if (cancelled()) return {};
         auto problems = encoder_.finish();
         if (!problems.empty()) return {{}, std::move(problems)};
         return {std::move(page_), {}};
@@ -56,6 +59,13 @@ class Preview {
         return options_.progress != nullptr && options_.progress->cancelled();
     }
 
+    void begin_stage(const std::string& what) {
+        if (options_.progress == nullptr) return;
+        const int count = picture_stages(assets_.assets.size(), lit_pictures_of(assets_));
+        options_.progress->begin_stage(options_.stages_before + ++stage_,
+                                       options_.stages_before + count, what + ", pictures");
+    }
+
     SkyPreviewOptions sky_options() const {
         SkyPreviewOptions sky = options_.draft ? draft_sky_preview() : SkyPreviewOptions{};
         if (!options_.sun_elevations_deg.empty()) {
@@ -63,6 +73,7 @@ class Preview {
         }
         sky.exposure_stops = options_.exposure_stops;
         if (options_.altitude_m) sky.camera_altitude_km = *options_.altitude_m / 1000;
+        sky.progress = options_.progress;
         return sky;
     }
 
@@ -76,6 +87,7 @@ class Preview {
                 "no sky: it takes both a transmittance and a multiple_scattering table");
             return;
         }
+        begin_stage("sky");
         const std::string key = "sky\n" + key_of(*transmittance) + key_of(*scattering) +
                                 atmosphere_key(*assets_.recipe);
         auto pictures = encoder_.encode(key, [&] {
@@ -122,11 +134,18 @@ class Preview {
     const PreviewOptions& options_;
     PictureEncoder encoder_;
     PreviewPage page_;
+    int stage_ = 0;
 };
 
 }  // namespace
 
+int picture_stages(std::size_t assets, const LitPictures& lit) {
+    return static_cast<int>(assets) + (lit.sky ? 1 : 0);
+}
+
 Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {
+    auto unused = unused_options(lit_pictures_of(assets), options);
+    if (!unused.empty()) return {{}, std::move(unused)};
     if (auto problem = camera_above_air(assets, options)) return {{}, {std::move(*problem)}};
     return Preview(assets, options).make();
 }

@@ -1,30 +1,48 @@
 // From assets to the page that shows them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
-#include "bakers/core/progress.h"
+#include "bakers/preview/cloud_framing.h"
 #include "bakers/preview/encode_pictures.h"
 #include "bakers/preview/page.h"
 #include "bakers/preview/preview_assets.h"
+#include "bakers/preview/stage_progress.h"
 #include "config/diagnostic.h"
 
 namespace skybake {
+
+// Which pictures of light there will be.
+struct LitPictures {
+    bool sky = false;     // of a transmittance and a multiple_scattering table
+    bool clouds = false;  // of a cloud volume
+    bool sweep =
+        false;  // a contact sheet, whose pictures show clouds if there are any, else the sky
+};
 
 struct PreviewOptions {
     std::vector<double> sun_elevations_deg;  // of skies and lit clouds; empty: a few telling ones
     std::optional<double> exposure_stops;    // 0: an exposure of 1; none: chosen for each picture
     std::optional<double> altitude_m;        // of the camera that looks at the sky
-    bool draft = false;                      // few pictures, small and quick
-    int threads = 0;                         // 0: as many as the machine has
-    Progress* progress = nullptr;
+    std::optional<double> sun_azimuth_deg;   // of lit clouds, from +x towards +y
+    std::optional<CameraRequest> camera;     // of lit clouds
+    std::optional<std::array<int, 2>> picture_size;  // width, height of lit clouds
+    bool single = false;  // one tile of a cloud stands alone, and all of it is in the picture
+    bool draft = false;   // few pictures, small and quick
+    int threads = 0;      // 0: as many as the machine has
+    StageProgress* progress = nullptr;
+    int stages_before = 0;            // that progress was told of, of the same preview
     PictureMemory* memory = nullptr;  // of previews with the same options
 };
 
+// Stages of the pictures of such assets: one for each, and one for the sky.
+int picture_stages(std::size_t assets, const LitPictures& lit);
+
 // All pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
-// preset "earth". Diagnostics of camera_above_air (camera_altitude.h) and png_bytes. No value and
-// no diagnostics: the user has interrupted.
+// preset "earth". Diagnostics of unused_options, of camera_above_air (camera_altitude.h) and of
+// png_bytes. No value and no diagnostics: the user has interrupted.
 config::Outcome<PreviewPage> make_preview(const PreviewAssets& assets,
                                           const PreviewOptions& options);
 

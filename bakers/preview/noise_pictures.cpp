@@ -131,8 +131,9 @@ class NoisePictures {
             lines.push_back(std::move(line));
         }
         const bool over_decades = entry_.mapping == "phase_functions";
-        add("curves", "curves", entry_.content,
+        add("curves", "curves", fmt::format("The file's texels: {}.", entry_.content),
             line_chart(lines, entry_.name, "u", "value", false, over_decades));
+        pictures_.back().kind = PictureKind::plot;
     }
 
     void add_tiles() {
@@ -160,10 +161,11 @@ class NoisePictures {
             lines.push_back(histogram_line(statistics[i], entry_.channels[i]));
         }
         add("histogram", "histogram",
-            "How often values are met: the density over each channel's value; its area is the "
-            "share of voxels within the bins." +
+            "How often each value occurs: the density over each channel's value; the area below a "
+            "curve is the share of voxels." +
                 without_spectrum(),
             line_chart(lines, entry_.name + ": histogram", "value", "density", false, false));
+        pictures_.back().kind = PictureKind::plot;
     }
 
     // A step a bin, down to 0 at both ends.
@@ -207,9 +209,9 @@ class NoisePictures {
     // Why there is no spectrum; empty where there is one.
     std::string without_spectrum() const {
         if (*std::min_element(volume_.size.begin(), volume_.size.end()) < 2) {
-            return " No spectrum: it takes two voxels along each axis.";
+            return " There is no spectrum: it needs two voxels along each axis.";
         }
-        return varying_channels().empty() ? " No spectrum: nothing varies." : "";
+        return varying_channels().empty() ? " There is no spectrum, since nothing varies." : "";
     }
 
     std::string constant_words() const {
@@ -219,7 +221,7 @@ class NoisePictures {
             names +=
                 (names.empty() ? "" : ", ") + entry_.channels[static_cast<std::size_t>(channel)];
         }
-        return names.empty() ? "" : fmt::format(" Left out, being constant: {}.", names);
+        return names.empty() ? "" : fmt::format(" Constant channels are left out: {}.", names);
     }
 
     void add_spectrum() {
@@ -237,11 +239,12 @@ class NoisePictures {
         }
         add("spectrum", "spectrum",
             fmt::format("Variance by frequency, the mean of {} slices across x, y and z, all "
-                        "directions together, up to half a cycle a voxel. What rises towards the "
-                        "right end aliases.{}",
+                        "directions together, up to half a cycle per voxel. A curve that rises "
+                        "towards the right end aliases.{}",
                         spectrum_slices(volume_.size), constant_words()),
             line_chart(lines, entry_.name + ": spectrum", "frequency (cycles per tile)",
                        "variance per cycle", true, true));
+        pictures_.back().kind = PictureKind::plot;
     }
 
     const ManifestAsset& entry_;

@@ -16,14 +16,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string_view kind_name(PictureKind kind) {
+    switch (kind) {
+        case PictureKind::scene:
+            return "scene";
+        case PictureKind::plot:
+            return "plot";
+        case PictureKind::image:
+            break;
+    }
+    return "image";
+}
+
+// Its image stands in the HTML, found by the name of the file.
 Json to_json(const PagePicture& picture) {
-    return {{"name", picture.name},
-            {"file", picture.name + ".png"},
-            {"title", picture.title},
-            {"caption", picture.caption},
-            {"width", picture.width},
-            {"height", picture.height},
-            {"src", "data:image/png;base64," + base64(picture.png)}};
+    return {{"name", picture.name},           {"file", picture.name + ".png"},
+            {"title", picture.title},         {"caption", picture.caption},
+            {"width", picture.width},         {"height", picture.height},
+            {"kind", kind_name(picture.kind)}};
 }
 
 Json to_json(const std::vector<PagePicture>& pictures) {
@@ -44,16 +54,20 @@ int svg_extent(std::string_view svg, std::string_view attribute) {
     return value;
 }
 
+PagePicture report_plot(const PageAsset& asset) {
+    return {asset.entry.name + "_report",
+            "Speed against error",
+            "What accuracy costs: time of the bake against error, for many variants.",
+            svg_extent(asset.plot_svg, "width"),
+            svg_extent(asset.plot_svg, "height"),
+            "",
+            PictureKind::plot};
+}
+
 Json plot_json(const PageAsset& asset) {
-    const std::string name = asset.entry.name + "_report";
-    return {{"name", name},
-            {"file", name + ".svg"},
-            {"title", "Speed against error"},
-            {"caption", "What accuracy costs: time of the bake against error, for many variants."},
-            {"width", svg_extent(asset.plot_svg, "width")},
-            {"height", svg_extent(asset.plot_svg, "height")},
-            {"plot", true},
-            {"src", "data:image/svg+xml;base64," + base64(asset.plot_svg)}};
+    Json json = to_json(report_plot(asset));
+    json["file"] = asset.entry.name + "_report.svg";
+    return json;
 }
 
 Json error_json(const std::optional<Certificate>& error) {
@@ -208,6 +222,44 @@ std::string html_text(std::string_view text) {
     return escaped;
 }
 
+std::string figure_html(const PagePicture& picture, const std::string& file,
+                        const std::string& source) {
+    return fmt::format(
+        "<figure><img class=\"{}\" data-file=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
+        "src=\"{}\"><figcaption><b>{}</b> {}</figcaption></figure>\n",
+        kind_name(picture.kind), html_text(file),
+        html_text(picture.caption.empty() ? picture.title : picture.caption), picture.width,
+        picture.height, source, html_text(picture.title), html_text(picture.caption));
+}
+
+std::string figures_html(const std::vector<PagePicture>& pictures) {
+    std::string html;
+    for (const PagePicture& picture : pictures) {
+        html += figure_html(picture, picture.name + ".png",
+                            "data:image/png;base64," + base64(picture.png));
+    }
+    return html;
+}
+
+// All pictures of the page, in the order in which its scripts show them.
+std::string pictures_html(const PreviewPage& page) {
+    std::string html;
+    if (page.sweep) {
+        html += figures_html(page.sweep->pictures);
+        for (const PageVariant& variant : page.sweep->variants) {
+            if (variant.picture) html += figures_html({*variant.picture});
+        }
+    }
+    for (const PageScene& scene : page.scenes) html += figures_html(scene.pictures);
+    for (const PageAsset& asset : page.assets) {
+        html += figures_html(asset.pictures);
+        if (asset.plot_svg.empty()) continue;
+        html += figure_html(report_plot(asset), asset.entry.name + "_report.svg",
+                            "data:image/svg+xml;base64," + base64(asset.plot_svg));
+    }
+    return html;
+}
+
 // The template with each {{name}} replaced, once: what stands in the values stays as it is.
 std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values) {
     std::string text;
@@ -234,6 +286,7 @@ std::string page_html(const PreviewPage& page) {
                                          {"title", html_text(page.title)},
                                          {"style", std::string(page_style())},
                                          {"data", page_data(page)},
+                                         {"pictures", pictures_html(page)},
                                          {"script", std::string(page_script())},
                                          {"watch", watch_element(page.watch_revision)}});
 }
@@ -255,6 +308,7 @@ std::string page_state_text(const PageState& state) {
     return fmt::format("skybakePreview({});\n",
                        script_text({{"revision", state.revision},
                                     {"seconds", state.seconds},
+                                    {"quality", state.full ? "full" : "draft"},
                                     {"ended", state.ended},
                                     {"diagnostics", std::move(diagnostics)}}));
 }

@@ -18,6 +18,7 @@ struct PagePicture {
     int width = 0;
     int height = 0;
     std::string png;  // bytes
+    PictureKind kind = PictureKind::image;
 };
 
 // An asset with its pictures.
@@ -70,13 +71,15 @@ struct PreviewPage {
 };
 
 // The page's text. It needs no other file and no network, but for pages that watch, which look at
-// page_state_name beside them.
+// page_state_name beside them. Its pictures stand in the HTML: a browser without scripts shows them
+// one below the other.
 std::string page_html(const PreviewPage& page);
 
 // What a watched page is told. Its file is page_state_name.
 struct PageState {
     int revision = 0;    // of the page that belongs to it
     double seconds = 0;  // from the change to the files
+    bool full = false;   // the page has full quality; else a draft's, while the full one is made
     bool ended = false;  // nobody watches any longer
     std::vector<config::Diagnostic> diagnostics;
 };

@@ -94,6 +94,9 @@
 
     // --- Pictures -------------------------------------------------------------------------------
 
+    // The images stand in the page already, for browsers without scripts; each moves to its place.
+    const standing = document.getElementById('pictures');
+    const images = new Map(Array.from(standing.querySelectorAll('img'), (image) => [image.dataset.file, image]));
     const shown = [];  // every picture of the page, in its order
     function pictureButton(picture) {
         const index = shown.push(picture) - 1;
@@ -101,14 +104,14 @@
                                   onclick: () => enlarge(index)}, imageOf(picture));
     }
     function imageOf(picture) {
-        return element('img', {src: picture.src, alt: picture.caption || picture.title, width: picture.width,
-                               height: picture.height, decoding: 'async',
-                               class: picture.plot ? 'plot' : null});
+        const image = images.get(picture.file);
+        return image.isConnected && !standing.contains(image) ? image.cloneNode() : image;
     }
     function gallery(pictures) {
         if (pictures.length === 0) return null;
         return element('div', {class: 'gallery'}, ...pictures.map((picture) => element('figure',
-            {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name},
+            {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name,
+             class: picture.kind},
             pictureButton(picture),
             element('figcaption', {}, element('b', {}, picture.title), picture.caption))));
     }
@@ -131,7 +134,7 @@
         enlarged = index;
         const picture = shown[index];
         count.textContent = `${index + 1} of ${shown.length}`;
-        file.href = picture.src;
+        file.href = images.get(picture.file).src;
         file.download = picture.file;
         dialog.dataset.name = picture.name;
         const image = imageOf(picture);
@@ -161,9 +164,11 @@
     }
 
     function overview() {
+        // Of a recipe nothing is written.
+        const anyFile = preview.assets.some((asset) => totalBytes(asset) !== null);
         const columns = [{title: 'Asset'}, {title: 'Kind'}, {title: 'Size'}, {title: 'Channels'},
             {title: 'Lookup error, max', number: true}, {title: 'RMS', number: true},
-            {title: 'Bake', number: true}, {title: 'Files', number: true}];
+            {title: 'Bake', number: true}, ...(anyFile ? [{title: 'Files', number: true}] : [])];
         const rows = preview.assets.map((asset) => [
             {text: asset.name, value: asset.name, wraps: true,
              content: element('a', {href: `#${anchor(asset.name)}`}, asset.name)},
@@ -173,9 +178,9 @@
             amount(asset.error && asset.error.lookup.max, figure),
             amount(asset.error && asset.error.lookup.rms, figure),
             amount(asset.bake_s || null, duration),
-            amount(totalBytes(asset), byteCount),
+            ...(anyFile ? [amount(totalBytes(asset), byteCount)] : []),
         ]);
-        return sortableTable(columns, rows, 'All assets');
+        return element('section', {}, element('h2', {}, 'All assets'), sortableTable(columns, rows, 'All assets'));
     }
 
     function fact(title, value, ...more) {
@@ -240,10 +245,10 @@
         return element('section', {id: anchor(asset.name)},
             element('h2', {}, asset.name),
             element('p', {class: 'lead'}, asset.content),
+            gallery(asset.pictures),
             facts(asset),
             asset.error && asset.error.worst ? element('p', {class: 'advice'},
                 `Largest lookup error at ${asset.error.worst}${asset.error.advice ? '; ' + asset.error.advice : ''}.`) : null,
-            gallery(asset.pictures),
             element('div', {class: 'more'},
                 asset.statistics.length > 0 ? folded('Values', channelTable(asset)) : null,
                 folded('Mapping', axisTable(asset)),
@@ -273,8 +278,11 @@
             : element('ul', {}, ...notes.map((note) => element('li', {}, note))));
     }
 
-    const titles = [...(preview.sweep ? ['Sweep'] : []), ...preview.scenes.map((scene) => scene.title),
-                    ...preview.assets.map((asset) => asset.name)];
+    // What is to be looked at comes first: clouds in their light, the sky, then all others.
+    const lit = preview.assets.filter((asset) => asset.pictures.some((picture) => picture.kind === 'scene'));
+    const titles = [...(preview.sweep ? ['Sweep'] : []), ...lit.map((asset) => asset.name),
+                    ...preview.scenes.map((scene) => scene.title),
+                    ...preview.assets.filter((asset) => !lit.includes(asset)).map((asset) => asset.name)];
     document.body.append(
         element('main', {},
             element('header', {},
@@ -284,9 +292,11 @@
                 notice(preview.notes),
                 titles.length > 1 ? element('nav', {'aria-label': 'Sections'}, ...titles.map(
                     (title) => element('a', {href: `#${anchor(title)}`}, title))) : null),
-            preview.assets.length > 0 ? overview() : null,
             preview.sweep ? sweepSection(preview.sweep) : null,
+            ...lit.map(assetSection),
             ...preview.scenes.map(sceneSection),
-            ...preview.assets.map(assetSection)),
+            ...preview.assets.filter((asset) => !lit.includes(asset)).map(assetSection),
+            preview.assets.length > 0 ? overview() : null),
         dialog);
+    standing.remove();
 })();

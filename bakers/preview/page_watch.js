@@ -48,7 +48,8 @@
         sign.className = state.ended ? 'watch ended' : wrong ? 'watch wrong' : 'watch';
         sign.textContent = state.ended ? 'no longer watched'
             : wrong ? 'watching: the pictures are those before the mistake'
-            : `watching: made in ${state.seconds.toFixed(2)} s, draft quality`;
+            : state.quality === 'full' ? `watching: full quality, made in ${state.seconds.toFixed(1)} s`
+            : `watching: a draft, made in ${state.seconds.toFixed(2)} s; full quality is on its way`;
         if (told === JSON.stringify(state.diagnostics)) return;
         told = JSON.stringify(state.diagnostics);
         const box = line('div', '', wrong ? 'notice wrong' : 'notice');

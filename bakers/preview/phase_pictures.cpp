@@ -59,17 +59,20 @@ std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
 std::vector<PreviewPicture> phase_pictures(const PreviewAsset& asset) {
     const std::string& name = asset.entry.name;
     if (asset.entry.mapping == "share") {
-        return {{name, "Scattering angle by share of light",
-                 "the angle below which a share of the light is scattered, from the file's texels",
-                 line_chart(lines_of(asset, 0), asset.entry.name, "share of the light",
-                            "scattering angle (deg)", false, false)}};
+        return {as_plot({name, "Scattering angle by share of light",
+                         "The curve shows the angle below which a share of the light is scattered, "
+                         "from the file's texels.",
+                         line_chart(lines_of(asset, 0), asset.entry.name, "share of the light",
+                                    "scattering angle (deg)", false, false)})};
     }
-    return {{name, "Phase function", "from the file's texels",
-             line_chart(lines_of(asset, 0), asset.entry.name, "scattering angle (deg)",
-                        "phase function (1/sr)", false, true)},
-            {name + "_peak", "Phase function, forward peak", "over the angle's logarithm",
-             line_chart(lines_of(asset, smallest_shown_angle), asset.entry.name + ", forward peak",
-                        "scattering angle (deg)", "phase function (1/sr)", true, true)}};
+    return {as_plot({name, "Phase function", "The curves show the file's texels.",
+                     line_chart(lines_of(asset, 0), asset.entry.name, "scattering angle (deg)",
+                                "phase function (1/sr)", false, true)}),
+            as_plot({name + "_peak", "Phase function, forward peak",
+                     "The same curves over the logarithm of the angle show the forward peak.",
+                     line_chart(lines_of(asset, smallest_shown_angle),
+                                asset.entry.name + ", forward peak", "scattering angle (deg)",
+                                "phase function (1/sr)", true, true)})};
 }
 
 }  // namespace skybake

@@ -109,13 +109,13 @@ CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmo
 }
 
 CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
-                       const CloudViewSettings& settings, int threads) {
+                       const CloudViewSettings& settings, int threads, Progress* progress) {
     const int channels = atmosphere.medium.air.channels;
     Illuminated lit{illumination(medium, atmosphere, settings.sun, threads), channels};
     CloudViewSettings lit_settings = settings;
     const Spectrum dark{};
     if (lit.light.sun_at_base == dark && lit.light.sun_at_top == dark) lit_settings.sunlit = false;
-    const MarchedView marched = march_view(medium, lit_settings, threads);
+    const MarchedView marched = march_view(medium, lit_settings, threads, progress);
     for (double& value : lit.light.ground) value *= marched.through;
     const CameraRays rays(settings.camera, settings.width, settings.height);
     const CloudAir air(atmosphere, settings.camera, settings.sun, range_of(settings, rays),

@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "bakers/preview/caption_words.h"
 #include "bakers/preview/chart.h"
 #include "bakers/preview/field_scaling.h"
 #include "bakers/preview/tone_curve.h"
@@ -41,10 +42,6 @@ Image2<float> upwards(const Image2<float>& table, int first_row, int rows) {
         std::copy_n(table.texel(0, first_row + y), row_values, part.texel(0, rows - 1 - y));
     }
     return part;
-}
-
-std::string exposed(double exposure) {
-    return fmt::format("tone-mapped by {} with exposure {:.3g}", tone_curve_name(), exposure);
 }
 
 // The angle above the horizon at a place between the first and the last row (sky_view_mapping.h).
@@ -137,7 +134,7 @@ class AerialPictures {
                 fitted(slice_of(asset_, z, 0, channels), slice_width, 2 * slice_width), exposure));
         }
         return {asset_.entry.name + "_light", asset_.entry.name + ": light added by the air",
-                fmt::format("Slices of the camera's picture, upright, {}.", exposed(exposure)),
+                fmt::format("Slices of the camera's picture, upright; {}.", tone_text(exposure)),
                 sheet(pictures), exposure};
     }
 
@@ -169,7 +166,7 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
         const Image2<float> view = upwards(asset.table, static_cast<int>(k) * rows, rows);
         const double exposure = exposure_for(view);
         const double sun = bake->sun_elevations[k].radians * 180 / std::numbers::pi;
-        const std::string title = fmt::format("{}: the sun {:.4g} degrees high", entry.name, sun);
+        const std::string title = fmt::format("{}: {}", entry.name, sun_text(sun));
         const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 180 * t; },
                                 AxisTicks::angles};
         const ChartAxis angle{
@@ -177,9 +174,9 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
             [axis = entry.axes[1]](double t) { return angle_above_horizon(axis, t); },
             AxisTicks::angles};
         pictures.push_back(
-            {fmt::format("{}_{}", entry.name, k), title,
-             fmt::format("The texels of this sun, {}; the sun's disc is not in them.",
-                         exposed(exposure)),
+            {fmt::format("{}_{}", entry.name, sun_stem(sun)), title,
+             fmt::format("The texels of this sun; {}. The sun's disc is not in them.",
+                         tone_text(exposure)),
              framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, azimuth,
                     angle),
              exposure});
@@ -204,11 +201,12 @@ std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
     const ChartAxis altitude{"altitude (km)",
                              [top = entry.axes[1].last](double t) { return t * t * top; },
                              AxisTicks::decimal};
-    return {{entry.name + "_texels", title,
-             fmt::format("The file's texels, its first row at the bottom, {}.", exposed(exposure)),
-             framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, sun,
-                    altitude),
-             exposure}};
+    return {
+        {entry.name + "_texels", title,
+         fmt::format("The file's texels, its first row at the bottom; {}.", tone_text(exposure)),
+         framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, sun,
+                altitude),
+         exposure}};
 }
 
 std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset) {

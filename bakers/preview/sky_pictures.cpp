@@ -7,11 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "bakers/core/bilinear.h"
+#include "bakers/preview/caption_words.h"
 #include "bakers/preview/chart.h"
-#include "bakers/preview/sky_difference.h"
 #include "bakers/preview/sky_reference.h"
 #include "bakers/preview/sky_view.h"
 #include "bakers/preview/tone_curve.h"
@@ -32,6 +35,8 @@ struct SkyScene {
     double camera_altitude_km;
     const SkyPreviewOptions& options;
     int threads;
+    std::unique_ptr<const SkyLight> solved;  // the reference; null: none is shown
+    std::string why_unsolved;                // a sentence, where it was asked for and there is none
 };
 
 SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
@@ -125,18 +130,12 @@ Picture difference_chart(const SkyDifference& difference, int pixels) {
         }
     }
     const double limit = percent_shown(difference.relative);
-    return false_colour_chart(percent, {-limit, limit, false, true, "tables over direct (%)"},
+    return false_colour_chart(percent, {-limit, limit, false, true, "tables over solved sky (%)"},
                               "difference", dome_axis("across (deg from the zenith)"),
                               dome_axis("towards the sun (deg from the zenith)"), pixels);
 }
 
-// "-4 deg", and for file names "minus_4", "0_5".
 std::string degrees_text(double degrees) { return fmt::format("{:g} deg", degrees); }
-std::string degrees_name(double degrees) {
-    std::string name = fmt::format("{}{:g}", degrees < 0 ? "minus_" : "", std::fabs(degrees));
-    std::replace(name.begin(), name.end(), '.', '_');
-    return name;
-}
 
 // Three digits, never an exponent of ten.
 std::string number_text(double value) {
@@ -147,9 +146,46 @@ std::string percent_text(double share) { return number_text(100 * share) + " %";
 // What every caption of a sky says of light and camera.
 std::string how_shown(const SkyScene& scene) {
     return fmt::format(
-        "Camera at {:g} km; {} steps a ray. Radiance per solar irradiance of 1 in each channel, so "
-        "that sunlight outside of the air is white; channels shown as linear sRGB",
+        "The camera is at {:g} km; each ray is marched in {} steps. Radiance is per solar "
+        "irradiance "
+        "of 1 in each channel, so that sunlight outside of the air is white; channels are shown as "
+        "linear sRGB",
         scene.camera_altitude_km, kSkySteps);
+}
+
+std::string figures_text(const ErrorFigures& figures) {
+    return fmt::format("at most {}, RMS {}", percent_text(figures.max), percent_text(figures.rms));
+}
+
+// Adds the solved sky and the difference to it to a dome from the tables.
+void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_elevation_degrees,
+                         double exposure, PreviewPicture& result) {
+    const int pixels = scene.options.dome_pixels;
+    const SkyView view = dome_view(scene, sun_elevation_degrees, pixels);
+    const SkyView small = dome_view(scene, sun_elevation_degrees, scene.options.solved_pixels);
+    const SkyCost cost = sky_cost(scene.medium, scene.tables, *scene.solved, small, scene.threads);
+    const std::string difference = figures_text(cost.difference.error);
+    const std::string marching = figures_text(cost.marching);
+    result.picture = contact_sheet(
+        {framed_dome(dome, "from the tables"),
+         framed_dome(dome_picture(enlarged(cost.solved, pixels), view, exposure),
+                     "reference: the solved sky"),
+         difference_chart(cost.difference, pixels)},
+        {fmt::format("sun at {}, {} steps per ray, {}", degrees_text(sun_elevation_degrees),
+                     kSkySteps, exposure_text(exposure)),
+         fmt::format("all orders of scattering, {0}x{0} pixels, enlarged", small.width),
+         fmt::format("tables: {}; of which {} steps: {}", difference, kSkySteps, marching)},
+        3);
+    result.caption += fmt::format(
+        " The middle shows the reference of every method, the solved sky: all orders of "
+        "scattering, "
+        "as the asset `sky_view` bakes them, without the sun's disc. The right shows how far the "
+        "tables are from it: {}; of each pixel the channel that is furthest off, relative to the "
+        "reference or to 1e-3 of the channel's largest value, whichever is larger. The colour "
+        "scale "
+        "is clipped at +-{:g} %. Marching in {} steps costs, by itself and with the same tables: "
+        "{}.",
+        difference, percent_shown(cost.difference.relative), kSkySteps, marching);
 }
 
 PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
@@ -159,39 +195,18 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     add_sun_disc(scene.medium, scene.tables, view, radiance);
 
     PreviewPicture result;
-    result.name = "sky_sun_" + degrees_name(sun_elevation_degrees);
-    result.title = fmt::format("Sky with the sun at {}", degrees_text(sun_elevation_degrees));
-    const std::string exposure_text =
-        fmt::format("exposure {}, tone curve {}", number_text(exposure), tone_curve_name());
+    result.name = "sky_" + sun_stem(sun_elevation_degrees);
+    result.title = fmt::format("Sky, {}", sun_text(sun_elevation_degrees));
+    result.exposure = exposure;
+    result.caption = fmt::format("A fisheye of the upper hemisphere, the sun upwards. {}; {}.",
+                                 how_shown(scene), tone_text(exposure));
     const Picture dome = dome_picture(radiance, view, exposure);
-    result.caption = fmt::format("{}: fisheye of the upper hemisphere, the sun upwards. {}, {}.",
-                                 result.title, how_shown(scene), exposure_text);
-    if (scene.options.direct_pixels <= 0) {
+    if (scene.solved) {
+        compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
+    } else {
         result.picture = framed_dome(dome, "from the tables");
-        return result;
+        result.caption += scene.why_unsolved;
     }
-    const SkyView small = dome_view(scene, sun_elevation_degrees, scene.options.direct_pixels);
-    const Image2<float> direct = render_sky_reference(scene.medium, small, scene.threads);
-    const SkyDifference difference =
-        sky_difference(render_sky(scene.medium, scene.tables, small, scene.threads), direct, small);
-    const std::string figures =
-        fmt::format("at most {}, RMS {}", percent_text(difference.error.max),
-                    percent_text(difference.error.rms));
-    result.picture = contact_sheet(
-        {framed_dome(dome, "from the tables"),
-         framed_dome(dome_picture(enlarged(direct, view.width), view, exposure),
-                     "direct integration"),
-         difference_chart(difference, view.width)},
-        {fmt::format("sun at {}, {} steps a ray, {}", degrees_text(sun_elevation_degrees),
-                     kSkySteps, exposure_text),
-         fmt::format("{0}x{0} pixels, enlarged, without the sun's disc", small.width), figures},
-        3);
-    result.caption += fmt::format(
-        " In the middle the same by direct integration with exact optical depths and multiple "
-        "scattering from the baker's own kernel; at the right what tables, lookups and marching "
-        "cost: {}, of each pixel the channel that is furthest off, relative to max(direct, 1e-3 of "
-        "the channel's largest). Its colours end at +-{:g} %, what is further off has the last.",
-        figures, percent_shown(difference.relative));
     return result;
 }
 
@@ -204,20 +219,44 @@ PreviewPicture panoramas(const SkyScene& scene) {
         const double exposure = exposure_of(scene.options, radiance);
         add_sun_disc(scene.medium, scene.tables, view, radiance);
         pictures.push_back(tone_mapped(radiance, exposure));
-        captions.push_back(
-            fmt::format("sun at {}, exposure {}", degrees_text(elevation), number_text(exposure)));
+        captions.push_back(fmt::format("{}, {}", sun_text(elevation), exposure_text(exposure)));
     }
     PreviewPicture result;
     result.name = "sky_panoramas";
+    result.kind = PictureKind::scene;
     result.title = "Sky all around";
     result.caption = fmt::format(
-        "From the tables: azimuth from -180 to 180 deg about the sun's, elevation from {:g} to "
+        "The sky from the tables, azimuth from -180 to 180 deg about the sun's, elevation from "
         "{:g} "
-        "deg. {}, tone curve {}. The ground is lit by the sun and, through the table of multiple "
-        "scattering, by a sky taken as equally bright all over.",
+        "to {:g} deg. {}; tone curve {}. The ground is lit by the sun and, through the table of "
+        "multiple scattering, by a sky that is taken as equally bright all over.",
         kLowestDegrees, kHighestDegrees, how_shown(scene), tone_curve_name());
     result.picture = contact_sheet(pictures, captions, 1);
     return result;
+}
+
+// Solves for the reference.
+void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
+    const BakeOptions options{scene.threads, Certification::off, scene.options.progress};
+    auto light = std::make_unique<SkyLight>(atmosphere, config::SkyOrders::all,
+                                            std::vector<std::string>{}, options);
+    const auto problem = light->problem("the sky's reference");
+    if (problem) {
+        scene.why_unsolved =
+            fmt::format(" There is no reference to compare with: {}.", problem->message);
+    } else {
+        scene.solved = std::move(light);
+    }
+}
+
+// Tells of the picture that comes next; false once the user has interrupted.
+bool goes_on(const SkyScene& scene, double sun_elevation_degrees, std::size_t done) {
+    Progress* progress = scene.options.progress;
+    if (progress == nullptr) return true;
+    const std::size_t count = scene.options.sun_elevations_degrees.size() + 1;
+    progress->advance(fmt::format("sun {:g} deg", sun_elevation_degrees),
+                      static_cast<double>(done) / static_cast<double>(count));
+    return !progress->cancelled();
 }
 
 }  // namespace
@@ -226,7 +265,7 @@ SkyPreviewOptions draft_sky_preview() {
     SkyPreviewOptions options;
     options.sun_elevations_degrees = {60, 10, 0};
     options.dome_pixels = 192;
-    options.direct_pixels = 0;
+    options.solved_pixels = 0;
     options.panorama_pixels = 360;
     return options;
 }
@@ -241,13 +280,18 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     SkyMedium medium = make_sky_medium(atmosphere);
     if (medium.air.channels != tables.value->transmittance.channels) return pictures;
     const double altitude_km = std::min(options.camera_altitude_km, medium.air.thickness_km);
-    const SkyScene scene = {std::move(medium), std::move(*tables.value), altitude_km, options,
-                            threads};
-    for (const double elevation : options.sun_elevations_degrees) {
-        pictures.push_back(dome_of(scene, elevation));
-    }
+    SkyScene scene = {
+        std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, ""};
+    if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
+    // After an interruption the solution is not to be used.
+    if (options.progress != nullptr && options.progress->cancelled()) return pictures;
+    // What is to be looked at comes first, what is to be measured after it.
     if (options.panorama_pixels > 0 && !options.sun_elevations_degrees.empty()) {
         pictures.push_back(panoramas(scene));
+    }
+    for (const double elevation : options.sun_elevations_degrees) {
+        if (!goes_on(scene, elevation, pictures.size())) return pictures;
+        pictures.push_back(dome_of(scene, elevation));
     }
     return pictures;
 }

@@ -1,63 +1,23 @@
 #include "bakers/preview/sky_reference.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "bakers/core/parallel.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/preview/sky_view.h"
 
 namespace skybake {
 
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr MultipleScatteringGrid::Size kGrid = {64, 48};
-
-// The angle at the planet's centre between the camera and the farthest point of the shell that it
-// sees.
-double widest_turn(const Shell& shell, double altitude_km) {
-    const auto dip = [&](double altitude) {
-        return arc_cosine(shell.ground_radius_km / (shell.ground_radius_km + altitude));
-    };
-    return dip(altitude_km) + dip(shell.thickness_km);
-}
-
-MultipleScatteringGrid make_grid(const Medium& air, const SkyView& view, int threads) {
-    const double zenith = (90 - view.sun_elevation_degrees) / 180 * kPi;
-    const double turn = widest_turn(shell_of(air), view.camera_altitude_km);
-    return {air, std::max(zenith - turn, 0.0), std::min(zenith + turn, kPi), kGrid, threads};
-}
-
-}  // namespace
-
-SkyReference::SkyReference(const SkyMedium& medium, const SkyView& view, int threads)
-    : altitude_km_(view.camera_altitude_km),
-      sun_{sun_sine(view), sun_cosine(view)},
-      multiple_scattering_(make_grid(medium.air, view, threads)),
-      higher_orders_(medium.air,
-                     [this](double altitude_km, double sun_cos_zenith) {
-                         return multiple_scattering_.at(altitude_km, sun_cos_zenith);
-                     }),
-      integrator_(medium, &higher_orders_) {}
-
-SkyRadiance SkyReference::radiance(const SkyDirection& direction) const {
-    return integrator_.radiance(altitude_km_, sun_, direction);
-}
-
-Spectrum SkyReference::sunlight(double altitude_km, double s_km) const {
-    return integrator_.sunlight(altitude_km, s_km);
-}
-
-Image2<float> render_sky_reference(const SkyMedium& medium, const SkyView& view, int threads) {
-    const SkyReference reference(medium, view, threads);
-    Image2<float> image(view.width, view.height, medium.air.channels);
+Image2<float> render_sky_reference(const SkyLight& light, const SkyView& view, int threads) {
+    const SunZenith sun = {sun_sine(view), sun_cosine(view)};
+    Image2<float> image(view.width, view.height, light.medium().air.channels);
     parallel_for(view.height, threads, [&](int y) {
         for (int x = 0; x < (view.width + 1) / 2; ++x) {
             const std::optional<SkyDirection> direction = direction_at(view, x, y);
             if (!direction) continue;
-            const Spectrum radiance = reference.radiance(*direction).total();
+            const Spectrum radiance =
+                light.wanted(light.integrator().radiance(view.camera_altitude_km, sun, *direction));
             for (int c = 0; c < image.channels; ++c) {
                 const auto value = static_cast<float>(radiance[static_cast<std::size_t>(c)]);
                 image.texel(x, y)[c] = value;
@@ -66,6 +26,18 @@ Image2<float> render_sky_reference(const SkyMedium& medium, const SkyView& view,
         }
     });
     return image;
+}
+
+SkyCost sky_cost(const SkyMedium& medium, const SkyTables& tables, const SkyLight& light,
+                 const SkyView& view, int threads) {
+    Image2<float> solved = render_sky_reference(light, view, threads);
+    const Image2<float> picture = render_sky(medium, tables, view, threads);
+    const Image2<float> exact_march = render_sky(medium, tables, view, threads, kExactSteps);
+    SkyCost cost;
+    cost.difference = sky_difference(picture, solved, view);
+    cost.marching = sky_difference(picture, exact_march, view).error;
+    cost.solved = std::move(solved);
+    return cost;
 }
 
 }  // namespace skybake

@@ -1,40 +1,34 @@
-// The sky by direct integration (sky/sky_radiance.h): what sky_view.h approximates. Multiple
-// scattering is the same closure that the table holds (Hillaire 2020), from its kernel on a fine
-// grid made for this view (multiple_scattering_grid.h), the ground is that of sky_view.h: the
-// difference of the two pictures is what tables, their interpolation and the marching cost, and not
-// what the closure does.
+// The solved sky as a picture, and what a picture from tables (sky_view.h) costs against it.
+//
+// The reference of every method is the same: all orders of scattering solved, each layer with its
+// own phase function, sunlight and transmittance by exact optical depths, each ray by quadrature
+// (sky/sky_light.h). It is what the asset `sky_view` bakes.
 #pragma once
 
+#include "bakers/core/error_statistics.h"
 #include "bakers/core/image.h"
-#include "bakers/preview/multiple_scattering_grid.h"
+#include "bakers/preview/sky_difference.h"
 #include "bakers/preview/sky_rays.h"
-#include "bakers/sky/isotropic_orders.h"
-#include "bakers/sky/sky_radiance.h"
+#include "bakers/preview/sky_tables.h"
+#include "bakers/sky/sky_light.h"
 
 namespace skybake {
 
-class SkyReference {
-  public:
-    // `medium` must outlive it. Of the view, altitude and sun.
-    SkyReference(const SkyMedium& medium, const SkyView& view, int threads);
-    SkyReference(const SkyReference&) = delete;  // its parts refer to one another
-    SkyReference& operator=(const SkyReference&) = delete;
+// Pixels as of render_sky, of the light's orders. The same bits for any number of threads.
+Image2<float> render_sky_reference(const SkyLight& light, const SkyView& view, int threads);
 
-    // Within about 1e-3, which the grid of multiple scattering leaves.
-    SkyRadiance radiance(const SkyDirection& direction) const;
+// Segments per ray of a march that counts as exact: a march of half as many is within 0.02 % RMS.
+inline constexpr int kExactSteps = 1280;
 
-    // Transmittance to the sun at a point where r mu_s = `s_km`; 0 in the planet's shadow.
-    Spectrum sunlight(double altitude_km, double s_km) const;
-
-  private:
-    double altitude_km_;
-    SunZenith sun_;
-    MultipleScatteringGrid multiple_scattering_;
-    IsotropicOrders higher_orders_;
-    SkyIntegrator integrator_;
+struct SkyCost {
+    Image2<float> solved;      // the reference
+    SkyDifference difference;  // of the picture from the tables in kSkySteps steps to the reference
+    // Of the picture to one from the same tables in kExactSteps steps: the march's own part.
+    ErrorFigures marching;
 };
 
-// Pixels as of render_sky. The same bits for any number of threads.
-Image2<float> render_sky_reference(const SkyMedium& medium, const SkyView& view, int threads);
+// `medium` and `tables` are of the light's atmosphere.
+SkyCost sky_cost(const SkyMedium& medium, const SkyTables& tables, const SkyLight& light,
+                 const SkyView& view, int threads);
 
 }  // namespace skybake

@@ -59,7 +59,8 @@ MarchLayer march_layer(const SkyLayer& layer) {
     return result;
 }
 
-SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, const SkyView& view) {
+SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
+                    int steps) {
     const Medium& air = medium.air;
     SkyMarch sky;
     sky.channels = air.channels;
@@ -72,7 +73,7 @@ SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, const SkyV
     sky.ground_albedo = floats(air.ground_albedo);
     for (const SkyLayer& layer : medium.layers) sky.layers.push_back(march_layer(layer));
     sky.tables = &tables;
-    sky.steps = kSkySteps;
+    sky.steps = steps;
     return sky;
 }
 
@@ -112,8 +113,8 @@ void render_row(const SkyMarch& sky, const SkyView& view, int y, const March& ma
 
 template <class March>
 Image2<float> render(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
-                     int threads, const March& march) {
-    const SkyMarch sky = make_march(medium, tables, view);
+                     int threads, int steps, const March& march) {
+    const SkyMarch sky = make_march(medium, tables, view, steps);
     Image2<float> image(view.width, view.height, sky.channels);
     parallel_for(view.height, threads, [&](int y) { render_row(sky, view, y, march, image); });
     return image;
@@ -122,13 +123,13 @@ Image2<float> render(const SkyMedium& medium, const SkyTables& tables, const Sky
 }  // namespace
 
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
-                         int threads) {
-    return render(medium, tables, view, threads, march_rays);
+                         int threads, int steps) {
+    return render(medium, tables, view, threads, steps, march_rays);
 }
 
 Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
                                 const SkyView& view, int threads) {
-    return render(medium, tables, view, threads, march_rays_scalar);
+    return render(medium, tables, view, threads, kSkySteps, march_rays_scalar);
 }
 
 void add_sun_disc(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,

@@ -20,22 +20,22 @@
 // no air at all, one channel, albedo 0 and 1.
 #pragma once
 
-#include "bakers/core/image.h"
 #include "bakers/atmosphere/sky_medium.h"
+#include "bakers/core/image.h"
 #include "bakers/preview/sky_rays.h"
 #include "bakers/preview/sky_tables.h"
 
 namespace skybake {
 
-// Segments a ray, and how they are spaced: with t0 the distance of the ray's densest point (its
+// Segments per ray, and how they are spaced: with t0 the distance of the ray's densest point (its
 // start, its lowest point or where it meets the ground), t = t0 + y |y|, y evenly spaced: short
 // steps where the air is dense, from the camera on for rays upwards t = length (i / n)^2.
 inline constexpr int kSkySteps = 40;
 
-// Radiance of the tables' channels, row 0 at the top; outside of a dome 0. The same bits for any
-// number of threads and any vector width.
+// Radiance of the tables' channels, row 0 at the top; outside of a dome 0. `steps` segments per
+// ray. The same bits for any number of threads and any vector width.
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
-                         int threads);
+                         int threads, int steps = kSkySteps);
 
 // The same without vectors: its specification.
 Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,

@@ -107,12 +107,12 @@ class SunMarches {
         const FloatLanes end(march_.light_samples);
         progress_.k = zero_unless(going, progress_.k);
         Place at = path.place(path.samples.distance(progress_.k));
-        going = going & at.within_height;  // which it never enters again
+        going = going & at.within;  // which it never enters again
         if (march_.leaping && leap_on(at, going)) {
             going = going & (progress_.k < end);
             progress_.k = zero_unless(going, progress_.k);
             at = path.place(path.samples.distance(progress_.k));
-            going = going & at.within_height;
+            going = going & at.within;
         }
         counts_.light_samples += count_of(going);
         const FloatLanes sigma = extinction(*march_.medium, at, going);

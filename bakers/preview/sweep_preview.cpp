@@ -12,6 +12,7 @@
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"
 #include "bakers/preview/telling_picture.h"
+#include "bakers/preview/unused_options.h"
 
 namespace skybake {
 namespace {
@@ -39,9 +40,12 @@ class SweepPreview {
     Outcome<PreviewPage> make() {
         add_columns();
         for (const SweepVariant& variant : sweep_.variants) {
-            if (options_.progress != nullptr && options_.progress->cancelled()) return {};
+            if (cancelled()) return {};
+            begin_stage(variant.name);
             add(variant);
+            if (!unused_.empty()) return {{}, std::move(unused_)};
         }
+        if (cancelled()) return {};
         add_sheet();
         auto problems = encoder_.finish();
         if (!problems.empty()) return {{}, std::move(problems)};
@@ -53,6 +57,15 @@ class SweepPreview {
     }
 
   private:
+    bool cancelled() const {
+        return options_.progress != nullptr && options_.progress->cancelled();
+    }
+
+    void begin_stage(const std::string& what) {
+        if (options_.progress == nullptr) return;
+        options_.progress->begin_stage(++stage_, static_cast<int>(sweep_.variants.size()), what);
+    }
+
     // ", 2 failed, 1 missing"; empty where all are done.
     std::string without_assets() const {
         std::map<std::string, int> counts;
@@ -108,6 +121,11 @@ class SweepPreview {
             page_.notes.push_back(warning.message);
             warnings_.push_back(warning);
         }
+        LitPictures lit = lit_pictures_of(*assets.value);
+        lit.sweep = true;
+        // The exposure that the first picture has got is no option.
+        if (pictures_.empty()) unused_ = unused_options(lit, options_);
+        if (!unused_.empty()) return std::nullopt;
         if (const auto problem = camera_above_air(*assets.value, options_)) {
             page_.notes.push_back(fmt::format("{}: {}", variant.name, problem->message));
             return std::nullopt;
@@ -132,9 +150,10 @@ class SweepPreview {
             std::max(1, static_cast<int>(std::lround(std::sqrt(2 * count / shape))));
         PreviewPicture sheet;
         sheet.name = "contact_sheet";
+        sheet.kind = PictureKind::scene;
         sheet.title = "All variants";
-        sheet.caption = "Each with the values that vary.";
-        if (!light_.empty()) sheet.caption += fmt::format(" All with {}.", light_);
+        sheet.caption = "Each picture with the values that vary.";
+        if (!light_.empty()) sheet.caption += fmt::format(" All have {}.", light_);
         if (pictures_.size() < sweep_.variants.size()) {
             sheet.title =
                 fmt::format("{} of {} variants", pictures_.size(), sweep_.variants.size());
@@ -153,6 +172,8 @@ class SweepPreview {
     std::vector<std::string> captions_;
     std::string light_;  // of the first picture of light, and so of all
     std::vector<config::Diagnostic> warnings_;
+    std::vector<config::Diagnostic> unused_;  // options: what ends the preview
+    int stage_ = 0;
 };
 
 }  // namespace

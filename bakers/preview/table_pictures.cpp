@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "bakers/core/bilinear.h"
+#include "bakers/preview/caption_words.h"
 #include "bakers/preview/chart.h"
 #include "bakers/preview/field_scaling.h"
 #include "bakers/preview/sky_asset_pictures.h"
@@ -169,9 +170,7 @@ PreviewPicture texels_picture(const ManifestAsset& entry, const Image2<float>& l
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, light.width, light.height);
     return {entry.name + "_texels", title,
-            fmt::format("The file's texels, its first row at the bottom, tone-mapped by {} with "
-                        "exposure {:.3g}.",
-                        tone_curve_name(), exposure),
+            fmt::format("The file's texels, its first row at the bottom; {}.", tone_text(exposure)),
             framed(shown(fitted(light, view_width, 2 * view_width), exposure), title, across, up)};
 }
 
@@ -218,7 +217,7 @@ class TablePictures {
     }
 
     std::string where_grey() const {
-        return geometry_.is_transmittance() ? " Grey: the ray hits the ground." : "";
+        return geometry_.is_transmittance() ? " Where it is grey the ray hits the ground." : "";
     }
 
     void add_colours() {
@@ -226,8 +225,7 @@ class TablePictures {
             (geometry_.is_transmittance() ? "Transmittance" : quantity_.heading) +
             std::string(" as colour");
         add("view", title,
-            fmt::format("Bilinear lookups, tone-mapped by {} with exposure {:.3g}.{}",
-                        tone_curve_name(), exposure_, where_grey()),
+            fmt::format("Bilinear lookups; {}.{}", tone_text(exposure_), where_grey()),
             framed(shown(light_of(view_, entry_), exposure_), title, angle_axis(),
                    altitude_axis()));
     }
@@ -238,9 +236,10 @@ class TablePictures {
         const ColourScale scale = scale_of(table_, channel, quantity_);
         add(name.stem, title,
             fmt::format("Bilinear lookups over zenith angle and altitude{}.{}",
-                        scale.logarithmic ? ", logarithmic" : "", where_grey()),
+                        scale.logarithmic ? ", on a logarithmic scale" : "", where_grey()),
             false_colour_chart(one_channel(view_, channel), scale, title, angle_axis(),
                                altitude_axis(), view_width));
+        pictures_.back().kind = PictureKind::plot;
     }
 
     // What is below the scale of the false colours is left out, or it would fill the chart.
@@ -283,6 +282,7 @@ class TablePictures {
         add("ground_profile", title, "Bilinear lookups along the ground, altitude 0.",
             line_chart(lines, title, quantity_.angle, quantity_.axis, false,
                        quantity_.logarithmic));
+        pictures_.back().kind = PictureKind::plot;
     }
 
     void add_profile_over_altitude() {
@@ -296,6 +296,7 @@ class TablePictures {
         add("altitude_profile", title, "Bilinear lookups at a zenith angle of 90 degrees.",
             line_chart(lines, title, "altitude (km)", quantity_.axis, false,
                        quantity_.logarithmic));
+        pictures_.back().kind = PictureKind::plot;
     }
 
     void add_texels() {

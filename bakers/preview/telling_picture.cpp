@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "bakers/atmosphere/sky_medium.h"
+#include "bakers/preview/caption_words.h"
 #include "bakers/preview/cloud_input.h"
 #include "bakers/preview/cloud_pictures.h"
-#include "bakers/atmosphere/sky_medium.h"
 #include "bakers/preview/sky_tables.h"
 #include "bakers/preview/sky_view.h"
 #include "bakers/preview/table_pictures.h"
@@ -18,8 +20,11 @@
 namespace skybake {
 namespace {
 
-constexpr int picture_width = 384;
-constexpr int picture_height = 216;
+constexpr std::array<int, 2> telling_size = {384, 216};
+
+std::array<int, 2> size_of(const PreviewOptions& options) {
+    return options.picture_size.value_or(telling_size);
+}
 
 // The first picture's exposure becomes that of all.
 double exposure_of(const Image2<float>& radiance, PreviewOptions& options) {
@@ -28,8 +33,7 @@ double exposure_of(const Image2<float>& radiance, PreviewOptions& options) {
 }
 
 std::string light_words(double exposure, double sun_elevation_degrees) {
-    return fmt::format("exposure {:.3g}, tone curve {}, the sun {:g} degrees high", exposure,
-                       tone_curve_name(), sun_elevation_degrees);
+    return fmt::format("{}, the {}", tone_text(exposure), sun_text(sun_elevation_degrees));
 }
 
 double sun_elevation_deg(const PreviewOptions& options) {
@@ -44,8 +48,8 @@ std::optional<TellingPicture> sky_picture(const PreviewAssets& assets, PreviewOp
     if (!tables.value) return std::nullopt;
     SkyView view;
     view.projection = SkyProjection::panorama;
-    view.width = picture_width;
-    view.height = picture_height;
+    view.width = size_of(options)[0];
+    view.height = size_of(options)[1];
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
     // The altitude that is not asked for may be above a thin shell's top.
     const double thickness_km =
@@ -66,7 +70,7 @@ Picture slice_picture(const PreviewAsset& asset) {
     const VoxelView volume{entry.levels[0].size, static_cast<int>(entry.channels.size()),
                            &asset.voxels};
     const Image2<float> plane = slice(volume, 0, 2, volume.size[2] / 2);
-    const int scale = std::max(1, picture_height / std::max(plane.width, plane.height));
+    const int scale = std::max(1, telling_size[1] / std::max(plane.width, plane.height));
     Picture picture(plane.width * scale, plane.height * scale);
     std::uint8_t* out = picture.rgb.data();
     for (int y = 0; y < picture.height; ++y) {
@@ -84,8 +88,8 @@ std::optional<TellingPicture> cloud_picture(const PreviewAssets& assets, Preview
     for (const PreviewAsset& asset : assets.assets) {
         CloudPreviewInput input = cloud_input(assets, asset, options);
         if (input.cloud == nullptr || input.volume == nullptr) continue;
-        input.width = 2 * picture_width;
-        input.height = 2 * picture_height;
+        input.width = 2 * size_of(options)[0];
+        input.height = 2 * size_of(options)[1];
         input.draft = true;
         auto pictures = cloud_pictures(input, options.threads);
         if (pictures.empty()) continue;

@@ -11,6 +11,7 @@
 
 #include "bakers/core/keep_memory.h"
 #include "bakers/preview/bake_assets.h"
+#include "bakers/preview/cloud_framing.h"
 #include "bakers/preview/cloud_view.h"
 #include "config/recipe.h"
 

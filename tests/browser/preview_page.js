@@ -70,7 +70,7 @@ async function open(browser, file, options = {}) {
 }
 
 const data = (page) => page.evaluate(() => JSON.parse(document.getElementById('preview').textContent));
-const column = (page, index) => page.$$eval('table >> nth=0 >> tbody tr',
+const column = (page, index) => page.$$eval('[aria-label="All assets"] tbody tr',
     (rows, i) => rows.map((row) => row.cells[i].textContent), index);
 
 const tests = {
@@ -101,20 +101,43 @@ const tests = {
         for (const name of shown) assert.ok(names.has(`${name}.png`), name);
     },
 
+    async 'shows its pictures without scripts'(browser, file) {
+        const page = await open(browser, file, {javaScriptEnabled: false});
+        const images = page.locator('img');
+        const names = fs.readdirSync(path.dirname(file)).filter((name) => name.endsWith('.png'));
+        assert.equal(await images.count(), names.length);
+        for (let i = 0; i < names.length; ++i) {
+            const box = await images.nth(i).boundingBox();
+            assert.ok(box.width > 50 && box.height > 50 && box.x + box.width <= 1280, JSON.stringify(box));
+        }
+        assert.match(await page.innerText('body'), /Without JavaScript/);
+    },
+
+    async 'begins with the lit cloud, as wide as the page'(browser, file) {
+        const page = await open(browser, file);
+        const first = page.locator('figure').first();
+        assert.match(await first.getAttribute('data-name'), /^cumulus_lit_sun_20$/);
+        const box = await first.boundingBox();
+        assert.ok(box.width > 1000 && box.y < 400, JSON.stringify(box));
+        assert.ok((await page.$$('img.plot')).length >= 5);
+        // Of a recipe no file is written: no column for them.
+        assert.equal((await page.$$('[aria-label="All assets"] th:text-is("Files")')).length, 0);
+    },
+
     async 'sorts numbers as numbers'(browser, file) {
         const page = await open(browser, file);
         const {assets} = await data(page);
         const names = (sorted) => sorted.map((asset) => asset.name);
         const voxels = (asset) => asset.size.reduce((product, edge) => product * edge, 1);
-        await page.click('th button:text-is("Size")');
+        await page.click('[aria-label="All assets"] th button:text-is("Size")');
         assert.deepEqual((await column(page, 0)), names(assets.slice().sort((a, b) => voxels(a) - voxels(b))));
-        await page.click('th button:text-is("Size")');
+        await page.click('[aria-label="All assets"] th button:text-is("Size")');
         assert.deepEqual((await column(page, 0)), names(assets.slice().sort((a, b) => voxels(b) - voxels(a))));
-        assert.equal(await page.getAttribute('th:has(button:text-is("Size"))', 'aria-sort'), 'descending');
+        assert.equal(await page.getAttribute('[aria-label="All assets"] th:has(button:text-is("Size"))', 'aria-sort'), 'descending');
 
         // By keyboard; assets without a figure stay last both ways.
         for (const sign of [1, -1]) {
-            await page.focus('th button:text-is("Lookup error, max")');
+            await page.focus('[aria-label="All assets"] th button:text-is("Lookup error, max")');
             await page.keyboard.press('Enter');
             const measured = assets.filter((asset) => asset.error)
                 .sort((a, b) => sign * (a.error.lookup.max - b.error.lookup.max));

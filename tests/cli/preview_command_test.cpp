@@ -32,6 +32,23 @@ size = [16, 16, 16]
 formats = ["exr", "bin", "vdb"]
 )";
 
+// A small cloud that is lit by Earth's sky.
+constexpr const char* cloud_text = R"(
+[noise.n]
+size = [16, 16, 16]
+[noise.n.channels.Y]
+type = "worley"
+frequency = 2
+octaves = 1
+[clouds.c]
+noise = "n"
+extent = ["2 km", "2 km", "1 km"]
+base_altitude = "1 km"
+[bake.c]
+asset = "cloud_volume"
+size = [16, 16, 8]
+)";
+
 struct Scene {
     TemporaryFolder folder;
     std::string recipe = (folder / "recipe.toml").string();
@@ -174,6 +191,8 @@ TEST(PreviewCommand, NoManifestWritesOutsideOfTheFolder) {
 TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
     const Scene scene;
     scene.bake();
+    const std::string cloud = (scene.folder / "cloud.toml").string();
+    write_bytes(cloud, cloud_text);
     const std::vector<std::vector<std::string>> wrong = {
         {},
         {scene.recipe, scene.recipe},
@@ -190,9 +209,76 @@ TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
         {scene.recipe, "--altitude", "200"},
         {scene.recipe, "--altitude=-1m"},
         {scene.recipe, "-j", "0"},
+        {scene.recipe, "--draft", "64"},  // without --watch
+        {scene.recipe, "--watch", "--draft", "4"},
+        {cloud, "--sun-azimuth", "east"},
+        {cloud, "--size", "1920"},
+        {cloud, "--size", "0x100"},
+        {cloud, "--size", "100x-100"},
+        {cloud, "--size", "100x100x100"},
+        {cloud, "--camera", ""},
+        {cloud, "--camera", "0,0,1"},
+        {cloud, "--camera", "heading=63 roll=3"},
+        {cloud, "--camera", "pitch=91"},
+        {cloud, "--camera", "fov=0"},
+        {cloud, "--camera", "position=1km,2km"},
+        {cloud, "--camera", "position=1,2,3"},
+        {cloud, "--camera", "position=1km,2km,-1m"},
     };
     for (const auto& words : wrong) EXPECT_EQ(scene.preview(words).code, 2) << words.back();
     EXPECT_FALSE(fs::exists(scene.out));
+}
+
+// Before anything is baked, and of what is baked already.
+TEST(PreviewCommand, RefusesOptionsThatNoPictureUses) {
+    const Scene scene;
+    scene.bake();
+    const std::string cloud = (scene.folder / "cloud.toml").string();
+    write_bytes(cloud, cloud_text);
+    const std::vector<std::vector<std::string>> wrong = {
+        {cloud, "--altitude", "4km"},
+        {scene.recipe, "--exposure", "3"},
+        {scene.recipe, "--sun-elevation", "3"},
+        {scene.baked, "--single"},
+        {scene.baked, "--camera", "heading=63"},
+        {scene.baked + "/volume.exr", "--size", "64x64"},
+    };
+    for (const auto& words : wrong) {
+        const Result result = scene.preview(words);
+        EXPECT_EQ(result.code, 2) << words[1];
+        EXPECT_TRUE(contains(result.error, "no picture of this preview uses " + words[1]))
+            << result.error;
+    }
+    EXPECT_FALSE(fs::exists(scene.out));
+}
+
+TEST(PreviewCommand, PlacesTheCameraOfACloud) {
+    const Scene scene;
+    write_bytes(scene.recipe, cloud_text);
+    const Result result = scene.preview(
+        {scene.recipe, "--camera", " position=0.1km,200m,50m  heading=1rad fov=40", "--size",
+         "40x30", "--sun-azimuth=-20 deg", "--sun-elevation=-3", "--single"});
+    ASSERT_EQ(result.code, 0) << result.error;
+    const json picture = data_of(scene.page())["assets"][0]["pictures"][0];
+    EXPECT_EQ(picture["file"], "c_lit_sun_minus_3.png");
+    EXPECT_EQ(picture["width"], 40);
+    EXPECT_EQ(picture["height"], 30);
+    const std::string caption = picture["caption"];
+    EXPECT_TRUE(contains(caption, "`position=0.1km,0.2km,0.05km heading=57.3deg pitch="))
+        << caption;
+    EXPECT_TRUE(contains(caption, "fov=40deg")) << caption;
+    EXPECT_TRUE(contains(caption, "77.3 degrees to the right")) << caption;
+    EXPECT_TRUE(contains(caption, "One tile alone")) << caption;
+    // The camera that a caption tells is one that the option takes.
+    const std::size_t from = caption.find('`') + 1;
+    const std::string camera = caption.substr(from, caption.find('`', from) - from);
+    ASSERT_EQ(scene
+                  .preview({scene.recipe, "--camera", camera, "--size", "40x30",
+                            "--sun-azimuth=-20", "--sun-elevation=-3", "--single"})
+                  .code,
+              0);
+    EXPECT_TRUE(contains(
+        data_of(scene.page())["assets"][0]["pictures"][0]["caption"].get<std::string>(), camera));
 }
 
 TEST(PreviewCommand, LeavesAlonePagesOfOthers) {
@@ -224,9 +310,9 @@ TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
     const json scenes = data_of(scene.page())["scenes"];
     ASSERT_EQ(scenes.size(), 1u);
     const std::string told = scenes.dump();
-    EXPECT_TRUE(contains(told, "30 deg"));
-    EXPECT_TRUE(contains(told, "exposure 16"));
-    EXPECT_FALSE(contains(told, "60 deg"));
+    EXPECT_TRUE(contains(told, "sun 30 degrees above"));
+    EXPECT_TRUE(contains(told, "exposure 16 (+4.0 stops)"));
+    EXPECT_FALSE(contains(told, "sun 60 deg"));
 
     const Result above = scene.preview({scene.baked, "--altitude", "170 km"});
     EXPECT_EQ(above.code, 2);
@@ -279,8 +365,8 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
         0);
     ASSERT_EQ(scene.preview({sweep, "--sun-elevation", "25"}).code, 0);
     const std::string caption = data_of(scene.page())["sweep"]["pictures"][0]["caption"];
-    EXPECT_TRUE(contains(caption, "All with exposure ")) << caption;
-    EXPECT_TRUE(contains(caption, "the sun 25 degrees high")) << caption;
+    EXPECT_TRUE(contains(caption, "All have exposure ")) << caption;
+    EXPECT_TRUE(contains(caption, "the sun 25 degrees above the horizon")) << caption;
 }
 
 TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {

@@ -29,14 +29,20 @@ bool becomes_true(const std::function<bool()>& holds) {
 
 class Watcher {
   public:
-    Watcher(const TemporaryFolder& folder, const std::string& recipe)
+    Watcher(const TemporaryFolder& folder, const std::string& recipe,
+            const std::vector<std::string>& options = {})
         : out_((folder / "out").string()) {
+        std::vector<std::string> words = {SKYBAKE_PROGRAM, "preview", recipe,
+                                          "--watch",       "-o",      out_};
+        words.insert(words.end(), options.begin(), options.end());
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
         child_ = ::fork();
         if (child_ != 0) return;
         ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
         ::dup2(::open((folder / "error").c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
-        ::execl(SKYBAKE_PROGRAM, SKYBAKE_PROGRAM, "preview", recipe.c_str(), "--watch", "-o",
-                out_.c_str(), nullptr);
+        ::execv(SKYBAKE_PROGRAM, arguments.data());
         ::_exit(126);
     }
     ~Watcher() {
@@ -56,6 +62,7 @@ class Watcher {
         if (text.size() < 20) return json();
         return json::parse(text.substr(15, text.size() - 18), nullptr, false);
     }
+    // Revisions count pages: each save brings a draft's, and one of full quality.
     bool reaches(int revision, std::size_t diagnostics) const {
         return becomes_true([&] {
             const json now = state();
@@ -63,6 +70,7 @@ class Watcher {
                    now["diagnostics"].size() == diagnostics;
         });
     }
+    std::string quality() const { return state()["quality"]; }
     std::string page() const { return read_bytes(out_ + "/index.html"); }
     const std::string& out() const { return out_; }
 
@@ -73,7 +81,7 @@ class Watcher {
 
 std::string recipe_of(const std::string& seed) {
     return "include = \"noise.toml\"\n[bake.volume]\nasset = \"noise_volume\"\nnoise = \"n\"\n"
-           "size = [512, 256, 128]\n[noise.n]\nseed = " +
+           "size = [128, 64, 32]\n[noise.n]\nseed = " +
            seed + "\n";
 }
 constexpr const char* noise_text = "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 4\n";
@@ -84,20 +92,22 @@ TEST(WatchPreview, FollowsTheRecipeAndItsIncludesUntilInterrupted) {
     write_bytes(folder / "noise.toml", noise_text);
     write_bytes(recipe, recipe_of("1"));
     Watcher watcher(folder, recipe);
-    ASSERT_TRUE(watcher.reaches(1, 0)) << read_bytes(folder / "error");
-    EXPECT_TRUE(contains(watcher.page(), "\"size\":[64,32,16]"));  // a draft
+    ASSERT_TRUE(watcher.reaches(2, 0)) << read_bytes(folder / "error");
+    EXPECT_EQ(watcher.quality(), "full");
+    EXPECT_TRUE(contains(watcher.page(), "\"size\":[128,64,32]"));
+    EXPECT_TRUE(contains(read_bytes(folder / "error"), "index.html: a draft in "));
     const std::string picture = read_bytes(watcher.out() + "/volume_slices.png");
 
     // As editors save: a new file is renamed over the old one.
     write_bytes(folder / "new", recipe_of("2"));
     fs::rename(folder / "new", recipe);
-    ASSERT_TRUE(watcher.reaches(2, 0));
+    ASSERT_TRUE(watcher.reaches(4, 0));
     const std::string better = read_bytes(watcher.out() + "/volume_slices.png");
     EXPECT_NE(better, picture);
 
     // A mistake is told, and the last good pictures stay.
     write_bytes(recipe, recipe_of("'many'"));
-    ASSERT_TRUE(watcher.reaches(2, 1));
+    ASSERT_TRUE(watcher.reaches(4, 1));
     EXPECT_EQ(watcher.state()["diagnostics"][0]["line"], 7);
     EXPECT_TRUE(contains(read_bytes(folder / "error"), "recipe.toml:7:"));
     EXPECT_EQ(read_bytes(watcher.out() + "/volume_slices.png"), better);
@@ -107,7 +117,7 @@ TEST(WatchPreview, FollowsTheRecipeAndItsIncludesUntilInterrupted) {
     ASSERT_TRUE(
         becomes_true([&] { return watcher.state().dump().find("E0300") != std::string::npos; }));
     write_bytes(folder / "noise.toml", noise_text);
-    ASSERT_TRUE(watcher.reaches(3, 0));
+    ASSERT_TRUE(watcher.reaches(6, 0));
     EXPECT_EQ(read_bytes(watcher.out() + "/volume_slices.png"), better);
 
     EXPECT_EQ(watcher.stop(SIGINT), 130);
@@ -126,9 +136,35 @@ TEST(WatchPreview, ARecipeThatWasNeverRightGetsAPageToo) {
     EXPECT_TRUE(contains(watcher.page(), "recipe.toml"));
     write_bytes(folder / "noise.toml", noise_text);
     write_bytes(recipe, recipe_of("1"));
-    ASSERT_TRUE(watcher.reaches(2, 0));
+    ASSERT_TRUE(watcher.reaches(3, 0));
     EXPECT_TRUE(contains(watcher.page(), "volume_slices"));
     EXPECT_EQ(watcher.stop(SIGTERM), 130);
+}
+
+// What would take an hour at full quality is given up once its recipe is saved anew, and at Ctrl-C.
+TEST(WatchPreview, ASaveEndsTheWorkOnWhatWasBefore) {
+    const TemporaryFolder folder;
+    const std::string recipe = (folder / "recipe.toml").string();
+    const auto large = [](const std::string& seed) {
+        std::string text = recipe_of(seed);
+        const std::string size = "[128, 64, 32]";
+        return text.replace(text.find(size), size.size(), "[8192, 8192, 4096]\nmips = 1");
+    };
+    write_bytes(folder / "noise.toml", noise_text);
+    write_bytes(recipe, large("1"));
+    Watcher watcher(folder, recipe, {"--draft", "32"});
+    ASSERT_TRUE(watcher.reaches(1, 0)) << read_bytes(folder / "error");
+    EXPECT_EQ(watcher.quality(), "draft");
+    EXPECT_TRUE(contains(watcher.page(), "\"size\":[32,32,16]"));
+    write_bytes(recipe, large("2"));
+    ASSERT_TRUE(watcher.reaches(2, 0));
+    EXPECT_EQ(watcher.quality(), "draft");
+    write_bytes(recipe, recipe_of("2"));
+    ASSERT_TRUE(watcher.reaches(4, 0));
+    EXPECT_EQ(watcher.quality(), "full");
+    write_bytes(recipe, large("3"));
+    ASSERT_TRUE(watcher.reaches(5, 0));
+    EXPECT_EQ(watcher.stop(SIGINT), 130);
 }
 
 TEST(WatchPreview, ARecipeThatIsNotThereIsNotWaitedFor) {
@@ -157,7 +193,9 @@ TEST(WatchedFiles, SeeWritingReplacingRemovingAndMaking) {
     for (const auto& change : changes) {
         change();  // before the wait: nothing between two waits is missed
         files.follow({path, folder / "b"});
+        EXPECT_TRUE(files.changed());
         EXPECT_TRUE(files.wait());
+        EXPECT_FALSE(files.changed());
     }
     std::thread later([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(60));

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <string>
 #include <variant>
 
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
+#include "bakers/preview/stage_progress.h"
+#include "tests/preview/captions.h"
 #include "tests/preview/clouds.h"
 #include "tests/support/atmospheres.h"
 
@@ -63,7 +67,7 @@ std::set<std::string> names_of(const std::vector<PreviewPicture>& pictures) {
     for (const PreviewPicture& picture : pictures) {
         names.insert(picture.name);
         EXPECT_FALSE(picture.title.empty()) << picture.name;
-        EXPECT_FALSE(picture.caption.empty()) << picture.name;
+        test::expect_sentences(picture);
         EXPECT_GT(picture.picture.width, 0) << picture.name;
         EXPECT_EQ(picture.picture.rgb.size(), 3U * static_cast<std::size_t>(picture.picture.width) *
                                                   static_cast<std::size_t>(picture.picture.height));
@@ -81,10 +85,10 @@ TEST(CloudPictures, ShowAVolumeWithItsGrid) {
     CloudPreviewInput input = baked.input();
     input.suns = {{40, 100}, {-3, 100}};
     const auto pictures = cloud_pictures(input, 2);
-    EXPECT_EQ(
-        names_of(pictures),
-        (std::set<std::string>{"sky_lit_40", "sky_lit_-3", "sky_optical_depth", "sky_slice_x",
-                               "sky_slice_y", "sky_slice_z", "grid_cells_y", "grid_cells_z"}));
+    EXPECT_EQ(names_of(pictures),
+              (std::set<std::string>{"sky_lit_sun_40", "sky_lit_sun_minus_3", "sky_optical_depth",
+                                     "sky_slice_x", "sky_slice_y", "sky_slice_z", "grid_cells_y",
+                                     "grid_cells_z"}));
     EXPECT_EQ(pictures[0].picture.width, 64);
     EXPECT_EQ(pictures[0].picture.height, 36);
     EXPECT_TRUE(says(pictures[0], "Leaping by grid"));
@@ -97,9 +101,110 @@ TEST(CloudPictures, OfADraftAreFewAndSmall) {
     CloudPreviewInput input = baked.input();
     input.draft = true;
     const auto pictures = cloud_pictures(input, 1);
-    EXPECT_EQ(names_of(pictures), (std::set<std::string>{"sky_lit_20", "sky_optical_depth",
+    EXPECT_EQ(names_of(pictures), (std::set<std::string>{"sky_lit_sun_20", "sky_optical_depth",
                                                          "sky_slice_y", "grid_cells_y"}));
     EXPECT_EQ(pictures[0].picture.width, 32);
+}
+
+double mean_difference(const Picture& a, const Picture& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int{a.rgb[i]} - int{b.rgb[i]});
+    return sum / static_cast<double>(a.rgb.size());
+}
+
+// Of four squares of pixels one.
+Picture quartered(const Picture& picture) {
+    Picture small(picture.width / 2, picture.height / 2);
+    const auto width = static_cast<std::size_t>(picture.width);
+    for (std::size_t i = 0; i < small.rgb.size(); ++i) {
+        const std::size_t pixel = i / 3;
+        const std::size_t x = 2 * (pixel % static_cast<std::size_t>(small.width));
+        const std::size_t y = 2 * (pixel / static_cast<std::size_t>(small.width));
+        int sum = 0;
+        for (const std::size_t at :
+             {y * width + x, y * width + x + 1, (y + 1) * width + x, (y + 1) * width + x + 1}) {
+            sum += picture.rgb[3 * at + i % 3];
+        }
+        small.rgb[i] = static_cast<std::uint8_t>(sum / 4);
+    }
+    return small;
+}
+
+// Few samples in thin cloud showed the pattern of their offsets. What a draft should look like: a
+// picture eight times as wide, with shorter steps, reduced to the same size.
+TEST(CloudPictures, OfADraftHaveNoGrainOfTheirSamples) {
+    const Baked baked;
+    CloudPreviewInput input = baked.input();
+    input.exposure_stops = 3;
+    input.width = 768;
+    input.height = 432;
+    PreviewPicture fine = cloud_pictures(input, 2).front();
+    EXPECT_TRUE(says(fine, "one sample per pixel")) << fine.caption;
+    for (int i = 0; i < 3; ++i) fine.picture = quartered(fine.picture);
+    input.draft = true;
+    input.width = 192;
+    input.height = 108;
+    const PreviewPicture draft = cloud_pictures(input, 2).front();
+    EXPECT_TRUE(says(draft, "4 samples per pixel")) << draft.caption;
+    ASSERT_EQ(draft.picture.rgb.size(), fine.picture.rgb.size());
+    EXPECT_LT(mean_difference(draft.picture, fine.picture), 4);
+}
+
+TEST(CloudPictures, HaveTheSizeTheCameraAndTheSunThatAreAskedFor) {
+    const Baked baked;
+    CloudPreviewInput input = baked.input();
+    input.width = 48;
+    input.height = 64;
+    input.camera.position_m = {{1000, 500, 3000}};
+    input.camera.heading_degrees = 200;
+    input.camera.pitch_degrees = -20;
+    input.camera.field_degrees = 70;
+    input.suns = {{30, 170}};
+    const PreviewPicture picture = cloud_pictures(input, 1).front();
+    EXPECT_EQ(picture.picture.width, 48);
+    EXPECT_EQ(picture.picture.height, 64);
+    EXPECT_TRUE(says(picture, "`position=1km,0.5km,3km heading=200deg pitch=-20deg fov=70deg`"))
+        << picture.caption;
+    EXPECT_TRUE(says(picture, "30 degrees to the right of the view")) << picture.caption;
+    input.suns = {{30, 210}};
+    const PreviewPicture other = cloud_pictures(input, 1).front();
+    EXPECT_TRUE(says(other, "10 degrees to the left of the view")) << other.caption;
+    EXPECT_NE(other.picture.rgb, picture.picture.rgb);
+}
+
+// Told of the march as it goes, and of nothing once it is over; an interruption ends it.
+class Listener : public StageProgress {
+  public:
+    explicit Listener(int obeys_after) : calls_left_(obeys_after) {}
+    void begin_stage(int, int, std::string_view) override {}
+    void advance(std::string_view step, double fraction) override {
+        steps_.emplace(step);
+        fractions_.push_back(fraction);
+        --calls_left_;
+    }
+    bool cancelled() const override { return calls_left_ <= 0; }
+
+    int calls_left_;
+    std::set<std::string> steps_;
+    std::vector<double> fractions_;
+};
+
+TEST(CloudPictures, TellHowFarTheirLightIs) {
+    const Baked baked;
+    CloudPreviewInput input = baked.input();
+    input.suns = {{40, 100}, {20, 100}};
+    Listener listener(1 << 20);
+    input.progress = &listener;
+    const auto pictures = cloud_pictures(input, 1);
+    EXPECT_EQ(listener.steps_,
+              (std::set<std::string>{"lighting, sun 40 deg", "lighting, sun 20 deg"}));
+    ASSERT_GT(listener.fractions_.size(), 20U);
+    EXPECT_TRUE(std::is_sorted(listener.fractions_.begin(), listener.fractions_.end()));
+    EXPECT_EQ(listener.fractions_.back(), 1);
+    Listener impatient(5);
+    input.progress = &impatient;
+    EXPECT_LT(cloud_pictures(input, 1).size(), pictures.size());
+    EXPECT_EQ(impatient.fractions_.size(), 5U);
 }
 
 TEST(CloudPictures, DoNotDependOnTheGrid) {

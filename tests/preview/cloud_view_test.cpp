@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "bakers/preview/cloud_camera.h"
+#include "bakers/preview/cloud_framing.h"
 #include "bakers/preview/cloud_view_reference.h"
 #include "bakers/preview/sun_leaps.h"
 #include "tests/noise/every_target.h"

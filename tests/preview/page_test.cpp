@@ -103,18 +103,33 @@ TEST(Page, SaysWhatItWasGiven) {
 
 TEST(Page, NeedsNothingElse) {
     const std::string html = page_html(page_of("asset"));
-    for (const char* piece : {"http:", "https:", "src=", "@import", "url(", "fetch("}) {
+    for (const char* piece : {"http:", "https:", "@import", "url(", "fetch("}) {
         EXPECT_EQ(count(html, piece), 0u) << piece;
     }
+    EXPECT_EQ(count(html, "src="), 5u);  // of three assets and scenes, a sheet and a variant
+    EXPECT_EQ(count(html, "src=\"data:image/"), 5u);
     EXPECT_EQ(count(html, "<link"), 1u);
     EXPECT_EQ(count(html, "<link rel=\"icon\" href=\"data:,\">"), 1u);
-    const json data = data_of(html);
-    EXPECT_EQ(data["assets"][0]["pictures"][0]["src"], "data:image/png;base64,iVBORwD/");
     EXPECT_EQ(count(html, page_state_name), 0u);  // only where it watches
     PreviewPage watched = page_of("asset");
     watched.watch_revision = 7;
     EXPECT_EQ(count(page_html(watched), page_state_name), 1u);
     EXPECT_EQ(count(page_html(watched), "revision = 7;"), 1u);
+}
+
+// A browser without scripts shows them, and pages are not twice as long for it.
+TEST(Page, PicturesStandInTheHtmlOnce) {
+    const std::string html = page_html(page_of("asset"));
+    EXPECT_EQ(count(html, "data:image/png;base64,iVBORwD/"), 4u);
+    EXPECT_EQ(count(html, "data:image/svg+xml;base64,"), 1u);
+    const std::string figure = between(html, "data-file=\"asset.png\"", "</figure>");
+    EXPECT_NE(figure.find("alt=\"Caption of asset\" width=\"4\" height=\"2\""), std::string::npos);
+    EXPECT_NE(figure.find("<b>Title of asset</b> Caption of asset</figcaption>"),
+              std::string::npos);
+    // Each is found by the name that the page's data has of it.
+    const json data = data_of(html);
+    EXPECT_EQ(data["assets"][0]["pictures"][0]["file"], "asset.png");
+    EXPECT_EQ(data["assets"][0]["pictures"][1]["kind"], "plot");
 }
 
 TEST(Page, HasTheFrameThatBrowsersWant) {
@@ -134,12 +149,14 @@ TEST(Page, HasTheFrameThatBrowsersWant) {
 }
 
 TEST(Page, StateIsOneCallThatNoDiagnosticEnds) {
-    PageState state{3, 0.25, false, {{config::Severity::error, "E0102", "</script>\n\"", {}, ""}}};
+    PageState state{
+        3, 0.25, true, false, {{config::Severity::error, "E0102", "</script>\n\"", {}, ""}}};
     state.diagnostics[0].where = {"a.toml", 3, 5, 2, "x = '\\'"};
     const std::string text = page_state_text(state);
     ASSERT_TRUE(text.starts_with("skybakePreview(") && text.ends_with(");\n"));
     const json data = json::parse(text.substr(15, text.size() - 18));
     EXPECT_EQ(data["revision"], 3);
+    EXPECT_EQ(data["quality"], "full");
     EXPECT_EQ(data["diagnostics"][0]["message"], "</script>\n\"");
     EXPECT_EQ(data["diagnostics"][0]["text"], "x = '\\'");
     EXPECT_EQ(count(text, "<"), 0u);

@@ -22,20 +22,16 @@ struct Sky {
     SkyTables tables;
 };
 
-// A preset's sky from tables of the default sizes, but for `settings`.
-inline Sky sky_of(const std::string& preset, const std::vector<std::string>& settings = {}) {
-    Sky sky;
-    sky.recipe = recipe_of("preset = \"" + preset +
-                               "\"\n[bake.transmittance]\nsize = [256, 64]\n"
-                               "[bake.multiple_scattering]\nsize = [32, 32]\n",
-                           settings);
+// Bakes the two tables that sky.recipe asks for, and what is made of them.
+inline void bake_tables(Sky& sky) {
     for (const config::Bake& bake : sky.recipe.parameters.bakes) {
+        if (bake.name != "transmittance" && bake.name != "multiple_scattering") continue;
         const auto baked = bake_table(sky.recipe, bake, {1, Certification::off, nullptr});
         if (!baked.value) {
             for (const config::Diagnostic& diagnostic : baked.diagnostics) {
-                ADD_FAILURE() << preset << ": " << diagnostic.message;
+                ADD_FAILURE() << bake.name << ": " << diagnostic.message;
             }
-            return sky;
+            return;
         }
         PreviewAsset& asset =
             bake.name == "transmittance" ? sky.transmittance : sky.multiple_scattering;
@@ -46,6 +42,16 @@ inline Sky sky_of(const std::string& preset, const std::vector<std::string>& set
     auto tables = make_sky_tables(sky.transmittance, sky.multiple_scattering);
     EXPECT_TRUE(tables.value);
     if (tables.value) sky.tables = std::move(*tables.value);
+}
+
+// A preset's sky from tables of the default sizes, but for `settings`.
+inline Sky sky_of(const std::string& preset, const std::vector<std::string>& settings = {}) {
+    Sky sky;
+    sky.recipe = recipe_of("preset = \"" + preset +
+                               "\"\n[bake.transmittance]\nsize = [256, 64]\n"
+                               "[bake.multiple_scattering]\nsize = [32, 32]\n",
+                           settings);
+    bake_tables(sky);
     return sky;
 }
 

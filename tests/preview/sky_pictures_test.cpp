@@ -23,7 +23,7 @@ SkyPreviewOptions small_options() {
     SkyPreviewOptions options;
     options.sun_elevations_degrees = {30, -0.5};
     options.dome_pixels = 64;
-    options.direct_pixels = 12;
+    options.solved_pixels = 12;
     options.panorama_pixels = 90;
     return options;
 }
@@ -31,9 +31,9 @@ SkyPreviewOptions small_options() {
 TEST(SkyPictures, AreADomeForEachSunAndPanoramas) {
     const std::vector<PreviewPicture> pictures = pictures_of(earth(), small_options());
     ASSERT_EQ(pictures.size(), 3U);
-    EXPECT_EQ(pictures[0].name, "sky_sun_30");
-    EXPECT_EQ(pictures[1].name, "sky_sun_minus_0_5");
-    EXPECT_EQ(pictures[2].name, "sky_panoramas");
+    EXPECT_EQ(pictures[0].name, "sky_panoramas");
+    EXPECT_EQ(pictures[1].name, "sky_sun_30");
+    EXPECT_EQ(pictures[2].name, "sky_sun_minus_0_5");
     for (const PreviewPicture& picture : pictures) {
         EXPECT_GT(picture.picture.width, 64);
         EXPECT_GT(
@@ -41,20 +41,23 @@ TEST(SkyPictures, AreADomeForEachSunAndPanoramas) {
             20U)
             << picture.name;
         EXPECT_NE(picture.caption.find("tone curve"), std::string::npos);
-        EXPECT_NE(picture.caption.find("Camera at 0.2 km"), std::string::npos);
+        EXPECT_NE(picture.caption.find("The camera is at 0.2 km"), std::string::npos);
     }
-    EXPECT_NE(pictures[0].caption.find("RMS"), std::string::npos);
-    EXPECT_NE(pictures[0].caption.find("exposure"), std::string::npos);
+    EXPECT_EQ(pictures[2].title, "Sky, sun 0.5 degrees below the horizon");
+    EXPECT_NE(pictures[1].caption.find("reference of every method, the solved sky"),
+              std::string::npos);
+    EXPECT_NE(pictures[1].caption.find("Marching in 40 steps costs"), std::string::npos);
+    EXPECT_NE(pictures[1].caption.find(" stops), tone curve"), std::string::npos);
 }
 
-TEST(SkyPictures, WithoutDirectIntegrationShowTheDomeAlone) {
+TEST(SkyPictures, WithoutTheSolvedSkyShowTheDomeAlone) {
     SkyPreviewOptions options = small_options();
-    const int with_direct = pictures_of(earth(), options).front().picture.width;
-    options.direct_pixels = 0;
     options.panorama_pixels = 0;
+    const int with_solved = pictures_of(earth(), options).front().picture.width;
+    options.solved_pixels = 0;
     const std::vector<PreviewPicture> pictures = pictures_of(earth(), options);
     ASSERT_EQ(pictures.size(), 2U);
-    EXPECT_LT(2 * pictures.front().picture.width, with_direct);
+    EXPECT_LT(2 * pictures.front().picture.width, with_solved);
     EXPECT_EQ(pictures.front().caption.find("RMS"), std::string::npos);
 }
 
@@ -62,20 +65,22 @@ TEST(SkyPictures, WithoutDirectIntegrationShowTheDomeAlone) {
 TEST(SkyPictures, EndTheDifferencesScaleAtAHundredPercent) {
     SkyPreviewOptions options = small_options();
     options.panorama_pixels = 0;
-    EXPECT_EQ(pictures_of(earth(), options).front().caption.find("end at +-100 %"),
+    EXPECT_EQ(pictures_of(earth(), options).front().caption.find("clipped at +-100 %"),
               std::string::npos);
     test::Sky wrong = test::sky_of("earth");
     for (float& value : wrong.multiple_scattering.table.texels) value *= 1000;
-    EXPECT_NE(pictures_of(wrong, options).front().caption.find("end at +-100 %"),
+    EXPECT_NE(pictures_of(wrong, options).front().caption.find("clipped at +-100 %"),
               std::string::npos);
 }
 
 // An exposure that is asked for is the one that is used.
 TEST(SkyPictures, ObeyTheExposure) {
     SkyPreviewOptions options = small_options();
-    options.direct_pixels = 0;
+    options.solved_pixels = 0;
+    options.panorama_pixels = 0;
     options.exposure_stops = 3;
-    EXPECT_NE(pictures_of(earth(), options).front().caption.find("exposure 8,"), std::string::npos);
+    EXPECT_NE(pictures_of(earth(), options).front().caption.find("exposure 8 (+3.0 stops),"),
+              std::string::npos);
     const auto sum = [&](double stops) {
         options.exposure_stops = stops;
         double total = 0;

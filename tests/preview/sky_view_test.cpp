@@ -10,7 +10,7 @@
 #include <string>
 
 #include "bakers/preview/sky_difference.h"
-#include "bakers/preview/sky_reference.h"
+#include "tests/preview/closure_sky.h"
 #include "tests/preview/skies.h"
 
 namespace skybake {
@@ -143,7 +143,7 @@ TEST(SkyView, ApproachesDirectIntegrationAsTablesGrow) {
     const test::Sky large = test::sky_of("earth", test::large_tables());
     for (const double sun : {10.0, -4.0}) {
         const SkyView view = test::dome(24, 0.2, sun);
-        const Image2<float> direct = render_sky_reference(earth().medium, view, 1);
+        const Image2<float> direct = test::render_closure_sky(earth().medium, view, 1);
         const auto rms = [&](const test::Sky& sky) {
             const Image2<float> picture = render_sky(sky.medium, sky.tables, view, 1);
             return sky_difference(picture, direct, view).error.rms;
@@ -181,7 +181,7 @@ TEST(SkyView, IsNearDirectIntegrationOnOtherPlanets) {
         }
         const test::Sky& sky = skies[at.preset];
         const SkyView view = test::panorama(20, at.altitude_km, at.sun);
-        const Image2<float> direct = render_sky_reference(sky.medium, view, 1);
+        const Image2<float> direct = test::render_closure_sky(sky.medium, view, 1);
         const Image2<float> picture = render_sky(sky.medium, sky.tables, view, 1);
         EXPECT_LT(sky_difference(picture, direct, view).error.rms, at.rms)
             << at.preset << ' ' << at.altitude_km << ' ' << at.sun;

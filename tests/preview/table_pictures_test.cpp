@@ -11,6 +11,7 @@
 #include "bakers/io/metadata.h"
 #include "bakers/preview/table_geometry.h"
 #include "bakers/registry.h"
+#include "tests/preview/captions.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {
@@ -101,7 +102,8 @@ TEST(TablePictures, ShowEachTableWithItsChannels) {
             EXPECT_EQ(pictures.size(), asset.entry.channels.size() + 4);
             for (const PreviewPicture& picture : pictures) {
                 EXPECT_TRUE(names.insert(picture.name).second) << picture.name;
-                EXPECT_FALSE(picture.title.empty() || picture.caption.empty());
+                EXPECT_FALSE(picture.title.empty());
+                test::expect_sentences(picture);
                 EXPECT_GT(picture.picture.width, 500);
                 EXPECT_LT(picture.picture.width, 900);
             }

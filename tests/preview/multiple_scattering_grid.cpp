@@ -1,4 +1,4 @@
-#include "bakers/preview/multiple_scattering_grid.h"
+#include "tests/preview/multiple_scattering_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "bakers/core/parallel.h"
 #include "bakers/core/transcendental.h"
 
-namespace skybake {
+namespace skybake::test {
 
 namespace {
 
@@ -92,4 +92,4 @@ Spectrum MultipleScatteringGrid::at(double altitude_km, double sun_cos_zenith) c
     return result;
 }
 
-}  // namespace skybake
+}  // namespace skybake::test

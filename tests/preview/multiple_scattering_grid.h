@@ -6,7 +6,7 @@
 
 #include "bakers/atmosphere/medium.h"
 
-namespace skybake {
+namespace skybake::test {
 
 // Psi (1/sr) of multiple_scattering_kernel.h at its eighth level (0.04 % RMS of its converged
 // value), on columns evenly spaced in the sun's zenith angle and rows at altitudes thickness * y^2,
@@ -38,4 +38,4 @@ class MultipleScatteringGrid {
     std::vector<double> psi_;  // row by row, channel by channel, column by column
 };
 
-}  // namespace skybake
+}  // namespace skybake::test

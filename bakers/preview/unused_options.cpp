@@ -1,0 +1,78 @@
+#include "bakers/preview/unused_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <variant>
+
+namespace skybake {
+
+namespace {
+
+template <class Section>
+bool has_section(std::span<const config::Bake> bakes) {
+    return std::any_of(bakes.begin(), bakes.end(), [](const config::Bake& bake) {
+        return std::holds_alternative<Section>(bake.asset);
+    });
+}
+
+// An option, whether it was given, and whether a picture uses it.
+struct OptionUse {
+    std::string_view name;
+    bool given = false;
+    bool used = false;
+    std::string_view what;  // uses it
+};
+
+}  // namespace
+
+LitPictures lit_pictures_of(std::span<const config::Bake> bakes) {
+    LitPictures lit;
+    lit.sky = has_section<config::TransmittanceBake>(bakes) &&
+              has_section<config::MultipleScatteringBake>(bakes);
+    lit.clouds = has_section<config::CloudVolumeBake>(bakes);
+    return lit;
+}
+
+LitPictures lit_pictures_of(const PreviewAssets& assets) {
+    LitPictures lit;
+    if (!assets.recipe) return lit;
+    lit.sky = assets.of_kind("transmittance") != nullptr &&
+              assets.of_kind("multiple_scattering") != nullptr;
+    lit.clouds = assets.of_kind("cloud_volume") != nullptr;
+    return lit;
+}
+
+std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
+                                               const PreviewOptions& options) {
+    const bool sky = lit.sky && !(lit.sweep && lit.clouds);
+    const bool any = sky || lit.clouds;
+    constexpr std::string_view light = "pictures of a sky or of a lit cloud use it";
+    constexpr std::string_view clouds =
+        "pictures of a lit cloud use it, of a [bake.*] cloud volume";
+    constexpr std::string_view skies =
+        "pictures of a sky use it, of a transmittance and a multiple_scattering table";
+    const OptionUse uses[] = {
+        {"sun-elevation", !options.sun_elevations_deg.empty(), any, light},
+        {"exposure", options.exposure_stops.has_value(), any, light},
+        {"altitude", options.altitude_m.has_value(), sky,
+         lit.clouds ? "pictures of a sky use it; --camera places the camera of a cloud" : skies},
+        {"sun-azimuth", options.sun_azimuth_deg.has_value(), lit.clouds, clouds},
+        {"camera", options.camera.has_value(), lit.clouds, clouds},
+        {"size", options.picture_size.has_value(), lit.clouds || lit.sweep, clouds},
+        {"single", options.single, lit.clouds, clouds},
+    };
+    std::vector<config::Diagnostic> problems;
+    for (const OptionUse& use : uses) {
+        if (!use.given || use.used) continue;
+        config::Diagnostic problem;
+        problem.code = "E0001";
+        problem.message = fmt::format("no picture of this preview uses --{}", use.name);
+        problem.label = use.what;
+        problems.push_back(std::move(problem));
+    }
+    return problems;
+}
+
+}  // namespace skybake

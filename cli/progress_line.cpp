@@ -1,0 +1,97 @@
+#include "cli/progress_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cli/console.h"
+
+namespace skybake::cli {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+milliseconds time_between_lines(const Console& console) {
+    return console.error_is_terminal() ? milliseconds{200} : milliseconds{10000};
+}
+
+std::string progress_bar(double fraction) {
+    constexpr int width = 10;
+    const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * width);
+    return std::string(filled, '#') + std::string(width - filled, '.');
+}
+
+// "8 s", "3 min 05 s", "2 h 10 min".
+std::string clock_text(double seconds) {
+    const long whole = std::lround(seconds);
+    if (whole < 60) return fmt::format("{} s", whole);
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(Console& console, std::function<std::string()> text)
+    : ProgressLine(console, std::move(text), time_between_lines(console)) {}
+
+ProgressLine::ProgressLine(Console& console, std::function<std::string()> text,
+                           std::chrono::milliseconds every)
+    : console_(console), text_(std::move(text)), every_(every) {
+    if (console.shows_notes()) teller_ = std::thread([this] { tell(); });
+}
+
+ProgressLine::~ProgressLine() {
+    {
+        const std::lock_guard lock(mutex_);
+        ended_ = true;
+    }
+    wake_.notify_all();
+    if (teller_.joinable()) teller_.join();
+    if (shown_ && console_.error_is_terminal()) console_.note("\r\033[K");
+}
+
+void ProgressLine::tell() {
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, every_, [this] { return ended_; })) {
+        const std::string text = text_();
+        if (text.empty()) continue;
+        console_.note(console_.error_is_terminal() ? fmt::format("\r\033[K  {}", text)
+                                                   : text + "\n");
+        shown_ = true;
+    }
+}
+
+std::string progress_text(const ProgressState& state) {
+    std::string text;
+    if (state.count > 0) text += fmt::format("[{}/{}] ", state.index, state.count);
+    text += state.what;
+    if (!state.step.empty()) {
+        text += fmt::format(": {}  {}  {:.0f} %", state.step, progress_bar(state.fraction),
+                            std::floor(100 * state.fraction));
+    }
+    text += fmt::format("  {}", clock_text(state.elapsed_s));
+    if (state.left_s >= 0) text += fmt::format(", about {} left", clock_text(state.left_s));
+    return text;
+}
+
+bool StepClock::advance(double fraction, double seconds) {
+    constexpr double out_of_order = 0.25;
+    if (fraction < fraction_ - out_of_order) return false;
+    fraction_ = std::max(fraction_, fraction);
+    told_s_ = seconds;
+    return true;
+}
+
+// A tenth of a step, or a fiftieth and two seconds, says how fast it goes.
+double StepClock::seconds_left(double seconds) const {
+    const double done = fraction_ - first_fraction_;
+    const double took_s = told_s_ - began_s_;
+    if (done < 0.1 && (done < 0.02 || took_s < 2)) return -1;
+    const double left_s = took_s * (1 - fraction_) / done - (seconds - told_s_);
+    return std::max(left_s, 0.0);
+}
+
+}  // namespace skybake::cli

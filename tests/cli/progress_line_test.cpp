@@ -1,0 +1,138 @@
+#include "cli/progress_line.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "cli/console.h"
+#include "tests/cli/program.h"
+
+namespace skybake::cli {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::contains;
+using testing::count_lines;
+
+// What a console has written to stderr, for any thread.
+class Screen {
+  public:
+    Sink sink(bool terminal) {
+        return {[this](std::string_view text) {
+                    const std::lock_guard lock(mutex_);
+                    text_ += text;
+                    return true;
+                },
+                terminal};
+    }
+    std::string text() const {
+        const std::lock_guard lock(mutex_);
+        return text_;
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    std::string text_;
+};
+
+Sink nowhere() {
+    return {[](std::string_view) { return true; }, false};
+}
+
+void wait_until(const std::function<bool()>& holds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (!holds() && std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(milliseconds(1));
+    }
+    ASSERT_TRUE(holds());
+}
+
+// The clock ticks although the work says nothing.
+TEST(ProgressLine, IsToldAgainWithoutNews) {
+    Screen screen;
+    Console console(nowhere(), screen.sink(false), {});
+    std::atomic<int> asked = 0;
+    {
+        const ProgressLine line(
+            console, [&] { return "line " + std::to_string(++asked); }, milliseconds(1));
+        wait_until([&] { return asked > 3; });
+    }
+    const std::string text = screen.text();
+    EXPECT_TRUE(text.starts_with("line 1\nline 2\nline 3\n")) << text;
+    EXPECT_EQ(count_lines(text), asked);
+}
+
+TEST(ProgressLine, IsRewrittenOnATerminalAndTakenAway) {
+    Screen screen;
+    Console console(nowhere(), screen.sink(true), {});
+    std::atomic<int> asked = 0;
+    {
+        const ProgressLine line(
+            console, [&] { return "line " + std::to_string(++asked); }, milliseconds(1));
+        wait_until([&] { return asked > 2; });
+    }
+    const std::string text = screen.text();
+    EXPECT_TRUE(text.starts_with("\r\033[K  line 1\r\033[K  line 2")) << text;
+    EXPECT_TRUE(text.ends_with("\r\033[K")) << text;
+    EXPECT_EQ(count_lines(text), 0);
+}
+
+TEST(ProgressLine, IsSilentWhereThereAreNoNotes) {
+    for (const Display& display :
+         {Display{.quiet = true}, Display{.diagnostics = DiagnosticFormat::json}}) {
+        Screen screen;
+        Console console(nowhere(), screen.sink(true), display);
+        bool asked = false;
+        {
+            const ProgressLine line(
+                console,
+                [&] {
+                    asked = true;
+                    return std::string("x");
+                },
+                milliseconds(1));
+            std::this_thread::sleep_for(milliseconds(20));
+        }
+        EXPECT_EQ(screen.text(), "");
+        EXPECT_FALSE(asked);
+    }
+}
+
+TEST(ProgressText, HasCountBarClockAndTimeLeft) {
+    EXPECT_EQ(progress_text({3, 12, "cumulus, pictures", "lighting, sun 20 deg", 0.439, 31, 20.2}),
+              "[3/12] cumulus, pictures: lighting, sun 20 deg  ####......  43 %  31 s, about 20 s "
+              "left");
+    EXPECT_EQ(progress_text({0, 0, "manifest", "", 0, 0.2, -1}), "manifest  0 s");
+    EXPECT_EQ(progress_text({1, 1, "shape", "voxels", 1, 185, 0}),
+              "[1/1] shape: voxels  ##########  100 %  3 min 05 s, about 0 s left");
+    EXPECT_EQ(progress_text({1, 2, "shape", "voxels", 0.1, 7800, -1}),
+              "[1/2] shape: voxels  #.........  10 %  2 h 10 min");
+}
+
+TEST(StepClock, SaysHowLongAStepMayStillTake) {
+    StepClock clock(0, 100);
+    EXPECT_LT(clock.seconds_left(100), 0);
+    ASSERT_TRUE(clock.advance(0.01, 101));
+    EXPECT_LT(clock.seconds_left(101), 0);  // too little is known
+    ASSERT_TRUE(clock.advance(0.25, 110));
+    EXPECT_DOUBLE_EQ(clock.seconds_left(110), 30);
+    EXPECT_DOUBLE_EQ(clock.seconds_left(114), 26);  // it runs on between two pieces of news
+    EXPECT_DOUBLE_EQ(clock.seconds_left(999), 0);
+    ASSERT_TRUE(clock.advance(0.2, 111));  // a thread that tells late
+    EXPECT_DOUBLE_EQ(clock.fraction(), 0.25);
+    EXPECT_FALSE(StepClock(0.9, 0).advance(0, 1));  // begun anew
+}
+
+TEST(StepClock, CountsFromWhereItBegan) {
+    StepClock clock(0.5, 10);  // the second of two suns
+    ASSERT_TRUE(clock.advance(0.75, 20));
+    EXPECT_DOUBLE_EQ(clock.seconds_left(20), 10);
+}
+
+}  // namespace
+}  // namespace skybake::cli

@@ -1,0 +1,159 @@
+#include "bakers/preview/cloud_framing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bakers/preview/cloud_camera.h"
+#include "tests/preview/clouds.h"
+
+namespace skybake {
+namespace {
+
+constexpr std::array<int, 3> kSize = {32, 24, 16};
+
+std::size_t index_of(int x, int y, int z) {
+    return static_cast<std::size_t>((z * kSize[1] + y) * kSize[0] + x);
+}
+
+// Voxels 8 ... 11, 6 ... 9 and 4 ... 7 alone, of a tile of 3.2 x 2.4 x 1.6 km.
+CloudMedium tower(double base_m, bool repeats) {
+    std::vector<float> voxels(index_of(0, 0, kSize[2]));
+    for (int z = 4; z < 8; ++z) {
+        for (int y = 6; y < 10; ++y) {
+            for (int x = 8; x < 12; ++x) voxels[index_of(x, y, z)] = 0.5F;
+        }
+    }
+    return cloud_medium(test::cloud_of({3200, 2400, 1600}, base_m), voxels.data(), kSize, 1, 1,
+                        repeats);
+}
+
+TEST(CloudFraming, KnowsWhereThereIsSomething) {
+    const CloudBox box = occupied_box(tower(1000, false));
+    EXPECT_EQ(box.low_m, (std::array<double, 3>{800, 600, 1400}));
+    EXPECT_EQ(box.high_m, (std::array<double, 3>{1200, 1000, 1800}));
+    const std::vector<float> nothing(index_of(0, 0, kSize[2]));
+    const CloudBox whole = occupied_box(
+        cloud_medium(test::cloud_of({3200, 2400, 1600}, 500), nothing.data(), kSize, 1, 1, false));
+    EXPECT_EQ(whole.low_m, (std::array<double, 3>{0, 0, 500}));
+    EXPECT_EQ(whole.high_m, (std::array<double, 3>{3200, 2400, 2100}));
+}
+
+// A corner of the box in the picture, from -1 to 1 along both edges, by the rays' own directions.
+std::array<double, 2> place_in_picture(const CloudViewSettings& settings, const Direction& point) {
+    const CameraRays rays(settings.camera, settings.width, settings.height);
+    const Direction left = rays.through(-0.5, 0.5 * settings.height - 0.5);
+    const Direction right = rays.through(settings.width - 0.5, 0.5 * settings.height - 0.5);
+    const Direction top = rays.through(0.5 * settings.width - 0.5, -0.5);
+    const Direction bottom = rays.through(0.5 * settings.width - 0.5, settings.height - 0.5);
+    const auto share = [&](const Direction& low, const Direction& high) {
+        Direction across;
+        Direction along;
+        for (std::size_t a = 0; a < 3; ++a) {
+            across[a] = high[a] - low[a];
+            along[a] = high[a] + low[a];
+        }
+        const double half = std::sqrt(dot(across, across) / dot(along, along));
+        return dot(point, across) / std::sqrt(dot(across, across)) /
+               (half * dot(point, along) / std::sqrt(dot(along, along)));
+    };
+    return {share(left, right), share(bottom, top)};
+}
+
+TEST(CloudFraming, HasAllOfASingleTileInThePictureAndMostOfThePictureFilled) {
+    for (const double base_m : {0.0, 3000.0}) {
+        const CloudMedium medium = tower(base_m, false);
+        const CloudBox box = occupied_box(medium);
+        for (const std::array<int, 2>& size : {std::array{96, 54}, std::array{40, 80}}) {
+            for (const double heading : {0.0, 63.0, 200.0}) {
+                CameraRequest request;
+                request.heading_degrees = heading;
+                request.field_degrees = 30;
+                const CloudViewSettings settings =
+                    framed_view(medium, {20, 105}, size[0], size[1], request);
+                EXPECT_GE(settings.camera.position_m[2], 2);
+                double farthest = 0;
+                for (int corner = 0; corner < 8; ++corner) {
+                    Direction point;
+                    for (std::size_t a = 0; a < 3; ++a) {
+                        point[a] = ((corner >> a & 1) != 0 ? box.high_m[a] : box.low_m[a]) -
+                                   settings.camera.position_m[a];
+                    }
+                    for (const double share : place_in_picture(settings, point)) {
+                        farthest = std::max(farthest, std::fabs(share));
+                    }
+                }
+                EXPECT_LT(farthest, 0.91) << base_m << ' ' << heading;
+                EXPECT_GT(farthest, 0.85) << base_m << ' ' << heading;
+            }
+        }
+    }
+}
+
+TEST(CloudFraming, ObeysARequest) {
+    CameraRequest request;
+    request.position_m = {{10, 20, 30}};
+    request.pitch_degrees = 7;
+    for (const bool repeats : {true, false}) {
+        const CloudCamera camera =
+            framed_view(tower(900, repeats), {20, 105}, 96, 54, request).camera;
+        EXPECT_EQ(camera.position_m, *request.position_m);
+        EXPECT_EQ(camera.elevation_degrees, 7);
+        EXPECT_EQ(camera.azimuth_degrees, 63);
+        EXPECT_EQ(camera_text(camera),
+                  "position=0.01km,0.02km,0.03km heading=63deg pitch=7deg fov=50deg");
+    }
+}
+
+// The same tower as the only one in a tile that is three times as long, which repeats: there is
+// nothing else within reach.
+TEST(CloudView, OfASingleTileIsThatOfALargeTileWithNothingElse) {
+    const CloudMedium alone = tower(1000, false);
+    const std::array<int, 3> size = {3 * kSize[0], 3 * kSize[1], kSize[2]};
+    std::vector<float> voxels(9 * index_of(0, 0, kSize[2]));
+    for (int z = 0; z < kSize[2]; ++z) {
+        for (int y = 0; y < kSize[1]; ++y) {
+            for (int x = 0; x < kSize[0]; ++x) {
+                const float value = alone.volume.values[static_cast<std::size_t>(
+                    (z + 1) * alone.volume.plane() + (y + 1) * alone.volume.row() + x + 1)];
+                voxels[static_cast<std::size_t>((z * size[1] + y + kSize[1]) * size[0] + x +
+                                                kSize[0])] = value;
+            }
+        }
+    }
+    CloudMedium large =
+        cloud_medium(test::cloud_of({9600, 7200, 1600}, 1000), voxels.data(), size, 1, 1);
+    CloudMedium single = alone;
+    single.leaps = leaps_of_voxels(single, 4, 1);
+    large.leaps = leaps_of_voxels(large, 4, 1);
+    CameraRequest request;
+    request.position_m = {{-700, -1500, 1100}};
+    CloudViewSettings settings = framed_view(single, {25, 105}, 32, 18, request);
+    settings.reach_m = 5000;
+    const Image2<float> one = march_view(single, settings, 1).results;
+    settings.camera.position_m[0] += 3200;
+    settings.camera.position_m[1] += 2400;
+    const Image2<float> other = march_view(large, settings, 1).results;
+    int seen = 0;
+    for (std::size_t i = 0; i < one.texels.size(); ++i) {
+        // Sunlight and transmittance; diffuse light comes from the layer's own mean.
+        if (i % MarchedView::kChannels == 2 || i % MarchedView::kChannels == 3) continue;
+        EXPECT_NEAR(one.texels[i], other.texels[i], 2e-3 * std::fabs(other.texels[i]) + 1e-4) << i;
+        if (i % MarchedView::kChannels == 4 && one.texels[i] < 0.9F) ++seen;
+    }
+    EXPECT_GT(seen, 5);
+    // The layer that the same tile repeats to is another picture.
+    CloudMedium layer = tower(1000, true);
+    settings = framed_view(single, {25, 105}, 32, 18, request);
+    settings.reach_m = 20000;
+    int more = 0;
+    const Image2<float> repeated = march_view(layer, settings, 1).results;
+    for (std::size_t i = 4; i < one.texels.size(); i += MarchedView::kChannels) {
+        if (repeated.texels[i] < one.texels[i] - 0.1F) ++more;
+    }
+    EXPECT_GT(more, 5);
+}
+
+}  // namespace
+}  // namespace skybake
