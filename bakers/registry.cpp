@@ -329,7 +329,7 @@ std::vector<InputFile> occupancy_inputs(const Parameters& parameters, const Bake
 
 std::span<const Baker> bakers() {
     static const std::array<Baker, 11> table = {{
-        {"transmittance", 1, transmittance_parameters, no_inputs, estimate_transmittance,
+        {"transmittance", 2, transmittance_parameters, no_inputs, estimate_transmittance,
          transmittance},
         {"multiple_scattering", 1, multiple_scattering_parameters, no_inputs,
          estimate_multiple_scattering, multiple_scattering},
@@ -337,8 +337,8 @@ std::span<const Baker> bakers() {
         {"aerial_perspective", 1, sky_parameters, no_inputs, estimate_aerial_perspective,
          aerial_perspective},
         {"irradiance", 1, sky_parameters, no_inputs, estimate_irradiance, irradiance},
-        {"phase", 1, phase_parameters, no_inputs, estimate_phase, phase},
-        {"bruneton", 1, sky_parameters, no_inputs, estimate_bruneton, bruneton},
+        {"phase", 2, phase_parameters, no_inputs, estimate_phase, phase},
+        {"bruneton", 2, sky_parameters, no_inputs, estimate_bruneton, bruneton},
         {"optical_depth", 1, sky_parameters, no_inputs, estimate_columns, columns},
         {"noise_volume", 1, noise_volume_parameters, no_inputs, estimate_noise_volume,
          noise_volume},
