@@ -13,8 +13,8 @@ packages=(
 )
 if [[ "${1:-}" == --tests || "${1:-}" == --browser ]]; then
     packages+=(
-        clang-14 libclang-rt-14-dev libbenchmark-dev libboost-dev libgtest-dev librapidcheck-dev
-        locales-all make openexr python3 python3-jsonschema
+        clang-14 glslang-tools libclang-rt-14-dev libbenchmark-dev libboost-dev libglm-dev
+        libgtest-dev librapidcheck-dev locales-all make openexr python3 python3-jsonschema
     )
     if command -v npm >/dev/null; then
         packages+=(chromium)

@@ -92,12 +92,13 @@ config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const Trans
         ue ? "end points on texture edges" : "end points on texel centres";
     table.axes[0] = {
         "distance_to_top_km",
-        "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(R_top^2 - r^2 (1 - mu^2)) - r mu, "
-        "d_min = R_top - r, d_max = rho + H; x_mu = 0 straight up, 1 the horizon",
+        "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(s^2 + q) - s, for s > 0 as q / (sqrt(s^2 + "
+        "q) + s), s = r mu, q = d_min (R_top + r), d_min = R_top - r, d_max = rho + H; x_mu = 0 "
+        "straight up, 1 the horizon",
         convention, 0, 1};
     table.axes[1] = {"altitude_km",
-                     "x_r = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2); "
-                     "x_r = 0 the ground, 1 the top",
+                     "x_r = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the "
+                     "top; x_r = 0 the ground, 1 the top",
                      convention, 0, shell.thickness_km};
     for (AxisMapping& axis : table.axes) {
         axis.end_points = ue ? TexelConvention::end_points_on_edges

@@ -148,7 +148,8 @@ config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
                      "0 straight up, 1 the horizon",
                      kConventionText, 0, 1},
                     {"altitude_km",
-                     "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)",
+                     "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at "
+                     "the top",
                      kConventionText, 0, medium.thickness_km},
                     {"none", "one texel", kConventionText, 0, 0}}};
     describe_flat_axes(shell_of(medium), volume);
@@ -167,7 +168,7 @@ config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
         "solar irradiance";
     volume.mapping = "bruneton_irradiance";
     volume.axes = {{{"sun_cos_zenith", "x = (mu_s + 1) / 2", kConventionText, -1, 1},
-                    {"altitude_km", "x = (r - R_ground) / (R_top - R_ground)", kConventionText, 0,
+                    {"altitude_km", "x = altitude / (R_top - R_ground)", kConventionText, 0,
                      thickness_km},
                     {"none", "one texel", kConventionText, 0, 0}}};
     describe_flat_axes(light.shell(), volume);

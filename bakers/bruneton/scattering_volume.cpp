@@ -70,13 +70,13 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content,
                       bake.nu_size, bake.sun_cos_zenith_min),
           kConvention, bake.sun_cos_zenith_min, 1},
          {"view_distance_km",
-          "lower half: rays to the ground, x = 1 - (d - d_min) / (d_max - d_min), d_min = r - "
-          "R_ground, d_max = rho; upper half: rays to the top, x = (d - d_min) / (d_max - d_min), "
+          "lower half: rays to the ground, x = 1 - (d - d_min) / (d_max - d_min), d_min = h, "
+          "d_max = rho; upper half: rays to the top, x = (d - d_min) / (d_max - d_min), "
           "d_min = R_top - r, d_max = rho + H",
           kConvention, 0, 1},
          {"altitude_km",
-          "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)", kConvention,
-          0, mapping.shell().thickness_km}}};
+          "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the top",
+          kConvention, 0, mapping.shell().thickness_km}}};
     describe_axes(mapping, volume);
     for (std::size_t c = 0; c < bake.solar_irradiance.size(); ++c) {
         volume.details.emplace_back(fmt::format("solar_irradiance_{}", volume.channel_names[c]),

@@ -104,8 +104,8 @@ void describe(const PhaseBake& bake, const PhaseSource& source, PhaseSpacing spa
         const std::string_view formula = spacing == PhaseSpacing::angle ? "x = theta / pi"
                                          : spacing == PhaseSpacing::cosine
                                              ? "x = (1 - cos theta) / 2"
-                                             : "x = ((1 - cos theta)^(1/4)) / 2 up to 90 deg, 1 - "
-                                               "((1 + cos theta)^(1/4)) / 2 beyond";
+                                             : "x = 2^(-3/4) sqrt(sin(theta / 2)) up to 90 deg, 1 "
+                                               "- 2^(-3/4) sqrt(cos(theta / 2)) beyond";
         table.axes[0] = {"scattering_angle_deg", std::string(formula), convention, 0, 180};
         table.certificate.scale = "relative";
     }

@@ -1,32 +1,53 @@
-// Lookup of a table of scattering (asset = "bruneton"): scattering, single_mie or higher_orders, in the
-// layout of Bruneton's implementation of 2017. Lengths in km; clamped, trilinear sampler.
-// R_GROUND, R_TOP: radii. MU_S_MIN: sun_cos_zenith_min. NU: nu_size. SIZE: texels along mu_s (size[0] /
-// NU), mu, r.
-// x in [0, 1] to a texture coordinate with end points on texel centres.
-float centred(float x, float n) { return 0.5 / n + x * (1.0 - 1.0 / n); }
+// Lookups of asset = "bruneton": its tables of scattering (scattering, single_mie, higher_orders) and of
+// irradiance, in the layout of Bruneton's implementation of 2017; transmittance.glsl has the third kind.
+// Clamped, trilinear sampler.
+//
+//     sky = scattering.rgb * rayleigh_phase(nu) + single_mie.rgb * mie_phase(nu, g)
+//
+// R is the ground's radius, D the thickness of the air, h the altitude, from 0 to D, all in km; mu and
+// mu_s are the cosines of the zenith angles of the view ray and of the sun, nu that of the angle between
+// them. `ground` says that the view ray meets the ground. mu_s_min and nu_size are the recipe's
+// sun_cos_zenith_min and nu_size. A difference of squared radii would lose half of the light below 10 m
+// in float: these forms keep the altitude.
 
-// r, mu, mu_s, nu as in Bruneton 2017; ground: the view ray meets it. SIZE = (mu_s, mu, r), NU sub-images.
-vec4 lookUpScattering(sampler3D table, float r, float mu, float mu_s, float nu, bool ground) {
-    float H = sqrt(R_TOP * R_TOP - R_GROUND * R_GROUND);
-    float rho = sqrt(max(r * r - R_GROUND * R_GROUND, 0.0));
-    float disc = r * r * (mu * mu - 1.0) + R_GROUND * R_GROUND;
-    float v;
-    if (ground) {
-        float d = -r * mu - sqrt(max(disc, 0.0)), dMin = r - R_GROUND;
-        float x = rho > dMin ? (d - dMin) / (rho - dMin) : 0.0;
-        v = 0.5 - 0.5 * centred(x, SIZE.y / 2.0);
-    } else {
-        float d = -r * mu + sqrt(max(disc + H * H, 0.0)), dMin = R_TOP - r;
-        v = 0.5 + 0.5 * centred((d - dMin) / (rho + H - dMin), SIZE.y / 2.0);
-    }
-    float dMin = R_TOP - R_GROUND;
-    float D = -R_GROUND * mu_s + sqrt(R_GROUND * R_GROUND * (mu_s * mu_s - 1.0) + R_TOP * R_TOP);
-    float Dm = -R_GROUND * MU_S_MIN + sqrt(R_GROUND * R_GROUND * (MU_S_MIN * MU_S_MIN - 1.0) + R_TOP * R_TOP);
-    float a = (D - dMin) / (H - dMin), A = (Dm - dMin) / (H - dMin);
-    float u = centred(max(1.0 - a / A, 0.0) / (1.0 + a), SIZE.x);
-    float w = centred(rho / H, SIZE.z);
-    float x = 0.5 * (nu + 1.0) * (NU - 1.0), i = min(floor(x), NU - 2.0);
-    return mix(texture(table, vec3((i + u) / NU, v, w)),
-               texture(table, vec3((i + 1.0 + u) / NU, v, w)), x - i);
+// From the ground to the top of the air, over the range that it has for suns above the horizon.
+float bruneton_sun(float R, float D, float H, float mu_s) {
+    float s = R * mu_s, root = sqrt(s * s + H * H);
+    return ((s > 0.0 ? H * H / (root + s) : root - s) - D) / (H - D);
 }
-// sky = lookUp(scattering).rgb * rayleighPhase(nu) + lookUp(single_mie).rgb * miePhase(nu)
+
+vec4 bruneton_scattering(sampler3D table, float R, float D, float h, float mu, float mu_s, float nu,
+                         bool ground, float mu_s_min, float nu_size) {
+    vec3 size = vec3(textureSize(table, 0)) / vec3(nu_size, 2.0, 1.0);      // along mu of one half
+    float H = sqrt(D * (2.0 * R + D)), rho = sqrt(h * (2.0 * R + h)), s = (R + h) * mu, v;
+    if (ground) {
+        float d = rho * rho / (sqrt(max(s * s - rho * rho, 0.0)) - s);      // the length of the ray
+        float x = rho > h ? (d - h) / (rho - h) : 0.0;
+        v = 0.5 - 0.5 * (0.5 + clamp(x, 0.0, 1.0) * (size.y - 1.0)) / size.y;
+    } else {
+        float q = (D - h) * (2.0 * R + D + h), root = sqrt(s * s + q);
+        float d = s > 0.0 ? q / (root + s) : root - s, d_min = D - h;
+        float x = (d - d_min) / (rho + H - d_min);
+        v = 0.5 + 0.5 * (0.5 + clamp(x, 0.0, 1.0) * (size.y - 1.0)) / size.y;
+    }
+    float a = bruneton_sun(R, D, H, mu_s), A = bruneton_sun(R, D, H, mu_s_min);
+    float u = (0.5 + max(1.0 - a / A, 0.0) / (1.0 + a) * (size.x - 1.0)) / size.x;
+    float w = (0.5 + rho / H * (size.z - 1.0)) / size.z;
+    float x = 0.5 * (nu + 1.0) * (nu_size - 1.0), i = clamp(floor(x), 0.0, nu_size - 2.0);
+    vec4 low = texture(table, vec3((i + u) / nu_size, v, w));
+    vec4 high = texture(table, vec3((i + 1.0 + u) / nu_size, v, w));
+    return mix(low, high, x - i);
+}
+
+// Irradiance by the sky without the sun, times the solar irradiance.
+vec3 bruneton_irradiance(sampler2D table, float D, float h, float mu_s) {
+    vec2 size = vec2(textureSize(table, 0)), place = vec2(0.5 + 0.5 * mu_s, h / D);
+    return texture(table, (0.5 + place * (size - 1.0)) / size).rgb;
+}
+
+// In 1/sr: Rayleigh's phase function, and that of Cornette and Shanks.
+float rayleigh_phase(float nu) { return 0.0596831037 * (1.0 + nu * nu); }
+float mie_phase(float nu, float g) {
+    float k = 0.119366207 * (1.0 - g * g) / (2.0 + g * g), b = 1.0 + g * g - 2.0 * g * nu;
+    return k * (1.0 + nu * nu) / (b * sqrt(b));
+}

@@ -1,69 +1,98 @@
-// Lookups of tables of columns (asset = "optical_depth"). All tables: end points on texel centres,
-// clamped. t = what a lookup of to_top and between returns, one channel a kind; column_k = t_k^8 * length, in km, and
+// Lookups of tables of columns (asset = "optical_depth"). Clamped, linear sampler. A lookup of columns
+// returns, one channel a kind of particles, the integral of the density along the path in km, so that
 //
 //   transmittance = exp(-sum over kinds of extinction_k * column_k)
 //
-// R, D, F: the ground's radius, the thickness of the air and the altitude `fine` of the formula of
-// the v axis, in the manifest. mu: cosine of the zenith angle; s = r mu; altitudes h in km. In single
-// precision lowest() is right to 0.4 m on Earth: enough for fog of 100 m.
-uniform float R, D, F;      // km
-float g(float h) { return sqrt(log(1.0 + max(h, 0.0) / F) / log(1.0 + D / F)); }
-float centre(float x, float size) { return 0.5 / size + clamp(x, 0.0, 1.0) * (1.0 - 1.0 / size); }
-// texels of a course along u: first, count of `size`
-float course_u(float x, float first, float count, float size) {
+// Altitudes h are from 0 to D, all lengths in km; mu is the cosine of the zenith angle, s = (R + h) * mu.
+struct ColumnShell {
+    float R;        // the ground's radius
+    float D;        // the thickness of the air
+    float fine;     // `fine_km` of the manifest: up to there the altitudes' axis is as sqrt(h)
+};
+
+// g of the manifest, from 0 on the ground to 1 at the top.
+float column_altitude(ColumnShell air, float h) {
+    return sqrt(log(1.0 + max(h, 0.0) / air.fine) / log(1.0 + air.D / air.fine));
+}
+float column_share(float a, float b) { return b > 0.0 ? clamp(a / b, 0.0, 1.0) : 0.0; }
+float column_centre(float x, float size) { return (0.5 + clamp(x, 0.0, 1.0) * (size - 1.0)) / size; }
+// Paths of a course (they rise, pass their lowest point or fall) have texels of their own along u.
+float column_course(float x, float first, float count, float size) {
     return (first + 0.5 + clamp(x, 0.0, 1.0) * (count - 1.0)) / size;
 }
-float share(float a, float b) { return b > 0.0 ? clamp(a / b, 0.0, 1.0) : 0.0; }
-float rise(float h, float gain, float d) {            // d: length of the way that climbs by `gain`
-    float level = sqrt(gain * (2.0 * (R + h) + gain));
-    return 1.0 - sqrt(1.0 - share(d - gain, level - gain));
+// x of a path that rises by `gain` over a distance of d.
+float column_rise(ColumnShell air, float h, float gain, float d) {
+    float level = sqrt(gain * (2.0 * (air.R + h) + gain));
+    return 1.0 - sqrt(1.0 - column_share(d - gain, level - gain));
 }
-float lowest(float h, float s) {                      // altitude nearest to the centre, s = r mu < 0
-    float r = R + h;
+// The lowest altitude of a path with s < 0.
+float column_lowest(ColumnShell air, float h, float s) {
+    float r = air.R + h;
     return max(h - s * s / (r + sqrt((r - s) * (r + s))), 0.0);
 }
-vec4 power8(vec4 t) { t *= t; t *= t; return t * t; }
+vec4 column_of(vec4 t, float d) { t *= t; t *= t; return t * t * d; }
 
-// to_top, size W x H (256 x 128); the ray must not meet the ground. Returns columns in km.
-vec4 column_to_top(sampler2D table, float h, float mu, vec2 size) {
-    float r = R + h, s = r * mu, gain = D - h, q = gain * (2.0 * r + gain);
-    float root = sqrt(s * s + q);
-    float length = s > 0.0 ? q / (root + s) : root - s;
-    float passes = floor(size.x / 2.0), rises = size.x - passes;
-    float u = s < 0.0 ? course_u(sqrt(1.0 - share(g(lowest(h, s)), g(h))), rises, passes, size.x)
-                      : course_u(rise(h, gain, length), 0.0, rises, size.x);
-    return power8(texture(table, vec2(u, centre(g(h), size.y)))) * length;
+// table = "to_top". The ray must not meet the ground.
+vec4 column_to_top(sampler2D table, ColumnShell air, float h, float mu) {
+    vec2 size = vec2(textureSize(table, 0));
+    float r = air.R + h, s = r * mu, gain = air.D - h, q = gain * (2.0 * r + gain);
+    float root = sqrt(s * s + q), d = s > 0.0 ? q / (root + s) : root - s, g = column_altitude(air, h);
+    float passes = float(textureSize(table, 0).x / 2), rises = size.x - passes;
+    float low = s < 0.0 ? column_altitude(air, column_lowest(air, h, s)) : 0.0;
+    float u = s < 0.0 ? column_course(sqrt(1.0 - column_share(low, g)), rises, passes, size.x)
+                      : column_course(column_rise(air, h, gain, d), 0.0, rises, size.x);
+    return column_of(texture(table, vec2(u, column_centre(g, size.y))), d);
 }
 
-// between by altitudes, size N (64^3): two altitudes and the angle between the points at the centre.
-vec4 column_between(sampler3D table, float ha, float hb, float angle, vec3 size) {
-    float low = min(ha, hb), gain = max(ha, hb) - low, r = R + low, k = sin(0.5 * angle);
-    float d = sqrt(gain * gain + 4.0 * r * (r + gain) * k * k);
-    float s = d > 0.0 ? 0.5 * (gain * (gain + 2.0 * r) / d - d) : r;      // at the lower point
-    float passes = floor(size.x / 2.0), rises = size.x - passes;
-    float u = s < 0.0 ? course_u(sqrt(1.0 - share(g(lowest(low, s)), g(low))), rises, passes, size.x)
-                      : course_u(rise(low, gain, d), 0.0, rises, size.x);
-    return power8(texture(table, vec3(u, centre(g(low + gain), size.y),
-                                      centre(share(g(low), g(low + gain)), size.z)))) * d;
+// table = "between" with coordinates = "altitudes": two points at altitudes ha and hb, d apart. The path
+// must not enter the ground.
+vec4 column_between(sampler3D table, ColumnShell air, float ha, float hb, float d) {
+    vec3 size = vec3(textureSize(table, 0));
+    float low = min(ha, hb), gain = max(ha, hb) - low, r = air.R + low;
+    float s = d > 0.0 ? 0.5 * (gain * ((gain + 2.0 * r) / d) - d) : r;      // at the lower point
+    float g_low = column_altitude(air, low), g_high = column_altitude(air, low + gain);
+    float passes = float(textureSize(table, 0).x / 2), rises = size.x - passes;
+    float lowest = s < 0.0 ? column_altitude(air, column_lowest(air, low, s)) : 0.0;
+    float u = s < 0.0 ? column_course(sqrt(1.0 - column_share(lowest, g_low)), rises, passes, size.x)
+                      : column_course(column_rise(air, low, gain, d), 0.0, rises, size.x);
+    vec3 place = vec3(u, column_centre(g_high, size.y), column_centre(column_share(g_low, g_high), size.z));
+    return column_of(texture(table, place), d);
 }
 
-// between by distance: altitude, s = r mu, length along the ray. N/4 rises, N/2 passes, the rest falls.
-vec4 column_along(sampler3D table, float h, float s, float d, vec3 size) {
-    float r = R + h, q = d * (d + 2.0 * s), end = clamp(h + q / (sqrt(r * r + q) + r), 0.0, D);
-    float rises = floor(size.x / 4.0), passes = floor(size.x / 2.0), rho = sqrt(h * (2.0 * R + h)), u, w;
+// table = "between" with coordinates = "distance": from the altitude h over a distance of d along a ray.
+vec4 column_along(sampler3D table, ColumnShell air, float h, float mu, float d) {
+    vec3 size = vec3(textureSize(table, 0));
+    float r = air.R + h, s = r * mu, q = d * (d + 2.0 * s), rho = sqrt(h * (2.0 * air.R + h));
+    float end = column_altitude(air, clamp(h + q / (sqrt(max(r * r + q, 0.0)) + r), 0.0, air.D));
+    float rises = float(textureSize(table, 0).x / 4), passes = float(textureSize(table, 0).x / 2);
+    float g = column_altitude(air, h), u, w;
     if (s + d <= 0.0 && s < -rho) {
-        float ground = rho * rho / (-s + sqrt(max(s * s - rho * rho, 0.0)));
-        u = course_u(share(rho - ground, rho - h), rises + passes, size.x - rises - passes, size.x);
-        w = 1.0 - sqrt(share(g(end), g(h)));
+        float ground = rho * rho / (sqrt(max(s * s - rho * rho, 0.0)) - s);
+        float x = column_share(rho - ground, rho - h);
+        u = column_course(x, rises + passes, size.x - rises - passes, size.x);
+        w = 1.0 - sqrt(column_share(end, g));
     } else if (s < 0.0) {
-        float low = g(lowest(h, s)), from = -sqrt(max(g(h) - low, 0.0));
-        u = course_u(sqrt(1.0 - share(low, g(h))), rises, passes, size.x);
-        w = share(sign(s + d) * sqrt(max(g(end) - low, 0.0)) - from, sqrt(1.0 - low) - from);
+        float low = column_altitude(air, column_lowest(air, h, s)), from = -sqrt(max(g - low, 0.0));
+        float to = sign(s + d) * sqrt(max(end - low, 0.0));
+        u = column_course(sqrt(1.0 - column_share(low, g)), rises, passes, size.x);
+        w = column_share(to - from, sqrt(1.0 - low) - from);
     } else {
-        float gain = D - h, top = gain * (2.0 * r + gain);
-        u = course_u(rise(h, gain, top / (sqrt(s * s + top) + s)), 0.0, rises, size.x);
-        w = sqrt(share(g(end) - g(h), 1.0 - g(h)));
+        float gain = air.D - h, top = gain * (2.0 * r + gain);
+        u = column_course(column_rise(air, h, gain, top / (sqrt(s * s + top) + s)), 0.0, rises, size.x);
+        w = sqrt(column_share(end - g, 1.0 - g));
     }
-    return power8(texture(table, vec3(u, centre(g(h), size.y), centre(w, size.z)))) * d;
+    vec3 place = vec3(u, column_centre(g, size.y), column_centre(w, size.z));
+    return column_of(texture(table, place), d);
 }
-// density: u = centre(g(h), N), the texel is the density itself; phase: u = centre(sqrt(angle / PI), N), 1/sr
+
+// table = "density": of each kind, in shares of the density that its coefficients are for.
+vec4 column_density(sampler2D table, ColumnShell air, float h) {
+    return texture(table, vec2(column_centre(column_altitude(air, h), float(textureSize(table, 0).x)), 0.5));
+}
+
+// table = "phase": phase functions in 1/sr, of the angle between the unit vectors `a`, the view ray, and
+// `b`, the direction to the sun.
+vec4 column_phase(sampler2D table, vec3 a, vec3 b) {
+    float x = sqrt(atan(length(a - b), length(a + b)) * 0.636619772);       // 2 / pi
+    return texture(table, vec2(column_centre(x, float(textureSize(table, 0).x)), 0.5));
+}

@@ -12,6 +12,7 @@ trap 'rm -rf "$PWD"' EXIT
 test "$(wc -l <paths)" = 2
 "$prefix/bin/skybake" verify out
 test -s "$prefix/share/skybake/manifest_schema.json"
+test -s "$prefix/share/skybake/lookups/sky_view.glsl"
 for module in "$build"/lib*/skybake/*.so; do
     test -s "$prefix/${module#"$build"/}"
 done

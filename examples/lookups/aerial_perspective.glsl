@@ -1,0 +1,34 @@
+// Lookups of asset = "aerial_perspective". Clamped, trilinear sampler.
+//
+// `picture` is the place in the camera's picture, (0, 0) at its upper left; d is the distance along the
+// view ray, in the unit of view_distance. `squared` is true with slices = "squared" and false with
+// "linear". Before the first slice, light grows from 0 and transmittance falls from 1 with distance.
+
+// The w of the lookup, and the share of its value that is reached at d.
+vec2 aerial_depth(float slices, float d, float view_distance, bool squared) {
+    float first = 0.5 / slices, x = d / view_distance;
+    return squared ? vec2(sqrt(x), min(x / (first * first), 1.0)) : vec2(x, min(x / first, 1.0));
+}
+
+// content = "in_scatter_and_transmittance": the colour of what is seen becomes colour * a + rgb. With
+// content = "in_scatter" rgb alone are of use.
+vec4 aerial_perspective(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
+    vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
+    vec4 value = texture(air, vec3(picture, depth.x));
+    return mix(vec4(0.0, 0.0, 0.0, 1.0), value, depth.y);
+}
+
+// content = "transmittance".
+vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
+    vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
+    vec3 value = texture(air, vec3(picture, depth.x)).rgb;
+    return mix(vec3(1.0), value, depth.y);
+}
+
+// Where a view direction is in the picture of a camera with these axes of length 1 (right: where x grows
+// in the picture), tan(fov / 2) of its vertical angle, and aspect. With heading 0 the camera looks
+// towards the sun's azimuth; a positive heading turns it to the right. Only for directions before it.
+vec2 aerial_picture(vec3 dir, vec3 forward, vec3 right, vec3 up, float tan_half_fov, float aspect) {
+    float depth = dot(dir, forward) * tan_half_fov;
+    return 0.5 + 0.5 * vec2(dot(dir, right) / (depth * aspect), -dot(dir, up) / depth);
+}

@@ -1,0 +1,59 @@
+// Lookups of asset = "cloud_volume", and a march that leaps over what is empty by the channel `leap` of
+// asset = "occupancy". The cloud's sampler is trilinear, repeats along x and y and is clamped along z.
+//
+// p and the march's `from` are in metres from the lower corner of the tile, z up; `tile` are the edges of
+// the tile, the recipe's extent. Density times extinction_scale is extinction, so that density summed
+// over metres and times extinction_scale is optical depth.
+float cloud_density(sampler3D cloud, vec3 p, vec3 tile) { return texture(cloud, p / tile).r; }
+
+// The density of a value v where the recipe says threshold_at = "runtime".
+float cloud_edge(float v, float threshold, float edge_softness) {
+    if (v <= threshold) return 0.0;
+    float x = v - threshold < edge_softness ? (v - threshold) / edge_softness : 1.0;
+    return v * (x * x * (3.0 - 2.0 * x));
+}
+
+// Where a ray is in the cloud's layer, as distances from its start: nowhere where x > y. The last one is
+// far away for a level ray.
+vec2 cloud_layer(float height, float from_z, float ray_z) {
+    if (abs(ray_z) < 1e-7) return from_z >= 0.0 && from_z <= height ? vec2(0.0, 1e7) : vec2(1.0, 0.0);
+    vec2 face = vec2(-from_z, height - from_z) / ray_z;
+    return vec2(max(min(face.x, face.y), 0.0), max(face.x, face.y));
+}
+
+// How far the ray goes on from p, in metres, before it leaves the box of cells that `leap` calls empty; 0
+// where p is in a cell that is not. `cell` is the recipe's: a cell's edge in voxels. `full` is the leap
+// that a texel of 1 stands for: 255 for unorm8, else 1. The box is `leap` - 1 cells about the one that p
+// is in. Tiles follow each other along x and y; the last cell of each is smaller where `cell` does not
+// divide the cloud's size.
+float cloud_leap(sampler3D cloud, sampler3D leaps, float cell, float full, vec3 p, vec3 ray, vec3 tile) {
+    vec3 voxels = vec3(textureSize(cloud, 0)), place = p / tile;
+    ivec3 cells = textureSize(leaps, 0);
+    vec3 of_tile = vec3(floor(place.x), floor(place.y), 0.0), inside = (place - of_tile) * voxels;
+    ivec3 at = clamp(ivec3(floor(inside / cell)), ivec3(0), cells - 1);
+    float leap = floor(texelFetch(leaps, at, 0).r * full + 0.5);
+    if (leap == 0.0) return 0.0;
+    vec3 along = ray / tile * voxels;                                   // voxels per metre
+    vec3 face = vec3(at) + vec3(along.x < 0.0 ? 1.0 - leap : leap, along.y < 0.0 ? 1.0 - leap : leap,
+                                along.z < 0.0 ? 1.0 - leap : leap);     // cells from the tile's corner
+    vec3 tiles = floor((face + 0.5) / vec3(cells));
+    face = tiles * voxels + (face - tiles * vec3(cells)) * cell;        // voxels from there
+    vec3 way = abs(face - inside) / max(abs(along), vec3(1e-20));       // a ray may be level
+    return min(way.x, min(way.y, way.z));
+}
+
+// The sum of densities times metres over `count` samples at from + ray * stride * i, i = 0, 1 ..., all of
+// them within the layer. It goes on at the last sample before the face of an empty box, so that no
+// rounding leaps over a sample: it is the sum of a march that looks everywhere.
+float cloud_march(sampler3D cloud, sampler3D leaps, float cell, float full, vec3 from, vec3 ray,
+                  vec3 tile, float stride, int count) {
+    float sum = 0.0;
+    int i = 0;
+    while (i < count) {
+        vec3 p = from + ray * (stride * float(i));
+        float empty = cloud_leap(cloud, leaps, cell, full, p, ray, tile);
+        if (empty == 0.0) sum += cloud_density(cloud, p, tile);
+        i += max(int(min(empty / stride, float(count))), 1);
+    }
+    return sum * stride;
+}

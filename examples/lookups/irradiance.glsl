@@ -1,0 +1,11 @@
+// Lookup of asset = "irradiance": what falls on a level surface that faces up, for a solar irradiance
+// of 1. Clamped, bilinear sampler. Times albedo / pi it is the radiance of the ground. Light of the sky
+// alone, for instance to light a cloud, needs content = "sky", as the default holds the sun's light too.
+//
+// D is the thickness of the air, h the altitude, both in km; sun_mu is the cosine of the sun's zenith
+// angle. `twilight` is true with mapping = "twilight" and false with "hillaire".
+vec3 irradiance(sampler2D table, float D, float h, float sun_mu, bool twilight) {
+    float x = 0.5 + 0.5 * (twilight ? sign(sun_mu) * sqrt(abs(sun_mu)) : sun_mu);
+    vec2 size = vec2(textureSize(table, 0)), place = vec2(x, sqrt(h / D));
+    return texture(table, (0.5 + place * (size - 1.0)) / size).rgb;
+}

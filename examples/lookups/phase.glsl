@@ -1,0 +1,28 @@
+// Lookups of asset = "phase". Clamped, linear sampler; tables of one wavelength have it in r.
+//
+// Phase functions of droplets have peaks of a tenth of a degree, where cosines of floats have no digits
+// left: the angle comes as sine and cosine of its half.
+
+// Of the scattering angle: `a` and `b` are unit vectors, the view ray and the direction to the sun.
+vec2 half_angle(vec3 a, vec3 b) { return 0.5 * vec2(length(a - b), length(a + b)); }
+
+// The place in the table from 0 to 1 of t = half_angle(a, b), by the table's spacing, which is `mapping`
+// in the manifest.
+float phase_by_angle(vec2 t) { return atan(t.x, t.y) * 0.636619772; }               // 2 / pi
+float phase_by_cosine(vec2 t) { return t.x * t.x; }
+float phase_by_peaks(vec2 t) {                                                      // 2^(-3/4)
+    return t.x < t.y ? 0.594603558 * sqrt(t.x) : 1.0 - 0.594603558 * sqrt(t.y);
+}
+
+// The phase function at such a place, in 1/sr.
+vec3 phase_function(sampler2D table, float x) {
+    float size = float(textureSize(table, 0).x);
+    return texture(table, vec2((0.5 + x * (size - 1.0)) / size, 0.5)).rgb;
+}
+
+// content = "inverse_cumulative": for x uniform in [0, 1], 1 - cos(angle) of angles that are distributed
+// as the phase function. Of such a v, sin(angle) is sqrt(v * (2.0 - v)) and loses no digits.
+vec3 sampled_angle(sampler2D table, float x) {
+    float size = float(textureSize(table, 0).x);
+    return texture(table, vec2((0.5 + x * (size - 1.0)) / size, 0.5)).rgb;
+}

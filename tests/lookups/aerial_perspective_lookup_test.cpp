@@ -1,0 +1,143 @@
+#include "bakers/sky/aerial_perspective_mapping.h"
+#include "tests/lookups/lookup_trial.h"
+
+namespace skybake {
+namespace gpu::aerial_lookups {
+#include "lookups/aerial_perspective.glsl.h"
+}
+
+namespace {
+
+using test::BakedLookup;
+
+std::string aerial_recipe(const std::string& keys) {
+    return "preset = 'earth'\n[bake.a]\nasset = 'aerial_perspective'\norders = 'single'\n"
+           "pixel_type = 'float'\nsize = [16, 16, 16]\naltitude = '200 m'\nsun_elevation = '10 "
+           "deg'\n"
+           "view_distance = '32 km'\npitch = '5 deg'\nheading = '40 deg'\naspect = 1.5\n" +
+           keys;
+}
+
+struct AerialTrial {
+    explicit AerialTrial(const std::string& keys)
+        : baked(test::bake_all(aerial_recipe(keys))),
+          texture(texture_of(baked.volume())),
+          bake(
+              std::get<config::AerialPerspectiveBake>(baked.recipe.parameters.bakes.front().asset)),
+          view_distance_km(bake.view_distance.kilometers()),
+          squared(bake.slices == config::SliceSpacing::squared) {}
+
+    // In front of the first slice everything is in proportion to distance, from light 0 and
+    // transmittance 1 on.
+    std::array<double, 4> in_double(double u, double v, double distance_km) const {
+        const AerialCamera camera(bake);
+        const double first_km = camera.distance_km(0.5 / texture.size[2]);
+        const double part = distance_km / view_distance_km;
+        std::array<double, 4> value = filtered(texture, {u, v, squared ? std::sqrt(part) : part});
+        if (distance_km >= first_km) return value;
+        const bool transmittance = bake.content == config::AerialContent::transmittance;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const double at_camera = c == 3 || transmittance ? 1 : 0;
+            value[c] = at_camera + (value[c] - at_camera) * (distance_km / first_km);
+        }
+        return value;
+    }
+    gpu::vec4 in_float(const gpu::vec2& picture, float distance_km) const {
+        const auto all = static_cast<float>(view_distance_km);
+        if (bake.content == config::AerialContent::transmittance) {
+            return gpu::vec4(gpu::aerial_lookups::aerial_transmittance({texture}, picture,
+                                                                       distance_km, all, squared),
+                             1);
+        }
+        return gpu::aerial_lookups::aerial_perspective({texture}, picture, distance_km, all,
+                                                       squared);
+    }
+    double range(std::size_t channel) const {
+        const ValueStatistics& s = baked.volume().levels.front().statistics[channel];
+        return s.max - s.min;
+    }
+
+    BakedLookup baked;
+    Texture texture;
+    config::AerialPerspectiveBake bake;
+    double view_distance_km;
+    bool squared;
+};
+
+TEST(AerialPerspectiveLookup, FloatLosesLittle) {
+    for (const char* keys : {"", "slices = 'linear'\n", "content = 'transmittance'\n",
+                             "slices = 'linear'\ncontent = 'in_scatter'\n"}) {
+        SCOPED_TRACE(keys);
+        const AerialTrial trial(keys);
+        test::Dice dice;
+        test::Loss loss;
+        for (int i = 0; i < test::kPlaces; ++i) {
+            const gpu::vec2 picture(dice.uniform(), dice.uniform());
+            const auto d =
+                static_cast<float>(dice.one_in(2) ? dice.uniform(0, trial.view_distance_km)
+                                                  : dice.decades(1e-5, trial.view_distance_km));
+            const gpu::vec4 found = trial.in_float(picture, d);
+            const std::array<double, 4> wanted =
+                trial.in_double(double{picture.x}, double{picture.y}, double{d});
+            for (std::size_t c = 0; c < trial.baked.volume().channel_names.size(); ++c) {
+                const auto channel = static_cast<gpu::vec4::length_type>(c);
+                loss.add((double{found[channel]} - wanted[c]) / trial.range(c));
+            }
+        }
+        expect_little_loss(loss, trial.baked.volume().certificate);
+        for (const VolumeProbe& probe : trial.baked.volume().levels.front().probes) {
+            const double w = probe.uvw[2];
+            if (w < 0.5 / trial.texture.size[2]) continue;  // before the first slice
+            const double d = trial.view_distance_km * (trial.squared ? w * w : w);
+            test::expect_probe(
+                trial.in_float(gpu::vec2(probe.uvw[0], probe.uvw[1]), static_cast<float>(d)),
+                probe.value, probe.tolerance, "w " + std::to_string(w));
+        }
+    }
+}
+
+// At the camera there is no air between, and light grows in proportion to distance up to slice 0.
+TEST(AerialPerspectiveLookup, BeginsWithNothing) {
+    for (const char* keys : {"", "slices = 'linear'\n"}) {
+        const AerialTrial trial(keys);
+        const gpu::vec2 picture(0.3f, 0.6f);
+        EXPECT_EQ(trial.in_float(picture, 0), gpu::vec4(0, 0, 0, 1));
+        const double first_km = AerialCamera(trial.bake).distance_km(0.5 / trial.texture.size[2]);
+        const gpu::vec4 half = trial.in_float(picture, static_cast<float>(0.5 * first_km));
+        const gpu::vec4 whole = trial.in_float(picture, static_cast<float>(first_km));
+        EXPECT_NEAR(half.x, 0.5f * whole.x, 1e-5f * whole.x);
+        EXPECT_GT(whole.x, 0);
+    }
+}
+
+// A ray goes along forward + tan(fov / 2) (aspect X right + Y up), as the baker's camera has it.
+TEST(AerialPerspectiveLookup, PicturesAreTheCameras) {
+    const AerialTrial trial("fov = '70 deg'\n");
+    const AerialCamera camera(trial.bake);
+    const double pitch = trial.bake.pitch.radians;
+    const double heading = trial.bake.heading.radians;
+    const double tangent = std::tan(trial.bake.fov.radians / 2);
+    const glm::dvec3 ahead(std::cos(heading), std::sin(heading), 0);
+    const glm::dvec3 right(-std::sin(heading), std::cos(heading), 0);
+    const glm::dvec3 zenith(0, 0, 1);
+    const glm::dvec3 forward = std::cos(pitch) * ahead + std::sin(pitch) * zenith;
+    const glm::dvec3 up = std::cos(pitch) * zenith - std::sin(pitch) * ahead;
+    test::Dice dice;
+    for (int i = 0; i < 1000; ++i) {
+        const double u = dice.uniform();
+        const double v = dice.uniform();
+        const glm::dvec3 dir = glm::normalize(
+            forward + tangent * (trial.bake.aspect * (2 * u - 1) * right + (1 - 2 * v) * up));
+        const ViewDirection view = camera.direction(u, v);
+        ASSERT_NEAR(view.mu, dir.z, 1e-12);
+        ASSERT_NEAR(view.sine * view.azimuth_cosine, dir.x, 1e-12);
+        const gpu::vec2 found = gpu::aerial_lookups::aerial_picture(
+            gpu::vec3(dir), gpu::vec3(forward), gpu::vec3(right), gpu::vec3(up),
+            static_cast<float>(tangent), static_cast<float>(trial.bake.aspect));
+        EXPECT_NEAR(found.x, u, 2e-6);
+        EXPECT_NEAR(found.y, v, 2e-6);
+    }
+}
+
+}  // namespace
+}  // namespace skybake

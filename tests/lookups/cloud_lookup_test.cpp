@@ -1,0 +1,230 @@
+// Noise, clouds, and the march that leaps over what is empty.
+#include "bakers/core/texel_axis.h"
+#include "tests/lookups/lookup_trial.h"
+
+namespace skybake {
+namespace gpu::cloud_lookups {
+#include "lookups/clouds.glsl.h"
+#include "lookups/noise.glsl.h"
+}  // namespace gpu::cloud_lookups
+
+namespace {
+
+using gpu::vec3;
+
+const std::string kShape = "[noise.shape]\npreset = 'nubis_shape'\nseed = 7\n";
+
+TEST(NoiseLookup, FloatLosesLittle) {
+    for (const bool corners : {false, true}) {
+        const test::BakedLookup baked = test::bake_all(
+            kShape + (corners ? "sampling = 'corners'\n" : "") +
+            "[bake.a]\nasset = 'noise_volume'\nnoise = 'shape'\nsize = [32, 16, 24]\n"
+            "pixel_type = 'float'\n");
+        const Texture texture = texture_of(baked.volume());
+        const vec3 tile(8, 4, 6);
+        test::Dice dice;
+        test::Loss loss;
+        for (int i = 0; i < test::kPlaces; ++i) {
+            const vec3 p(dice.uniform(-20, 20), dice.uniform(-20, 20), dice.uniform(-20, 20));
+            const gpu::vec4 found =
+                corners ? gpu::cloud_lookups::noise_volume_at_corners({texture}, p, tile)
+                        : gpu::cloud_lookups::noise_volume({texture}, p, tile);
+            // Voxel i is at (i + 1/2) / size, or at i / size.
+            std::array<double, 3> place{};
+            for (std::size_t a = 0; a < 3; ++a) {
+                const auto axis = static_cast<vec3::length_type>(a);
+                const double voxel = double{p[axis]} / double{tile[axis]} * texture.size[a];
+                place[a] = (voxel + (corners ? 0.5 : 0)) / texture.size[a];
+            }
+            const std::array<double, 4> wanted = filtered(texture, place);
+            for (std::size_t c = 0; c < 4; ++c) {
+                const ValueStatistics& s = baked.volume().levels.front().statistics[c];
+                loss.add((double{found[static_cast<vec3::length_type>(c)]} - wanted[c]) /
+                         (s.max - s.min));
+            }
+        }
+        expect_little_loss(loss, baked.volume().certificate);
+    }
+}
+
+// What the functions make of four channels is what pack stores.
+TEST(NoiseLookup, ChannelsArePackedAsTheBakerPacksThem) {
+    const std::string detail = "[noise.detail]\npreset = 'nubis_detail'\nseed = 11\n";
+    const std::string bakes =
+        "[bake.a]\nasset = 'noise_volume'\nnoise = 'shape'\nsize = [16, 16, 16]\npixel_type = "
+        "'float'\n[bake.b]\nasset = 'noise_volume'\nnoise = 'detail'\nsize = [16, 16, 16]\n"
+        "pixel_type = 'float'\n";
+    const test::BakedLookup apart = test::bake_all(kShape + detail + bakes);
+    const test::BakedLookup packed =
+        test::bake_all(kShape + "pack = 'shape'\n" + detail + "pack = 'detail'\n" + bakes);
+    const Texture shape = texture_of(apart.volume(0));
+    const Texture erosion = texture_of(apart.volume(1));
+    for (std::size_t i = 0; i < 4096; ++i) {
+        const float* s = shape.texels.data() + 4 * i;
+        const float* d = erosion.texels.data() + static_cast<std::size_t>(erosion.channels) * i;
+        const float in_shape = texture_of(packed.volume(0)).texels[i];
+        EXPECT_NEAR(gpu::cloud_lookups::nubis_shape({s[0], s[1], s[2], s[3]}), in_shape, 1e-6);
+        const float in_detail = texture_of(packed.volume(1)).texels[i];
+        EXPECT_NEAR(gpu::cloud_lookups::nubis_detail({d[0], d[1], d[2]}), in_detail, 1e-6);
+        if (HasFailure()) return;
+    }
+}
+
+// A small cloud, its cells and a tile. 60 and 20 voxels are not whole numbers of cells.
+struct CloudTrial {
+    CloudTrial()
+        : baked(test::bake_all(kShape +
+                               "pack = 'shape'\n[clouds.cumulus]\nnoise = 'shape'\n"
+                               "noise_scale = [1, 1, 1]\nextent = ['3 km', '3.2 km', '1 km']\n"
+                               "height_profile = { type = 'cumulus' }\ncoverage = 0.55\n"
+                               "[bake.cloud]\nasset = 'cloud_volume'\ncloud = 'cumulus'\n"
+                               "size = [60, 64, 20]\npixel_type = 'float'\n[bake.leap]\n"
+                               "asset = 'occupancy'\nof = 'cloud'\ncell = 8\ncontents = ['leap']\n"
+                               "pixel_type = 'unorm8'\nformats = ['bin']\n")),
+          cloud(texture_of(baked.volume(0))),
+          leaps(texture_of(baked.volume(1))) {}
+
+    struct Ray {
+        vec3 from, ray;
+        float stride = 0;
+        int count = 0;
+    };
+    // From anywhere in the layer or at its faces, in any direction, level ones too, over several
+    // tiles.
+    Ray any_ray(test::Dice& dice) const {
+        Ray ray;
+        glm::dvec3 along = dice.direction();
+        if (dice.one_in(2)) along.z *= 0.1;
+        if (dice.one_in(10)) along.z = 0;
+        if (dice.one_in(10)) along = {0, dice.one_in(2) ? 1 : -1, 0};
+        ray.ray = vec3(glm::normalize(along));
+        ray.from =
+            vec3(dice.uniform(-9000, 9000), dice.uniform(-9000, 9000), dice.uniform(0, 1000));
+        if (dice.one_in(4)) ray.from = glm::floor(ray.from / 50.0f) * 50.0f;  // on voxels' faces
+        ray.stride = static_cast<float>(dice.decades(5, 200));
+        const gpu::vec2 layer = gpu::cloud_lookups::cloud_layer(tile.z, ray.from.z, ray.ray.z);
+        const float length = std::min(layer.y - layer.x, 8000.0f);
+        ray.from += ray.ray * layer.x;
+        ray.count = length > 0 ? static_cast<int>(length / ray.stride) + 1 : 0;
+        return ray;
+    }
+    float march(const Ray& ray, const Texture& with) const {
+        return gpu::cloud_lookups::cloud_march({cloud}, {with}, 8, 255, ray.from, ray.ray, tile,
+                                               ray.stride, ray.count);
+    }
+    // A grid that calls nothing empty, whose march looks everywhere.
+    Texture without_leaps() const {
+        Texture grid = leaps;
+        std::fill(grid.texels.begin(), grid.texels.end(), 0.0f);
+        return grid;
+    }
+
+    test::BakedLookup baked;
+    Texture cloud;
+    Texture leaps;
+    vec3 tile{3000, 3200, 1000};
+};
+
+TEST(CloudMarch, LeapsChangeNothing) {
+    const CloudTrial trial;
+    const Texture everywhere = trial.without_leaps();
+    ASSERT_EQ(trial.leaps.size, (std::array<int, 3>{8, 8, 3}));
+    test::Dice dice;
+    long looked = 0;
+    long steps = 0;
+    double sum = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const CloudTrial::Ray ray = trial.any_ray(dice);
+        const float straight = trial.march(ray, everywhere);
+        steps += trial.cloud.lookups;
+        trial.cloud.lookups = 0;
+        const float leaping = trial.march(ray, trial.leaps);
+        looked += trial.cloud.lookups;
+        trial.cloud.lookups = 0;
+        ASSERT_EQ(straight, leaping) << "ray " << i;
+        sum += double{straight};
+    }
+    // It found clouds and gaps, and left the gaps out.
+    EXPECT_GT(sum, 0);
+    EXPECT_LT(looked, steps / 2);
+    EXPECT_LT(trial.leaps.lookups, steps / 2);
+}
+
+// A grid that is one cell too bold would be noticed.
+TEST(CloudMarch, TooLongLeapsWouldBeNoticed) {
+    const CloudTrial trial;
+    const Texture everywhere = trial.without_leaps();
+    Texture bold = trial.leaps;
+    for (float& leap : bold.texels) {
+        if (leap > 0) leap += 1.0f / 255;
+    }
+    test::Dice dice;
+    int different = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const CloudTrial::Ray ray = trial.any_ray(dice);
+        if (trial.march(ray, everywhere) != trial.march(ray, bold)) ++different;
+    }
+    EXPECT_GT(different, 100);
+}
+
+TEST(CloudMarch, AddsUpTheDensities) {
+    const CloudTrial trial;
+    test::Dice dice;
+    for (int i = 0; i < 300; ++i) {
+        const CloudTrial::Ray ray = trial.any_ray(dice);
+        double sum = 0;
+        for (int k = 0; k < ray.count; ++k) {
+            const glm::dvec3 p =
+                glm::dvec3(ray.from) + glm::dvec3(ray.ray) * (k * double{ray.stride});
+            const glm::dvec3 place = p / glm::dvec3(trial.tile);
+            sum += filtered(trial.cloud, {place.x, place.y, place.z})[0];
+        }
+        sum *= double{ray.stride};
+        EXPECT_NEAR(trial.march(ray, trial.leaps), sum, 1e-3 * sum + 0.05) << "ray " << i;
+    }
+}
+
+TEST(CloudLookup, FloatLosesLittle) {
+    const CloudTrial trial;
+    const ValueStatistics& range = trial.baked.volume().levels.front().statistics.front();
+    test::Dice dice;
+    test::Loss loss;
+    for (int i = 0; i < test::kPlaces; ++i) {
+        const vec3 p(dice.uniform(-9000, 9000), dice.uniform(-9000, 9000), dice.uniform(0, 1000));
+        const float found = gpu::cloud_lookups::cloud_density({trial.cloud}, p, trial.tile);
+        const glm::dvec3 place = glm::dvec3(p) / glm::dvec3(trial.tile);
+        const double wanted = filtered(trial.cloud, {place.x, place.y, place.z})[0];
+        loss.add((double{found} - wanted) / (range.max - range.min));
+    }
+    expect_little_loss(loss, trial.baked.volume().certificate);
+}
+
+TEST(CloudLookup, EdgeIsASmoothStep) {
+    test::Dice dice;
+    for (int i = 0; i < 1000; ++i) {
+        const auto v = static_cast<float>(dice.uniform(0, 1));
+        const auto threshold = static_cast<float>(dice.uniform(0, 1));
+        const float softness = dice.one_in(5) ? 0.0f : static_cast<float>(dice.uniform(0, 0.3));
+        const double x =
+            softness > 0 ? std::clamp((double{v} - double{threshold}) / double{softness}, 0.0, 1.0)
+                         : 1;
+        const double wanted = v > threshold ? double{v} * x * x * (3 - 2 * x) : 0;
+        EXPECT_NEAR(gpu::cloud_lookups::cloud_edge(v, threshold, softness), wanted, 2e-5);
+    }
+}
+
+TEST(CloudLookup, LayerIsBetweenItsFaces) {
+    using gpu::cloud_lookups::cloud_layer;
+    EXPECT_EQ(cloud_layer(1000, -500, 1), gpu::vec2(500, 1500));
+    EXPECT_EQ(cloud_layer(1000, 1500, -0.5f), gpu::vec2(1000, 3000));
+    EXPECT_EQ(cloud_layer(1000, 250, -0.5f), gpu::vec2(0, 500));
+    const gpu::vec2 away = cloud_layer(1000, 1500, 1);
+    EXPECT_GT(away.x, away.y);
+    const gpu::vec2 level_above = cloud_layer(1000, 1500, 0);
+    EXPECT_GT(level_above.x, level_above.y);
+    EXPECT_EQ(cloud_layer(1000, 500, 0).x, 0);
+    EXPECT_GT(cloud_layer(1000, 500, 0).y, 1e6f);
+}
+
+}  // namespace
+}  // namespace skybake

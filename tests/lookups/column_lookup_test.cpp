@@ -1,0 +1,183 @@
+#include "bakers/columns/column_kinds.h"
+#include "bakers/columns/column_table.h"
+#include "tests/lookups/lookup_trial.h"
+
+namespace skybake {
+namespace gpu::column_lookups {
+#include "lookups/columns.glsl.h"
+}
+
+namespace {
+
+using config::OpticalDepthBake;
+
+// A path of floats: from an altitude along a zenith angle, over a length, up to another altitude.
+struct FloatPath {
+    float h = 0, mu = 0, d = 0, end = 0;
+};
+
+struct ColumnTrial {
+    explicit ColumnTrial(const std::string& keys)
+        : baked(test::bake_all("preset = 'earth'\n[atmosphere.layers.dust]\npreset = 'dust'\n"
+                               "[atmosphere.layers.fog]\npreset = 'fog'\n"
+                               "[atmosphere.layers.rain]\npreset = 'rain'\n[bake.a]\n"
+                               "asset = 'optical_depth'\npixel_type = 'float'\n"
+                               "kinds = ['rayleigh', 'dust', 'fog', 'rain']\n" +
+                               keys)),
+          bake(std::get<OpticalDepthBake>(baked.recipe.parameters.bakes.front().asset)),
+          kinds(make_column_kinds(baked.recipe.parameters.atmosphere, bake.kinds)),
+          texture(texture_of(baked.volume())),
+          geometry(column_geometry(kinds)),
+          table(bake, geometry),
+          air{static_cast<float>(geometry.shell.ground_radius_km),
+              static_cast<float>(geometry.shell.thickness_km),
+              static_cast<float>(geometry.scale.fine_km)} {}
+
+    // Columns in km, as lookups return them.
+    std::array<double, 4> in_double(const ColumnPath& path) const {
+        std::array<double, 4> columns = filtered(texture, table.texture_coordinates(path));
+        for (double& column : columns) column = mean_density_of_stored(column) * path.length_km;
+        return columns;
+    }
+
+    // Of the transmittance: of each kind alone and of all together.
+    void add_errors(const gpu::vec4& found, const std::array<double, 4>& wanted,
+                    test::Loss& loss) const {
+        for (std::size_t c = 0; c < 3; ++c) {
+            double depth_found = 0;
+            double depth_wanted = 0;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const double extinction = kinds[k].extinction_per_km[c];
+                const double column = double{found[static_cast<gpu::vec4::length_type>(k)]};
+                loss.add(std::exp(-extinction * column) - std::exp(-extinction * wanted[k]));
+                depth_found += extinction * column;
+                depth_wanted += extinction * wanted[k];
+            }
+            loss.add(std::exp(-depth_found) - std::exp(-depth_wanted));
+        }
+    }
+
+    // Within the air: up to the top or to the ground, near the horizon more often than not.
+    FloatPath any_path(test::Dice& dice) const {
+        const Shell& shell = geometry.shell;
+        FloatPath path;
+        path.h = dice.altitude_km(shell.thickness_km);
+        const double h = double{path.h};
+        const bool ground = dice.one_in(2);
+        path.mu = static_cast<float>(
+            std::cos(dice.angle(test::horizon_angle(shell, h), ground ? std::numbers::pi : 0)));
+        const double s = (shell.ground_radius_km + h) * double{path.mu};
+        const bool falls = s < -horizon_distance_km(shell, h);
+        const double longest =
+            falls ? distance_to_ground_km(shell, h, s) : distance_to_top_km(shell, h, s);
+        const double part = dice.one_in(2) ? dice.uniform() : dice.decades(1e-6, 1);
+        path.d = static_cast<float>(longest * part);
+        path.end = static_cast<float>(
+            std::clamp(altitude_along_km(shell, h, s, double{path.d}), 0.0, shell.thickness_km));
+        return path;
+    }
+
+    test::BakedLookup baked;
+    OpticalDepthBake bake;
+    std::vector<ColumnKind> kinds;
+    Texture texture;
+    ColumnGeometry geometry;
+    ColumnTable table;
+    gpu::column_lookups::ColumnShell air;
+};
+
+TEST(ColumnLookup, FloatLosesLittleToTheTop) {
+    const ColumnTrial trial("size = [128, 64, 1]\n");
+    const Shell& shell = trial.geometry.shell;
+    test::Dice dice;
+    test::Loss loss;
+    for (int i = 0; i < test::kPlaces; ++i) {
+        const float h = dice.altitude_km(shell.thickness_km);
+        const double angle = dice.angle(test::horizon_angle(shell, double{h}), 0);
+        const auto mu = static_cast<float>(std::cos(angle));
+        const double s = std::max((shell.ground_radius_km + double{h}) * double{mu},
+                                  -horizon_distance_km(shell, double{h}));
+        const gpu::vec4 found =
+            gpu::column_lookups::column_to_top({trial.texture}, trial.air, h, mu);
+        const ColumnPath path{double{h}, s, distance_to_top_km(shell, double{h}, s)};
+        trial.add_errors(found, trial.in_double(path), loss);
+    }
+    expect_little_loss(loss, trial.baked.volume().certificate);
+}
+
+TEST(ColumnLookup, FloatLosesLittleBetweenPoints) {
+    const ColumnTrial trial("table = 'between'\nsize = [32, 32, 32]\n");
+    const double R = trial.geometry.shell.ground_radius_km;
+    test::Dice dice;
+    test::Loss loss;
+    for (int i = 0; i < test::kPlaces; ++i) {
+        const FloatPath path = trial.any_path(dice);
+        const gpu::vec4 found = gpu::column_lookups::column_between({trial.texture}, trial.air,
+                                                                    path.h, path.end, path.d);
+        // The triangle of both points and the centre, by the altitudes and the distance as floats.
+        const double low = std::min(double{path.h}, double{path.end});
+        const double gain = std::max(double{path.h}, double{path.end}) - low;
+        const double d = std::max(double{path.d}, gain);
+        const double s = d > 0 ? 0.5 * (gain * (gain + 2 * (R + low)) / d - d) : R + low;
+        trial.add_errors(found, trial.in_double({low, s, d}), loss);
+    }
+    expect_little_loss(loss, trial.baked.volume().certificate);
+}
+
+TEST(ColumnLookup, FloatLosesLittleAlongRays) {
+    const ColumnTrial trial("table = 'between'\ncoordinates = 'distance'\nsize = [32, 32, 32]\n");
+    const double R = trial.geometry.shell.ground_radius_km;
+    test::Dice dice;
+    test::Loss loss;
+    for (int i = 0; i < test::kPlaces; ++i) {
+        const FloatPath path = trial.any_path(dice);
+        const gpu::vec4 found =
+            gpu::column_lookups::column_along({trial.texture}, trial.air, path.h, path.mu, path.d);
+        const double h = double{path.h};
+        trial.add_errors(found, trial.in_double({h, (R + h) * double{path.mu}, double{path.d}}),
+                         loss);
+    }
+    expect_little_loss(loss, trial.baked.volume().certificate);
+}
+
+TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
+    const ColumnTrial densities("table = 'density'\nsize = [256, 1, 1]\n");
+    const ColumnTrial phases("table = 'phase'\nsize = [256, 1, 1]\n");
+    test::Dice dice;
+    test::Loss density_loss;
+    test::Loss phase_loss;
+    const auto x_of_u = [](double x, int size) { return (0.5 + x * (size - 1)) / size; };
+    for (int i = 0; i < test::kPlaces; ++i) {
+        const float h = dice.altitude_km(densities.geometry.shell.thickness_km);
+        const gpu::vec4 density =
+            gpu::column_lookups::column_density({densities.texture}, densities.air, h);
+        const std::array<double, 4> wanted_density =
+            filtered(densities.texture,
+                     {x_of_u(scaled_altitude(densities.geometry.scale, double{h}), 256), 0.5, 0.5});
+        const double angle =
+            dice.angle(dice.one_in(2) ? 0 : std::numbers::pi, 0.5 * std::numbers::pi);
+        const gpu::vec3 a(1, 0, 0);
+        const gpu::vec3 b(std::cos(angle), std::sin(angle), 0);
+        const gpu::vec4 phase = gpu::column_lookups::column_phase({phases.texture}, a, b);
+        const glm::dvec3 unit = glm::normalize(glm::dvec3(b));
+        const double exact = std::atan2(unit.y, unit.x);
+        const std::array<double, 4> wanted_phase =
+            filtered(phases.texture, {x_of_u(std::sqrt(exact / std::numbers::pi), 256), 0.5, 0.5});
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto channel = static_cast<gpu::vec4::length_type>(k);
+            const ValueStatistics& range = densities.baked.volume().levels.front().statistics[k];
+            density_loss.add((double{density[channel]} - wanted_density[k]) /
+                             (range.max - range.min));
+            phase_loss.add(double{phase[channel]} / wanted_phase[k] - 1);
+        }
+    }
+    {
+        SCOPED_TRACE("density");
+        expect_little_loss(density_loss, densities.baked.volume().certificate);
+    }
+    SCOPED_TRACE("phase");
+    expect_little_loss(phase_loss, phases.baked.volume().certificate);
+}
+
+}  // namespace
+}  // namespace skybake

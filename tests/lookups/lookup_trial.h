@@ -1,0 +1,150 @@
+// Published lookups on trial: run in float at many places, held to the bakers' own mapping in
+// double over the same texels.
+//
+// What a lookup may lose to float is a tenth of what the table is wrong anyway: its maximum and its
+// RMS over all places, each at most a tenth of the lookup error that the manifest says, on the
+// scale that the manifest says. At probes a lookup has to hold the probe's tolerance, as in a
+// runtime.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <random>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bakers/atmosphere/ray.h"
+#include "tests/lookups/gpu.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake::test {
+
+constexpr int kPlaces = 100000;
+
+// Differences between the lookup in float and the one in double.
+class Loss {
+  public:
+    void add(double difference) {
+        // Of not-a-number, too.
+        if (!(std::fabs(difference) <= max_)) max_ = std::fabs(difference);
+        sum_ += difference * difference;
+        ++count_;
+    }
+    double max() const { return max_; }
+    double rms() const { return std::sqrt(sum_ / static_cast<double>(count_)); }
+    bool is_a_tenth_of(const ErrorFigures& own) const {
+        return count_ > 0 && max() <= 0.1 * own.max && rms() <= 0.1 * own.rms;
+    }
+    std::string text(const ErrorFigures& own) const {
+        char row[160];
+        std::snprintf(row, sizeof row,
+                      "lost to float: max %.2g, rms %.2g; the table's own: %.2g, %.2g", max(),
+                      rms(), own.max, own.rms);
+        return row;
+    }
+
+  private:
+    double max_ = 0;
+    double sum_ = 0;
+    long count_ = 0;
+};
+
+inline void expect_little_loss(const Loss& loss, const Certificate& certificate) {
+    EXPECT_TRUE(loss.is_a_tenth_of(certificate.lookup)) << loss.text(certificate.lookup);
+    ::testing::Test::RecordProperty("loss", loss.text(certificate.lookup));
+}
+
+// The same numbers on every run and machine.
+class Dice {
+  public:
+    // In [0, 1).
+    double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+    double uniform(double from, double to) { return from + (to - from) * uniform(); }
+    // By decades: as many numbers from 1e-3 to 1e-2 as from 1e-2 to 1e-1.
+    double decades(double from, double to) { return from * std::pow(to / from, uniform()); }
+    bool one_in(int count) { return uniform() * count < 1; }
+
+    // An altitude of the air: anywhere, near the ground to a millimetre, on the ground and at the
+    // top.
+    float altitude_km(double thickness_km) {
+        if (one_in(50)) return 0;
+        if (one_in(50)) return static_cast<float>(thickness_km);
+        const double h = one_in(2) ? uniform(0, thickness_km) : decades(1e-6, thickness_km);
+        return static_cast<float>(std::min(h, thickness_km));
+    }
+
+    // An angle between two others: anywhere, or next to the first.
+    double angle(double near, double far) {
+        const double range = far - near;
+        return near + range * (one_in(2) ? uniform() : decades(1e-7, 1));
+    }
+
+    glm::dvec3 direction() {
+        const double z = uniform(-1, 1);
+        const double azimuth = uniform(0, 6.283185307179586);
+        const double level = std::sqrt(1 - z * z);
+        return {level * std::cos(azimuth), level * std::sin(azimuth), z};
+    }
+
+  private:
+    std::mt19937_64 engine_{20240611};
+};
+
+// The cosine of the horizon's zenith angle at an altitude, and the angle itself.
+inline double horizon_angle(const Shell& shell, double altitude_km) {
+    const double dip = std::atan2(horizon_distance_km(shell, altitude_km), shell.ground_radius_km);
+    return 0.5 * std::numbers::pi + dip;
+}
+
+// The first asset of a recipe, and what else the lookup must know.
+struct BakedLookup {
+    config::Recipe recipe;
+    std::vector<BakedAsset> assets;
+
+    const BakedTable& table(std::size_t i = 0) const { return std::get<BakedTable>(assets.at(i)); }
+    const BakedVolume& volume(std::size_t i = 0) const {
+        return std::get<BakedVolume>(assets.at(i));
+    }
+    Shell shell() const { return shell_of(make_medium(recipe.parameters.atmosphere)); }
+};
+
+inline BakedLookup bake_all(const std::string& text) {
+    BakedLookup baked{recipe_of(text), {}};
+    for (const config::Bake& bake : baked.recipe.parameters.bakes) {
+        auto outcome = bake_asset(baked.recipe, bake, {.threads = 1});
+        for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
+            EXPECT_NE(diagnostic.severity, config::Severity::error) << diagnostic.message;
+        }
+        if (outcome.value) baked.assets.push_back(std::move(*outcome.value));
+    }
+    return baked;
+}
+
+// A coordinate of a probe's place.
+inline double at(const Probe& probe, std::string_view name) {
+    const auto found = std::find_if(probe.at.begin(), probe.at.end(),
+                                    [&](const auto& one) { return one.first == name; });
+    if (found == probe.at.end()) {
+        ADD_FAILURE() << "no " << name;
+        return 0;
+    }
+    return found->second;
+}
+
+inline void expect_probe(const gpu::vec4& found, const std::vector<double>& value,
+                         const std::vector<double>& tolerance, const std::string& where) {
+    for (std::size_t c = 0; c < value.size(); ++c) {
+        const auto channel = static_cast<gpu::vec4::length_type>(c);
+        EXPECT_LE(std::fabs(double{found[channel]} - value[c]), tolerance[c])
+            << where << ", channel " << c << ": " << value[c];
+    }
+}
+
+}  // namespace skybake::test

@@ -1,0 +1,183 @@
+#include <numbers>
+
+#include "bakers/core/relative_error.h"
+#include "bakers/core/texel_axis.h"
+#include "bakers/sky/sky_view_mapping.h"
+#include "tests/lookups/lookup_trial.h"
+
+namespace skybake {
+namespace gpu::sky_view_lookup {
+#include "lookups/sky_view.glsl.h"
+}
+namespace gpu::sky_view_by_arc_sines {
+#include "lost_digits/sky_view.glsl.h"
+}
+
+namespace {
+
+using gpu::vec3;
+using test::BakedLookup;
+
+constexpr double kHalfPi = 0.5 * std::numbers::pi;
+
+// Closer to the horizon, in radians, a direction of floats does not tell sky from ground.
+constexpr double kUndecided = 5e-7;
+
+struct ViewPlace {
+    vec3 dir, up, sun;
+    int k = 0;
+};
+
+class SkyViewTrial {
+  public:
+    explicit SkyViewTrial(double altitude_km)
+        : baked_(test::bake_all(recipe_at(altitude_km))),
+          texture_(texture_of(baked_.table())),
+          shell_(baked_.shell()),
+          altitude_km_(altitude_km),
+          camera_(shell_, altitude_km) {
+        for (const float texel : texture_.texels) largest_ = std::max(largest_, double{texel});
+    }
+
+    // A direction by its angle above the horizon and its azimuth from the sun k, in a frame of its
+    // own as any engine has one.
+    ViewPlace place(double above_horizon, double azimuth, int k, const glm::dvec3& up) const {
+        const glm::dvec3 side = std::fabs(up.z) < 0.9 ? glm::dvec3{0, 0, 1} : glm::dvec3{1, 0, 0};
+        const glm::dvec3 ahead = glm::normalize(glm::cross(up, side));
+        const glm::dvec3 right = glm::cross(ahead, up);
+        const double elevation = above_horizon - camera_.dip();
+        const double sun_elevation = kSuns[static_cast<std::size_t>(k)] * kHalfPi / 90;
+        const glm::dvec3 level = std::cos(azimuth) * ahead + std::sin(azimuth) * right;
+        return {vec3(std::cos(elevation) * level + std::sin(elevation) * up), vec3(up),
+                vec3(std::cos(sun_elevation) * ahead + std::sin(sun_elevation) * up), k};
+    }
+
+    ViewPlace any_place(test::Dice& dice) const {
+        const bool below = dice.one_in(2);
+        const double range = below ? -camera_.range_below()
+                                   : std::min(1.1 * camera_.range_above(), kHalfPi + camera_.dip());
+        return place(dice.angle(0, range), dice.angle(0, std::numbers::pi),
+                     static_cast<int>(3 * dice.uniform()), dice.direction());
+    }
+
+    vec3 in_float(const ViewPlace& at) const {
+        return gpu::sky_view_lookup::sky_view(
+            {texture_}, static_cast<float>(shell_.ground_radius_km),
+            static_cast<float>(shell_.thickness_km), static_cast<float>(altitude_km_), at.dir,
+            at.up, at.sun, at.k, 3);
+    }
+    vec3 in_float_by_arc_sines(const ViewPlace& at) const {
+        const gpu::vec2 size(texture_.size[0], texture_.size[1] / 3);
+        return gpu::sky_view_by_arc_sines::sky_view({texture_}, static_cast<float>(altitude_km_),
+                                                    at.dir, at.up, at.sun, static_cast<float>(at.k),
+                                                    3, size);
+    }
+
+    // Above the horizon, in radians, of the direction as floats have it.
+    double angle_of(const ViewPlace& at) const {
+        const glm::dvec3 dir(at.dir);
+        const glm::dvec3 up = glm::normalize(glm::dvec3(at.up));
+        const double mu = glm::dot(dir, up);
+        return std::atan2(mu, glm::length(dir - mu * up)) + camera_.dip();
+    }
+    std::array<double, 4> in_double(const ViewPlace& at) const {
+        const double angle = angle_of(at);
+        if (camera_.in_space() && angle > camera_.range_above()) return {};
+        const glm::dvec3 up = glm::normalize(glm::dvec3(at.up));
+        const glm::dvec3 view = glm::dvec3(at.dir) - glm::dot(glm::dvec3(at.dir), up) * up;
+        const glm::dvec3 sun = glm::dvec3(at.sun) - glm::dot(glm::dvec3(at.sun), up) * up;
+        const double azimuth = std::atan2(glm::length(glm::cross(view, sun)), glm::dot(view, sun));
+        const double y = std::min(camera_.coordinate(angle), 1.0);
+        const double u = texture_coordinate(TexelConvention::end_points_on_texel_centres,
+                                            azimuth / std::numbers::pi, texture_.size[0]);
+        return filtered(texture_, {u, (at.k + sky_view_v(y, texture_.size[1] / 3)) / 3, 0.5});
+    }
+
+    template <class Lookup>
+    test::Loss loss(const Lookup& lookup) const {
+        test::Dice dice;
+        test::Loss loss;
+        for (int i = 0; i < test::kPlaces; ++i) {
+            const ViewPlace at = any_place(dice);
+            if (std::fabs(angle_of(at)) < kUndecided) continue;
+            const vec3 found = lookup(at);
+            const std::array<double, 4> wanted = in_double(at);
+            for (int c = 0; c < 3; ++c) {
+                loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)],
+                                        largest_));
+            }
+        }
+        return loss;
+    }
+
+    ViewPlace place_of(const Probe& probe) const {
+        const double degree = kHalfPi / 90;
+        const double sun = test::at(probe, "sun_elevation_deg");
+        const auto k = std::find_if(kSuns.begin(), kSuns.end(),
+                                    [&](double one) { return std::fabs(one - sun) < 1e-9; });
+        return place(degree * test::at(probe, "above_horizon_deg"),
+                     degree * test::at(probe, "azimuth_deg"), static_cast<int>(k - kSuns.begin()),
+                     {0, 0, 1});
+    }
+
+    const BakedTable& table() const { return baked_.table(); }
+
+  private:
+    static constexpr std::array kSuns = {30.0, 3.0, -4.0};
+
+    static std::string recipe_at(double altitude_km) {
+        return "preset = 'earth'\n[bake.sky_view]\norders = 'single'\nsize = [96, 54]\n"
+               "sun_elevations = ['30 deg', '3 deg', '-4 deg']\naltitude = '" +
+               std::to_string(altitude_km) + " km'\n";
+    }
+
+    BakedLookup baked_;
+    Texture texture_;
+    Shell shell_;
+    double altitude_km_;
+    SkyViewCamera camera_;
+    double largest_ = 0;
+};
+
+// From the ground, in the air, at its top, just above it and in orbit.
+TEST(SkyViewLookup, FloatLosesLittle) {
+    for (const double altitude_km : {0.0, 0.002, 0.5, 12.0, 99.99, 100.0, 100.01, 400.0}) {
+        SCOPED_TRACE(altitude_km);
+        const SkyViewTrial trial(altitude_km);
+        expect_little_loss(trial.loss([&](const ViewPlace& at) { return trial.in_float(at); }),
+                           trial.table().certificate);
+        for (const Probe& probe : trial.table().probes) {
+            const ViewPlace at = trial.place_of(probe);
+            // On the horizon itself rounding decides between sky and ground.
+            if (std::fabs(trial.angle_of(at)) < kUndecided) continue;
+            test::expect_probe(gpu::vec4(trial.in_float(at), 1), probe.value, probe.tolerance,
+                               "angle " + std::to_string(trial.angle_of(at)));
+        }
+    }
+}
+
+TEST(SkyViewLookup, ArcSinesWouldBeNoticed) {
+    for (const double altitude_km : {0.5, 400.0}) {
+        const SkyViewTrial trial(altitude_km);
+        const test::Loss loss =
+            trial.loss([&](const ViewPlace& at) { return trial.in_float_by_arc_sines(at); });
+        EXPECT_FALSE(loss.is_a_tenth_of(trial.table().certificate.lookup))
+            << altitude_km << ": " << loss.text(trial.table().certificate.lookup);
+    }
+}
+
+// Straight up and down, where there is no azimuth, no lookup is undefined.
+TEST(SkyViewLookup, HasAValueWhereThereIsNoAzimuth) {
+    const SkyViewTrial trial(0.5);
+    for (const float z : {-1.0f, 1.0f}) {
+        const ViewPlace at{{0, 0, z}, {0, 0, 1}, {1, 0, 0}, 0};
+        const vec3 found = trial.in_float(at);
+        const std::array<double, 4> wanted = trial.in_double(at);
+        EXPECT_NEAR(found.x, wanted[0], 1e-5 * wanted[0]);
+        const vec3 sun_above = trial.in_float({{0.6f, 0, 0.8f * z}, {0, 0, 1}, {0, 0, 1}, 0});
+        EXPECT_TRUE(std::isfinite(sun_above.x));
+    }
+}
+
+}  // namespace
+}  // namespace skybake

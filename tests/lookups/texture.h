@@ -1,0 +1,81 @@
+// The texels of baked assets as a runtime holds them, filtered in double.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "bakers/core/pixel_type.h"
+#include "bakers/core/trilinear.h"
+#include "bakers/registry.h"
+
+namespace skybake {
+
+struct Texture {
+    std::array<int, 3> size{1, 1, 1};
+    int channels = 0;
+    std::vector<float> texels;  // x fastest, then y, then z, channels interleaved
+    std::array<bool, 3> repeats{};
+    mutable long lookups = 0;  // how often it was asked
+
+    float texel(const std::array<int, 3>& at, int channel) const {
+        const auto row = static_cast<std::size_t>(at[2] * size[1] + at[1]);
+        const auto index =
+            row * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(at[0]);
+        return texels[index * static_cast<std::size_t>(channels) +
+                      static_cast<std::size_t>(channel)];
+    }
+};
+
+// As GL has it: absent colours are 0, absent alpha is 1.
+inline std::array<double, 4> fetched(const Texture& texture, const std::array<int, 3>& at) {
+    ++texture.lookups;
+    std::array<double, 4> value{0, 0, 0, 1};
+    for (int c = 0; c < texture.channels; ++c) {
+        value[static_cast<std::size_t>(c)] = double{texture.texel(at, c)};
+    }
+    return value;
+}
+
+inline std::array<double, 4> filtered(const Texture& texture, const std::array<double, 3>& uvw) {
+    ++texture.lookups;
+    std::array<double, 4> value{0, 0, 0, texture.channels == 4 ? 0.0 : 1.0};
+    for (const VoxelTap& tap : trilinear_taps(texture.size, uvw, texture.repeats)) {
+        if (tap.weight == 0) continue;
+        for (int c = 0; c < texture.channels; ++c) {
+            value[static_cast<std::size_t>(c)] += tap.weight * double{texture.texel(tap.voxel, c)};
+        }
+    }
+    return value;
+}
+
+inline Texture texture_of(const BakedTable& table) {
+    Texture texture;
+    texture.size = {table.image.width, table.image.height, 1};
+    texture.channels = table.image.channels;
+    texture.texels = table.image.texels;
+    return texture;
+}
+
+// Of level 0, rounded as a file stores it.
+inline Texture texture_of(const BakedVolume& volume) {
+    const VolumeLevel& level = volume.levels.front();
+    const auto count = static_cast<std::size_t>(VoxelBox{{}, level.size}.count());
+    const std::size_t channels = volume.channel_names.size();
+    std::vector<std::vector<float>> values(channels, std::vector<float>(count));
+    std::vector<float*> targets;
+    for (std::vector<float>& channel : values) targets.push_back(channel.data());
+    level.voxels->fill({{}, level.size}, targets);
+    Texture texture;
+    texture.size = level.size;
+    texture.channels = static_cast<int>(channels);
+    texture.repeats = level.repeats;
+    for (std::size_t i = 0; i < count; ++i) {
+        for (const std::vector<float>& channel : values) {
+            texture.texels.push_back(round_to_pixel_type(double{channel[i]}, volume.pixel_type));
+        }
+    }
+    return texture;
+}
+
+}  // namespace skybake
