@@ -62,6 +62,7 @@ ManifestAsset describe(const BakedTable& table) {
     if (table.certified) asset.error = table.certificate;
     asset.range = table.range;
     asset.probes = table.probes;
+    asset.catches = table.catches;
     asset.details = table.details;
     asset.parameters = table.parameters;
     asset.content_hash = xxh3_hex(stored_bytes(table.image, table.pixel_type));
@@ -84,7 +85,8 @@ ManifestAsset describe(const BakedVolume& volume) {
     asset.release = release();
     asset.seam_error = volume.seam_error;
     for (const VolumeLevel& level : volume.levels) {
-        asset.levels.push_back({level.size, level.content_hash, level.statistics, level.probes});
+        asset.levels.push_back(
+            {level.size, level.content_hash, level.statistics, level.probes, level.catches});
     }
     asset.size.assign(asset.levels[0].size.begin(), asset.levels[0].size.end());
     asset.content_hash = asset.levels[0].content_hash;
