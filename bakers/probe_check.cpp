@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,7 @@
 #include "bakers/sky/irradiance_table.h"
 #include "bakers/sky/sky_view_mapping.h"
 #include "bakers/sky/sun_columns.h"
+#include "bakers/volume_probe_check.h"
 #include "config/recipe.h"
 
 namespace skybake {
@@ -107,25 +109,39 @@ Coordinates texture_coordinates(const config::MultipleScatteringBake&, const She
     return probe.uv;
 }
 
-// Volumes have probes of another kind, which are texture coordinates themselves.
+// Volumes have probes of another kind (volume_probe_check.h).
 Coordinates texture_coordinates(const config::VolumeFiles&, const Shell&, const std::vector<int>&,
                                 const Probe& probe) {
     return probe.uv;
 }
 
-std::vector<std::string> check(const ManifestAsset& asset, const ExrImage&, int& checks) {
+// Null where there is none of this name.
+const config::Bake* bake_of(const config::Parameters& parameters, std::string_view name) {
+    const std::vector<config::Bake>& bakes = parameters.bakes;
+    const auto own = std::find_if(bakes.begin(), bakes.end(),
+                                  [name](const config::Bake& bake) { return bake.name == name; });
+    return own != bakes.end() ? &*own : nullptr;
+}
+
+std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     std::vector<std::string> failures;
-    // The parameters that an asset carries are themselves a recipe.
+    // The parameters that an asset carries are themselves a recipe; a grid of occupancy has its
+    // volume's too.
     const auto recipe = config::parse_recipe(asset.parameters, asset.name);
-    if (!recipe.value || recipe.value->parameters.bakes.size() != 1) {
+    const config::Bake* own =
+        recipe.value ? bake_of(recipe.value->parameters, asset.name) : nullptr;
+    if (own == nullptr) {
         ++checks;
         failures.push_back("its parameters cannot be read as a recipe");
         return failures;
     }
+    if (asset.is_volume()) {
+        return check_volume_places(asset, recipe.value->parameters, *own, checks);
+    }
     const config::Atmosphere& atmosphere = recipe.value->parameters.atmosphere;
     const Shell shell = {atmosphere.ground_radius.kilometers(),
                          (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000};
-    const config::Bake& bake = recipe.value->parameters.bakes.front();
+    const config::Bake& bake = *own;
     const auto* scattering = std::get_if<config::MultipleScatteringBake>(&bake.asset);
     const bool solved =
         scattering && scattering->method == config::MultipleScatteringMethod::solved;

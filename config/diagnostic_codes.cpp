@@ -416,6 +416,14 @@ constexpr std::array codes = {
         "and sweep again: only what is missing is made.",
         "", "", failed_check},
 
+    DiagnosticCode{
+        "E0407", "probes that tell nothing",
+        "Of all places looked at, too few tell the asset from a file that is wrong: turned round "
+        "along an axis, with two axes exchanged, half a texel off, or empty. Its probes would pass "
+        "such a file, so nothing is written. This is a fault of skybake's: please report the "
+        "recipe.",
+        "", "", failed_check},
+
     DiagnosticCode{"E0500", "internal error",
                    "skybake came to a state that its authors thought impossible. Please report the "
                    "recipe and the command line.",

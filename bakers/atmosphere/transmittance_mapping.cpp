@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/atmosphere/horizon_margin.h"
+
 namespace skybake {
 
 TransmittanceRay transmittance_ray(const Shell& shell, UnitCoordinates x) {
@@ -30,6 +32,14 @@ UnitCoordinates transmittance_coordinates(const Shell& shell, double altitude_km
     const double d_min = shell.thickness_km - altitude_km;
     const double d = distance_to_top_km(shell, altitude_km, s);
     return {(d - d_min) / (rho + top_distance - d_min), rho / top_distance};
+}
+
+UnitCoordinates off_the_horizon(const Shell& shell, UnitCoordinates x) {
+    const TransmittanceRay ray = transmittance_ray(shell, x);
+    const double lowest_s = lowest_s_of_sky_km(shell, ray.altitude_km);
+    if (ray.s_km >= lowest_s) return x;
+    const double r = shell.ground_radius_km + ray.altitude_km;
+    return transmittance_coordinates(shell, ray.altitude_km, lowest_s / r);
 }
 
 double cos_zenith_of(const Shell& shell, const TransmittanceRay& ray) {

@@ -36,6 +36,9 @@ TransmittanceRay transmittance_ray(const Shell& shell, UnitCoordinates x);
 UnitCoordinates transmittance_coordinates(const Shell& shell, double altitude_km,
                                           double cos_zenith);
 
+// The nearest coordinates whose ray is not nearer to the horizon than kHorizonMargin.
+UnitCoordinates off_the_horizon(const Shell& shell, UnitCoordinates x);
+
 // The cosine of a ray's zenith angle.
 double cos_zenith_of(const Shell& shell, const TransmittanceRay& ray);
 

@@ -33,6 +33,10 @@ TableModel transmittance_model(const Medium& medium, const TransmittanceBake& ba
     model.convention = bake.mapping == TransmittanceMapping::ue
                            ? TexelConvention::end_points_on_edges
                            : TexelConvention::end_points_on_texel_centres;
+    model.probe_place = [shell](double x, double y) {
+        const UnitCoordinates off = off_the_horizon(shell, {x, y});
+        return std::array<double, 2>{off.x_mu, off.x_r};
+    };
     model.cost_per_texel = {1};
     model.lowest = 0;
     model.highest = as_depth ? std::numeric_limits<double>::max() : 1;

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "bakers/atmosphere/shell_constants.h"
+#include "bakers/atmosphere/transmittance_mapping.h"
 #include "bakers/atmosphere/transmittance_table.h"
 #include "bakers/bruneton/held_voxels.h"
 #include "bakers/core/finish_volume.h"
+#include "bakers/core/make_probe.h"
 #include "bakers/core/texel_axis.h"
 #include "bakers/core/tiles.h"
 #include "bakers/scattering/sun_axis.h"
@@ -42,8 +44,23 @@ void describe_flat_axes(const Shell& shell, BakedVolume& volume) {
     }
 }
 
-config::Outcome<BakedVolume> bake_flat(const FlatTable& table, const config::BrunetonBake& bake,
-                                       const BakeOptions& options, BakedVolume volume) {
+// The place of coordinates in [0, 1], which are moved off the horizon where there is one.
+using FlatPlace = std::function<Place(double& x, double& y)>;
+
+ProbePlace probe_place_of(const FlatPlace& place, const std::array<int, 3>& size,
+                          const std::array<double, 3>& uvw) {
+    double x = coordinate_of(uvw[0], size[0]);
+    double y = coordinate_of(uvw[1], size[1]);
+    ProbePlace result;
+    result.at = place(x, y);
+    result.lookups = {{{texture_coordinate(kConvention, x, size[0]),
+                        texture_coordinate(kConvention, y, size[1]), 0.5}}};
+    return result;
+}
+
+config::Outcome<BakedVolume> bake_flat(const FlatTable& table, const FlatPlace& place,
+                                       const config::BrunetonBake& bake, const BakeOptions& options,
+                                       BakedVolume volume) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t channels = volume.channel_names.size();
     const auto texels =
@@ -54,6 +71,9 @@ config::Outcome<BakedVolume> bake_flat(const FlatTable& table, const config::Bru
     finish.reference_name = volume.certificate.reference;
     finish.dear = bake.table == config::BrunetonTable::irradiance;
     finish.reference = flat_reference(table, bake.size, channels);
+    finish.probe_place = [&place, &bake](const std::array<double, 3>& uvw, int) {
+        return probe_place_of(place, bake.size, uvw);
+    };
     for (std::size_t c = 0; c < channels; ++c) {
         const double largest = texels->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
@@ -155,7 +175,14 @@ config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
     describe_flat_axes(shell_of(medium), volume);
     volume.certificate.reference =
         "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
-    return bake_flat(flat_transmittance(medium), bake, options, std::move(volume));
+    const auto place = [shell = shell_of(medium)](double& x, double& y) {
+        const UnitCoordinates off = off_the_horizon(shell, {x, y});
+        x = off.x_mu;
+        y = off.x_r;
+        const TransmittanceRay ray = transmittance_ray(shell, off);
+        return Place{{"altitude_km", ray.altitude_km}, {"cos_zenith", cos_zenith_of(shell, ray)}};
+    };
+    return bake_flat(flat_transmittance(medium), place, bake, options, std::move(volume));
 }
 
 config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
@@ -173,7 +200,10 @@ config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
                     {"none", "one texel", kConventionText, 0, 0}}};
     describe_flat_axes(light.shell(), volume);
     volume.certificate.reference = "the same integral over more directions";
-    return bake_flat(flat_irradiance(light, bake.solar_irradiance), bake, options,
+    const auto place = [thickness_km](double& x, double& y) {
+        return Place{{"altitude_km", y * thickness_km}, {"sun_cos_zenith", 2 * x - 1}};
+    };
+    return bake_flat(flat_irradiance(light, bake.solar_irradiance), place, bake, options,
                      std::move(volume));
 }
 

@@ -15,6 +15,7 @@
 #include "bakers/bruneton/lookup_fit.h"
 #include "bakers/bruneton/over_rayleigh.h"
 #include "bakers/bruneton/scattering_error.h"
+#include "bakers/bruneton/scattering_probe.h"
 #include "bakers/bruneton/scattering_table.h"
 #include "bakers/core/finish_volume.h"
 #include "bakers/sky/solved_orders.h"
@@ -131,6 +132,9 @@ config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
         return measure_scattering(*table, mapping, exact_texel(content, reference),
                                   largest_values(*table), baked.pixel_type,
                                   scattering_points(how.certification), how);
+    };
+    finish.probe_place = [&mapping](const std::array<double, 3>& uvw, int) {
+        return scattering_probe_place(mapping, uvw);
     };
     VolumeLevel level;
     level.size = bake.size;

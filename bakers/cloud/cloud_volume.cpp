@@ -83,6 +83,13 @@ std::vector<std::string> grid_names(const std::vector<std::string>& channels) {
     return names;
 }
 
+ProbePlace place_of(const Cloud& cloud, const std::array<double, 3>& uvw) {
+    return {{{"x_m", uvw[0] * cloud.extent[0].meters},
+             {"y_m", uvw[1] * cloud.extent[1].meters},
+             {"altitude_m", cloud.base_altitude.meters + uvw[2] * cloud.extent[2].meters}},
+            {{uvw}}};
+}
+
 // Differences between voxels of the faces x = 0 and y = 0 and those a tile's length away.
 double seam_error(const CloudField& field, const std::array<int, 3>& size) {
     constexpr int kPoints = 32;
@@ -178,7 +185,11 @@ Outcome<BakedVolume> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake
          .reference =
              [reference](const std::array<double, 3>& place) { return (*reference)(place); },
          .reference_name = "the cloud's definition in double precision, point by point",
-         .dear = reference->is_dear()},
+         .dear = reference->is_dear(),
+         .comparison = {},
+         .measure = {},
+         .probe_place = [&cloud](const std::array<double, 3>& uvw,
+                                 int) { return place_of(cloud, uvw); }},
         options);
 }
 

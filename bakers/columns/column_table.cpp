@@ -50,6 +50,12 @@ ColumnTable::ColumnTable(const config::OpticalDepthBake& bake, const ColumnGeome
     }
 }
 
+ColumnTableKind ColumnTable::kind() const {
+    if (to_top_) return ColumnTableKind::to_top;
+    return coordinates_ == BetweenCoordinates::altitudes ? ColumnTableKind::between_altitudes
+                                                         : ColumnTableKind::along_distance;
+}
+
 ColumnPath ColumnTable::path(Course course, double u, double v, double w) const {
     if (to_top_) return path_to_top(geometry_, {course, u, v});
     if (coordinates_ == BetweenCoordinates::altitudes) {

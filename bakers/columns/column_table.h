@@ -26,6 +26,8 @@ namespace skybake {
 double stored_of_mean_density(double mean_density);
 double mean_density_of_stored(double stored);
 
+enum class ColumnTableKind { to_top, between_altitudes, along_distance };
+
 // Texels of a course along u.
 struct CourseTexels {
     Course course = Course::rises;
@@ -37,6 +39,7 @@ class ColumnTable {
   public:
     ColumnTable(const config::OpticalDepthBake& bake, const ColumnGeometry& geometry);
 
+    ColumnTableKind kind() const;
     const std::array<int, 3>& size() const { return size_; }
     const std::vector<CourseTexels>& courses() const { return courses_; }
     const ColumnGeometry& geometry() const { return geometry_; }

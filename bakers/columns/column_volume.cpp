@@ -14,6 +14,7 @@
 #include "bakers/atmosphere/shell_constants.h"
 #include "bakers/columns/column_errors.h"
 #include "bakers/columns/column_kinds.h"
+#include "bakers/columns/column_probe.h"
 #include "bakers/columns/column_table.h"
 #include "bakers/columns/shell_sampling.h"
 #include "bakers/core/finish_volume.h"
@@ -135,6 +136,9 @@ Contents columns(const Kinds& kinds, int channels, const OpticalDepthBake& bake,
     result.finish.comparison.lookup_place = [table](const std::array<double, 3>& uvw) {
         return table.lookup_place(uvw);
     };
+    result.finish.probe_place = [table](const std::array<double, 3>& uvw, int) {
+        return column_probe_place(table, uvw);
+    };
     result.finish.comparison.scale =
         "a transmittance of 1: of all kinds together and of each alone, with the layers' "
         "extinction";
@@ -146,7 +150,10 @@ double unit_coordinate(double u, int size) { return size == 1 ? 0 : (u * size - 
 // One axis, along u.
 using AlongAxis = std::function<double(std::size_t kind, double x)>;
 
-Contents along_axis(std::size_t kinds, int size, AlongAxis value) {
+// What a coordinate of the axis stands for, under its name.
+using AxisPlace = std::function<std::pair<std::string, double>(double x)>;
+
+Contents along_axis(std::size_t kinds, int size, AlongAxis value, AxisPlace place) {
     Contents result;
     result.value = [value, size](std::size_t k, const std::array<int, 3>& texel) {
         return value(k, texel_coordinate(kConvention, texel[0], size));
@@ -162,14 +169,23 @@ Contents along_axis(std::size_t kinds, int size, AlongAxis value) {
         const double edge = 0.5 / size;
         return std::array<double, 3>{edge + uvw[0] * (1 - 2 * edge), uvw[1], uvw[2]};
     };
+    result.finish.probe_place = [place = std::move(place), size](const std::array<double, 3>& uvw,
+                                                                 int) {
+        const double x = std::clamp(unit_coordinate(uvw[0], size), 0.0, 1.0);
+        return ProbePlace{{place(x)}, {{{texture_coordinate(kConvention, x, size), 0.5, 0.5}}}};
+    };
     return result;
 }
 
 Contents densities(const Kinds& kinds, const OpticalDepthBake& bake,
                    const ColumnGeometry& geometry) {
-    Contents result =
-        along_axis(kinds->size(), bake.size[0], [kinds, geometry](std::size_t k, double x) {
+    Contents result = along_axis(
+        kinds->size(), bake.size[0],
+        [kinds, geometry](std::size_t k, double x) {
             return density_of((*kinds)[k], altitude_at(geometry.scale, x));
+        },
+        [geometry](double x) {
+            return std::pair<std::string, double>("altitude_km", altitude_at(geometry.scale, x));
         });
     result.finish.reference_name = "the layers' profiles";
     return result;
@@ -187,9 +203,12 @@ Contents phase_functions(const Kinds& kinds, const OpticalDepthBake& bake) {
         const LayerPhase phase = layer_phase(kind.layer);
         phases.push_back(phase.functions[phase.functions.size() / 2]);  // the middle wavelength's
     }
-    Contents result = along_axis(kinds->size(), bake.size[0], [phases](std::size_t k, double x) {
-        return phase_at(phases[k], x);
-    });
+    Contents result = along_axis(
+        kinds->size(), bake.size[0],
+        [phases](std::size_t k, double x) { return phase_at(phases[k], x); },
+        [](double x) {
+            return std::pair<std::string, double>("scattering_angle_deg", 180 * x * x);
+        });
     for (const PhaseFunction& phase : phases) {
         result.largest = std::max({result.largest, phase_at(phase, 0), phase_at(phase, 1)});
     }

@@ -106,7 +106,8 @@ struct BakedTable {
     Certificate certificate;
     double bake_seconds = 0;  // wall time of making the texels: the one figure that is not pure
     std::vector<Probe> probes;
-    std::string parameters;  // TOML: the resolved parameters that this table depends on
+    std::vector<std::string> catches;  // wrong lookups that the probes tell (wrong_lookups.h)
+    std::string parameters;            // TOML: the resolved parameters that this table depends on
     Conventions conventions;
     Facts details;  // further facts, for example counts
 };

@@ -6,7 +6,7 @@
 
 #include "bakers/core/error_statistics.h"
 #include "bakers/core/low_discrepancy.h"
-#include "bakers/core/pixel_type.h"
+#include "bakers/core/stored_voxels.h"
 #include "bakers/core/tiles.h"
 #include "bakers/core/trilinear.h"
 
@@ -15,46 +15,6 @@ namespace skybake {
 namespace {
 
 using Place = std::array<double, 3>;
-
-// A level's voxels as a file holds them.
-class StoredVoxels {
-  public:
-    StoredVoxels(const VolumeLevel& level, config::PixelType type) : level_(level), type_(type) {}
-
-    std::size_t channels() const { return level_.statistics.size(); }
-
-    // Values of the eight voxels of a lookup, [tap][channel].
-    std::vector<float> at(const std::array<VoxelTap, 8>& taps) const {
-        const std::array<int, 3>& first = taps[0].voxel;
-        const std::array<int, 3>& last = taps[7].voxel;
-        std::vector<float> values(8 * channels());
-        if (last == std::array<int, 3>{first[0] + 1, first[1] + 1, first[2] + 1}) {
-            fetch({first, {2, 2, 2}}, 0, values);
-        } else {
-            for (std::size_t i = 0; i < 8; ++i) fetch({taps[i].voxel, {1, 1, 1}}, i, values);
-        }
-        return values;
-    }
-
-  private:
-    // The box's voxels, in the order of taps, to values from tap `from` on.
-    void fetch(const VoxelBox& box, std::size_t from, std::vector<float>& values) const {
-        const auto count = static_cast<std::size_t>(box.count());
-        std::vector<float> planar(count * channels());
-        std::vector<float*> targets;
-        for (std::size_t c = 0; c < channels(); ++c) targets.push_back(planar.data() + c * count);
-        level_.voxels->fill(box, targets);
-        for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t c = 0; c < channels(); ++c) {
-                values[(from + i) * channels() + c] =
-                    round_to_pixel_type(planar[c * count + i], type_);
-            }
-        }
-    }
-
-    const VolumeLevel& level_;
-    config::PixelType type_;
-};
 
 std::vector<double> look_up(const StoredVoxels& voxels, const VolumeLevel& level,
                             const Place& uvw) {
@@ -145,52 +105,6 @@ VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
         places.push_back(place);
     }
     return measure(level, type, reference, places, comparison, options);
-}
-
-std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::PixelType type) {
-    // In voxels: centres are at halves. Negative ones count from the far end.
-    static const std::vector<Place> kPlaces = {
-        {0.5, 0.5, 0.5},    {-0.5, 0.5, 0.5}, {0.5, -0.5, 0.5},      {0.5, 0.5, -0.5},
-        {-0.5, -0.5, -0.5}, {2.5, 1.5, 0.5},  {1.5, 3.5, 2.5},       {0.25, 0.5, 0.5},
-        {0.5, 0.25, 0.5},   {0.5, 0.5, 0.25}, {-0.25, -0.25, -0.25}, {0.125, -0.125, 4.375},
-        {3.25, 0.0, 1.75},  {1.0, 1.0, 1.0},  {5.3125, 2.75, 7.125}, {0.0, 0.0, 0.0}};
-    const StoredVoxels voxels(level, type);
-    std::vector<VolumeProbe> probes;
-    const auto add = [&](const Place& uvw) {
-        VolumeProbe probe;
-        probe.uvw = uvw;
-        probe.value = look_up(voxels, level, uvw);
-        probe.tolerance.assign(probe.value.size(), 0);
-        // Weights that are multiples of 1/256, rounded or truncated, move the lookup by less than a
-        // step along each axis.
-        for (int step = 0; step < 8; ++step) {
-            Place moved = uvw;
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const double sign = (step >> axis) % 2 == 0 ? -1 : 1;
-                moved[axis] += sign / 256 / level.size[axis];
-            }
-            const std::vector<double> near = look_up(voxels, level, moved);
-            for (std::size_t c = 0; c < near.size(); ++c) {
-                probe.tolerance[c] =
-                    std::max(probe.tolerance[c], std::fabs(near[c] - probe.value[c]));
-            }
-        }
-        for (std::size_t c = 0; c < probe.value.size(); ++c) {
-            probe.tolerance[c] +=
-                4 * rounding_error(type) * std::max(1e-3, std::fabs(probe.value[c]));
-        }
-        probes.push_back(std::move(probe));
-    };
-    for (const Place& place : kPlaces) {
-        Place uvw;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double position = place[axis] / level.size[axis];
-            uvw[axis] = position - std::floor(position);
-        }
-        add(uvw);
-    }
-    for (int i = 0; i < 8; ++i) add(low_discrepancy_point(i));
-    return probes;
 }
 
 }  // namespace skybake

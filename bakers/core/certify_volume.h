@@ -1,5 +1,5 @@
-// Measuring the error of a volume as stored, and the probes by which a runtime checks its lookups.
-// Voxels are asked for one by one: the volume itself is never held.
+// Measuring the error of a volume as stored. Voxels are asked for one by one: the volume itself is
+// never held.
 #pragma once
 
 #include <array>
@@ -50,8 +50,5 @@ VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
 // What a lookup of the stored voxels finds, one value per channel.
 std::vector<double> look_up(const VolumeLevel& level, config::PixelType type,
                             const std::array<double, 3>& uvw);
-
-// Voxel centres and places between them, several across the seams.
-std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::PixelType type);
 
 }  // namespace skybake

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/core/make_probe.h"
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/smallest_table.h"
 
@@ -82,24 +81,6 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const BakedT
                        "bake it as float, or as transmittance");
     }
     return std::nullopt;
-}
-
-std::vector<Probe> make_probes(const TableModel& model, const BakedTable& table,
-                               const std::function<Place(double x, double y)>& place_of) {
-    // Corners, edges, the middle, and places between texels about them.
-    static const std::vector<std::array<double, 2>> kPlaces = {
-        {0, 0},          {1, 0},          {0, 1},          {1, 1},         {0.5, 0},
-        {0.5, 1},        {0, 0.5},        {1, 0.5},        {0.5, 0.5},     {0.25, 0.125},
-        {0.75, 0.125},   {0.981, 0.0131}, {0.996, 0.0041}, {0.4871, 0.02}, {0.5129, 0.02},
-        {0.4613, 0.297}, {0.6173, 0.711}, {0.873, 0.5491}, {0.127, 0.867}, {0.968, 0.871}};
-    std::vector<Probe> probes;
-    for (const auto& [x, y] : kPlaces) {
-        Probe probe = make_probe(table.image, lookup_u(model, x, table.image.width),
-                                 lookup_v(model, y, table.image.height), table.pixel_type);
-        probe.at = place_of(x, y);
-        probes.push_back(std::move(probe));
-    }
-    return probes;
 }
 
 }  // namespace
@@ -199,7 +180,12 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         table.certificate.lookup_points = points.count();
         table.certificate.worst = place_text(place_of(lookup.worst[0], lookup.worst[1]));
     }
-    table.probes = make_probes(model, table, place_of);
+    const auto weak = add_probes({table_space(model, size, place_of)}, options, table);
+    if (cancelled(options)) return outcome;
+    if (weak) {
+        outcome.diagnostics.push_back(*weak);
+        return outcome;
+    }
     outcome.value = std::move(table);
     return outcome;
 }

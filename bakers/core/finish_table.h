@@ -8,6 +8,7 @@
 #include "bakers/core/bake_options.h"
 #include "bakers/core/baked_table.h"
 #include "bakers/core/certify.h"
+#include "bakers/core/make_probe.h"
 #include "bakers/core/table_model.h"
 #include "config/diagnostic.h"
 
@@ -23,15 +24,14 @@ struct AccuracyRequest {
     PointCounts full;
 };
 
-// Names the place of an error: "altitude_km 0.02, sun_cos_zenith -0.01".
-using Place = std::vector<std::pair<std::string, double>>;
+// Names the place of an error or a probe: "altitude_km 0.02, sun_cos_zenith -0.01".
 std::string place_text(const Place& place);
 
 // Chooses size and level, bakes, rounds, measures and probes. `table` comes with its texts filled
 // in; `place_of` tells the physical place of coordinates (x, y). After an interruption there is
 // neither a value nor a diagnostic. E0401 a texel is not finite, E0402 beyond the pixel type, E0403
-// max_error cannot be held, E0404 max_texel_error neither; W0201 texels below the pixel type's
-// normal range.
+// max_error cannot be held, E0404 max_texel_error neither, E0407 no probes tell a wrong file; W0201
+// texels below the pixel type's normal range.
 config::Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest& request,
                                          const BakeOptions& options,
                                          const std::function<Place(double x, double y)>& place_of,

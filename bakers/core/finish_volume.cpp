@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "bakers/core/make_volume_probes.h"
 #include "bakers/core/mip_source.h"
 #include "bakers/core/stored_source.h"
 #include "bakers/core/survey_volume.h"
@@ -80,6 +81,24 @@ void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume) 
     }
 }
 
+namespace {
+
+std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinish& finish,
+                                                   const BakeOptions& options,
+                                                   BakedVolume& volume) {
+    ProbePlaces place;
+    if (finish.probe_place) {
+        place = [&finish, number](const std::array<double, 3>& uvw) {
+            return finish.probe_place(uvw, number);
+        };
+    }
+    VolumeLevel& level = volume.levels[static_cast<std::size_t>(number)];
+    level.nearest = is_looked_up_nearest(volume.kind);
+    return add_volume_probes(volume.name, place, volume.pixel_type, options, level);
+}
+
+}  // namespace
+
 config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinish& finish,
                                            const BakeOptions& options) {
     config::Outcome<BakedVolume> outcome;
@@ -91,7 +110,10 @@ config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinis
         volume.bake_seconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
-        volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
+        if (const auto problem = add_level_probes(static_cast<int>(i), finish, options, volume)) {
+            outcome.diagnostics.push_back(*problem);
+            return outcome;
+        }
     }
     if (options.certification != Certification::off) {
         if (finish.measure) {

@@ -9,6 +9,7 @@
 
 #include "bakers/core/bake_options.h"
 #include "bakers/core/certify_volume.h"
+#include "bakers/core/choose_probes.h"
 #include "bakers/core/volume.h"
 #include "config/diagnostic.h"
 #include "config/parameters.h"
@@ -30,11 +31,14 @@ struct VolumeFinish {
     // In place of the reference: for volumes that a runtime looks up in another way than between
     // the eight nearest voxels.
     std::function<Certificate(const BakedVolume& volume, const BakeOptions& options)> measure = {};
+    // The physical place of texture coordinates of a level, which are moved to the nearest that a
+    // runtime asks for.
+    std::function<ProbePlace(const std::array<double, 3>& uvw, int level)> probe_place = {};
 };
 
 // Surveys all levels, makes their probes, and measures level 0 against the reference unless
-// options.certification is off. E0401, E0402: a voxel that the pixel type cannot hold. No value and
-// no diagnostics after an interruption.
+// options.certification is off. E0401, E0402: a voxel that the pixel type cannot hold; E0407: no
+// probes tell a wrong file. No value and no diagnostics after an interruption.
 config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinish& finish,
                                            const BakeOptions& options);
 

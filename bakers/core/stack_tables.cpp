@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/core/make_probe.h"
-
 namespace skybake {
 
 namespace {
@@ -27,24 +25,16 @@ void add_certificate(const Certificate& part, Certificate& sum) {
 
 }  // namespace
 
-BakedTable stack_tables(std::vector<BakedTable> parts) {
+config::Outcome<BakedTable> stack_tables(std::vector<BakedTable> parts,
+                                         std::vector<ProbeSpace> spaces,
+                                         const BakeOptions& options) {
     const auto count = static_cast<int>(parts.size());
-    if (count == 1) return std::move(parts.front());
+    if (count == 1) return {std::move(parts.front()), {}};
     Image2<float> stack(parts[0].image.width, parts[0].image.height * count,
                         parts[0].image.channels);
     stack.texels.clear();
     for (const BakedTable& part : parts) {
         stack.texels.insert(stack.texels.end(), part.image.texels.begin(), part.image.texels.end());
-    }
-    // Made again, since next to a seam a lookup may take a little of the neighbour.
-    std::vector<Probe> probes;
-    for (int k = 0; k < count; ++k) {
-        for (const Probe& of_part : parts[static_cast<std::size_t>(k)].probes) {
-            Probe probe =
-                make_probe(stack, of_part.uv[0], (k + of_part.uv[1]) / count, parts[0].pixel_type);
-            probe.at = of_part.at;
-            probes.push_back(std::move(probe));
-        }
     }
     BakedTable table = std::move(parts.front());
     for (std::size_t k = 1; k < parts.size(); ++k) {
@@ -54,8 +44,10 @@ BakedTable stack_tables(std::vector<BakedTable> parts) {
         add_certificate(parts[k].certificate, table.certificate);
     }
     table.image = std::move(stack);
-    table.probes = std::move(probes);
-    return table;
+    const auto weak = add_probes(std::move(spaces), options, table);
+    if (options.cancelled()) return {};
+    if (weak) return {{}, {*weak}};
+    return {std::move(table), {}};
 }
 
 }  // namespace skybake

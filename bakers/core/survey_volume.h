@@ -13,9 +13,9 @@ namespace skybake {
 
 inline constexpr int kHistogramBins = 32;
 
-// Fills statistics and content_hash of volume.levels[level], from the values as stored, and adds to
-// volume.range. histogram_ranges has one pair per channel, the second greater than the first; the
-// last bin takes values equal to it. The figures do not depend on the number of threads.
+// Fills statistics, content_hash and peaks of volume.levels[level], from the values as stored, and
+// adds to volume.range. histogram_ranges has one pair per channel, the second greater than the
+// first; the last bin takes values equal to it. The figures do not depend on the number of threads.
 //
 // The first voxel, in the order x, y, z, that the pixel type cannot hold is an error: E0401 where
 // it is NaN or infinite, E0402 where it is beyond the type's range. After an interruption

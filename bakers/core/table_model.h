@@ -21,6 +21,10 @@ struct TableModel {
     // convention says; else empty.
     std::function<double(double y, int rows)> v_of = {};
 
+    // The nearest coordinates to (x, y) that a probe may have, where some are no good: at the
+    // horizon rounding decides what a runtime sees.
+    std::function<std::array<double, 2>(double x, double y)> probe_place = {};
+
     // A table over x alone has one row whatever is asked of its accuracy.
     bool one_row = false;
 

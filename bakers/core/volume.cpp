@@ -8,4 +8,6 @@ std::array<bool, 3> repeating_axes(std::string_view mapping) {
     return {tile || layer, tile || layer, tile};
 }
 
+bool is_looked_up_nearest(std::string_view kind) { return kind == "occupancy"; }
+
 }  // namespace skybake

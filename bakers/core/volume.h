@@ -44,11 +44,26 @@ struct ValueStatistics {
     std::vector<std::int64_t> histogram;      // bins of equal width; values outside are not counted
 };
 
+// A second lookup that a value is blended with: `share` of it, the rest of the first.
+struct BlendedLookup {
+    std::array<double, 3> uvw{};
+    double share = 0;
+};
+
 // A place in the volume and the value that a correct lookup of the stored file returns there.
 struct VolumeProbe {
     std::array<double, 3> uvw{};    // texture coordinates: voxel i is at (i + 1/2) / size
-    std::vector<double> value;      // one per channel: trilinear with repeat, in double
+    std::vector<double> value;      // one per channel, in double, as the level is looked up
     std::vector<double> tolerance;  // one per channel: room for filtering in 1/256 voxel
+    std::vector<std::pair<std::string, double>> at = {};  // {"x_m", 500}, {"altitude_m", 1200}
+    std::optional<BlendedLookup> blend = {};              // of two sub-images, Bruneton's along nu
+};
+
+// A voxel that is large among those about it.
+struct VoxelPeak {
+    std::array<int, 3> voxel{};
+    int channel = 0;
+    float value = 0;
 };
 
 // One level of detail. Level 0 is the volume itself.
@@ -59,11 +74,17 @@ struct VolumeLevel {
     std::vector<ValueStatistics> statistics;  // one per channel
     std::string content_hash;  // xxh3 of the voxels as stored: x, y, z order, channels interleaved
     std::vector<VolumeProbe> probes;
+    std::vector<std::string> catches;  // wrong lookups that the probes tell (wrong_lookups.h)
+    bool nearest = false;              // looked up so, in place of between voxels
+    std::vector<VoxelPeak> peaks;      // where there is something; for the choice of probes
 };
 
 // Along which axes a volume of a mapping repeats: all of a "tile", x and y of a "layer", whose
 // lookups are clamped along z; none of any other.
 std::array<bool, 3> repeating_axes(std::string_view mapping);
+
+// Whether a volume of a kind is looked up at the nearest voxel, as "occupancy" is.
+bool is_looked_up_nearest(std::string_view kind);
 
 // A text that readers of the volume's files want beside them.
 struct CompanionFile {

@@ -20,6 +20,17 @@ std::string first_difference(const std::string& found, const std::string& wanted
     return fmt::format("`{}`, the manifest says `{}`", line(found), line(wanted));
 }
 
+bool shows(const ReadableTexture& texture, const CaughtProbe& probe, const WrongLookup& wrong) {
+    if (probe.value.size() != texture.channels || probe.tolerance.size() != texture.channels) {
+        return false;
+    }
+    const std::vector<double> found = look_up_wrongly(texture, probe.lookups, wrong);
+    for (std::size_t c = 0; c < found.size(); ++c) {
+        if (std::abs(found[c] - probe.value[c]) > probe.tolerance[c]) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void check_attributes(Examination& examination, const Attributes& attributes,
@@ -33,6 +44,29 @@ void check_attributes(Examination& examination, const Attributes& attributes,
         }
         examination.expect(entry->second == text, "metadata",
                            fmt::format("{} is {}", name, first_difference(entry->second, text)));
+    }
+}
+
+void check_catches(Examination& examination, const ReadableTexture& texture, int dimensions,
+                   const std::vector<CaughtProbe>& probes,
+                   const std::vector<std::string>& catches) {
+    std::map<std::string, int> shown;  // at so many probes, in the way that shows at the fewest
+    for (const WrongLookup& wrong : wrong_lookups(texture.use, dimensions)) {
+        const auto count = static_cast<int>(
+            std::count_if(probes.begin(), probes.end(),
+                          [&](const CaughtProbe& probe) { return shows(texture, probe, wrong); }));
+        const auto [entry, fresh] = shown.emplace(wrong.name, count);
+        if (!fresh) entry->second = std::min(entry->second, count);
+    }
+    for (const std::string& name : catches) {
+        const auto entry = shown.find(name);
+        if (!examination.expect(entry != shown.end(), "catches",
+                                fmt::format("{} is no fault that probes can catch", name))) {
+            continue;
+        }
+        examination.expect(entry->second >= kSeveralProbes, "catches",
+                           fmt::format("{} probes tell {}, {} or more are wanted", entry->second,
+                                       name, kSeveralProbes));
     }
 }
 

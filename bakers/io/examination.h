@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bakers/core/wrong_lookups.h"
 #include "bakers/io/exr.h"
 #include "bakers/io/verify.h"
 #include "config/key_path.h"
@@ -49,6 +50,18 @@ class Examination {
 // Each attribute that the manifest wants is in the file with the same text.
 void check_attributes(Examination& examination, const Attributes& attributes,
                       const Attributes& wanted);
+
+// What is looked up of a probe, and what it must be.
+struct CaughtProbe {
+    std::vector<ProbeLookup> lookups;
+    std::vector<double> value;
+    std::vector<double> tolerance;
+};
+
+// Each fault that probes are said to catch (wrong_lookups.h), made of the texture, shows at several
+// of them. Probes of another number of channels are left to check_lookup.
+void check_catches(Examination& examination, const ReadableTexture& texture, int dimensions,
+                   const std::vector<CaughtProbe>& probes, const std::vector<std::string>& catches);
 
 // A lookup gives what a probe says within its tolerance.
 void check_lookup(Examination& examination, const std::string& place,

@@ -54,6 +54,7 @@ struct ManifestLevel {
     std::string content_hash;                 // xxh3_hex of the voxels as stored
     std::vector<ValueStatistics> statistics;  // one per channel
     std::vector<VolumeProbe> probes;
+    std::vector<std::string> catches = {};  // wrong lookups that the probes tell
 };
 
 // One asset: all that its files say in their metadata, and what only a manifest may say.
@@ -70,7 +71,8 @@ struct ManifestAsset {
     Timing timing;
     std::optional<Certificate> error;  // none where it was not measured
     RangeCounts range;
-    std::vector<Probe> probes;  // of tables
+    std::vector<Probe> probes;
+    std::vector<std::string> catches;  // wrong lookups that the probes tell
     Conventions conventions;
     Facts details;
     std::string parameters;    // TOML: the parameters that this asset depends on

@@ -223,11 +223,17 @@ std::optional<Certificate> read_certificate(const Node& node) {
     return certificate;
 }
 
+std::vector<std::pair<std::string, double>> read_place(const Node& node) {
+    std::vector<std::pair<std::string, double>> place;
+    for (const auto& [quantity, value] : node.members()) {
+        place.emplace_back(quantity, value.number());
+    }
+    return place;
+}
+
 Probe read_probe(const Node& node) {
     Probe probe;
-    for (const auto& [quantity, value] : node["at"].members()) {
-        probe.at.emplace_back(quantity, value.number());
-    }
+    probe.at = read_place(node["at"]);
     const auto uv = node["uv"].elements(2);
     probe.uv = {uv[0].number(), uv[1].number()};
     probe.value = numbers(node["value"]);
@@ -235,11 +241,22 @@ Probe read_probe(const Node& node) {
     return probe;
 }
 
+std::array<double, 3> read_uvw(const Node& node) {
+    const auto uvw = node.elements(3);
+    return {uvw[0].number(), uvw[1].number(), uvw[2].number()};
+}
+
 VolumeProbe read_volume_probe(const Node& node) {
-    const auto uvw = node["uvw"].elements(3);
-    return {{uvw[0].number(), uvw[1].number(), uvw[2].number()},
-            numbers(node["value"]),
-            numbers(node["tolerance"])};
+    VolumeProbe probe;
+    probe.at = read_place(node["at"]);
+    probe.uvw = read_uvw(node["uvw"]);
+    if (node.has("blend")) {
+        const Node blend = node["blend"];
+        probe.blend = BlendedLookup{read_uvw(blend["uvw"]), blend["share"].number()};
+    }
+    probe.value = numbers(node["value"]);
+    probe.tolerance = numbers(node["tolerance"]);
+    return probe;
 }
 
 ValueStatistics read_statistics(const Node& node) {
@@ -267,6 +284,7 @@ ManifestLevel read_level(const Node& node, std::size_t channels) {
     for (const Node& probe : node["probes"].elements()) {
         level.probes.push_back(read_volume_probe(probe));
     }
+    level.catches = texts(node["catches"]);
     return level;
 }
 
@@ -295,6 +313,7 @@ void read_table(const Node& node, ManifestAsset& asset) {
     if (!compression) node["compression"].fail("no such compression");
     asset.compression = *compression;
     for (const Node& probe : node["probes"].elements()) asset.probes.push_back(read_probe(probe));
+    asset.catches = texts(node["catches"]);
     for (const Node& file : node["files"].elements()) {
         if (file["format"].text() != "exr") file["format"].fail("tables are exr");
     }

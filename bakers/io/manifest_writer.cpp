@@ -97,17 +97,25 @@ Json to_json(const std::optional<Certificate>& certificate) {
     return json;
 }
 
-Json to_json(const Probe& probe) {
+Json place_json(const std::vector<std::pair<std::string, double>>& place) {
     Json at = Json::object();
-    for (const auto& [quantity, value] : probe.at) at[quantity] = value;
-    return {{"at", std::move(at)},
+    for (const auto& [quantity, value] : place) at[quantity] = value;
+    return at;
+}
+
+Json to_json(const Probe& probe) {
+    return {{"at", place_json(probe.at)},
             {"uv", probe.uv},
             {"value", probe.value},
             {"tolerance", probe.tolerance}};
 }
 
 Json to_json(const VolumeProbe& probe) {
-    return {{"uvw", probe.uvw}, {"value", probe.value}, {"tolerance", probe.tolerance}};
+    Json json = {{"at", place_json(probe.at)}, {"uvw", probe.uvw}};
+    if (probe.blend) json["blend"] = {{"uvw", probe.blend->uvw}, {"share", probe.blend->share}};
+    json["value"] = probe.value;
+    json["tolerance"] = probe.tolerance;
+    return json;
 }
 
 Json to_json(const ValueStatistics& statistics) {
@@ -131,6 +139,7 @@ Json to_json(const ManifestLevel& level) {
     return {{"size", level.size},
             {"statistics", array_of(level.statistics)},
             {"probes", array_of(level.probes)},
+            {"catches", level.catches},
             {"content_hash", level.content_hash}};
 }
 
@@ -144,6 +153,7 @@ Json mapping_json(const ManifestAsset& asset) {
 // What only volumes have. Level 0 is the asset itself.
 void add_volume(const ManifestAsset& asset, Json& json) {
     json["probes"] = array_of(asset.levels[0].probes);
+    json["catches"] = asset.levels[0].catches;
     json["statistics"] = array_of(asset.levels[0].statistics);
     json["seam_error"] = asset.seam_error;
     json["mips"] = array_of(std::vector(asset.levels.begin() + 1, asset.levels.end()));
@@ -189,6 +199,7 @@ Json to_json(const ManifestAsset& asset) {
         add_volume(asset, json);
     } else {
         json["probes"] = array_of(asset.probes);
+        json["catches"] = asset.catches;
     }
     json["details"] = to_json(asset.details);
     json["parameters"] = asset.parameters;

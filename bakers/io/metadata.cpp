@@ -72,6 +72,7 @@ ManifestAsset describe(const BakedTable& table) {
     asset.range = table.range;
     asset.probes = table.probes;
     asset.conventions = table.conventions;
+    asset.catches = table.catches;
     asset.details = table.details;
     asset.parameters = table.parameters;
     asset.content_hash = xxh3_hex(stored_bytes(table.image, table.pixel_type));
@@ -95,7 +96,8 @@ ManifestAsset describe(const BakedVolume& volume) {
     asset.release = release();
     asset.seam_error = volume.seam_error;
     for (const VolumeLevel& level : volume.levels) {
-        asset.levels.push_back({level.size, level.content_hash, level.statistics, level.probes});
+        asset.levels.push_back(
+            {level.size, level.content_hash, level.statistics, level.probes, level.catches});
     }
     asset.size.assign(asset.levels[0].size.begin(), asset.levels[0].size.end());
     asset.content_hash = asset.levels[0].content_hash;

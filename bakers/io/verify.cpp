@@ -7,6 +7,7 @@
 
 #include "bakers/core/bilinear.h"
 #include "bakers/core/hash.h"
+#include "bakers/core/make_probe.h"
 #include "bakers/io/examination.h"
 #include "bakers/io/file_input.h"
 #include "bakers/io/metadata.h"
@@ -48,6 +49,16 @@ void check_probe(Examination& examination, const Probe& probe, const Image2<floa
     check_lookup(examination, place, found, probe.value, probe.tolerance);
 }
 
+// As one texture of one slice.
+void check_catches_of_table(Examination& examination, const ManifestAsset& asset,
+                            const Image2<float>& pixels) {
+    std::vector<CaughtProbe> probes;
+    for (const Probe& probe : asset.probes) {
+        probes.push_back({{{{probe.uv[0], probe.uv[1], 0.5}}}, probe.value, probe.tolerance});
+    }
+    check_catches(examination, readable_texture(pixels), 2, probes, asset.catches);
+}
+
 void check_image(Examination& examination, const ManifestAsset& asset, const ManifestFile& file,
                  const ExrImage& image) {
     const std::vector<int> size = {image.pixels.width, image.pixels.height};
@@ -61,19 +72,24 @@ void check_image(Examination& examination, const ManifestAsset& asset, const Man
     check_attributes(examination, image.attributes, exr_attributes(asset));
     check_texels(examination, asset, file, image);
     for (const Probe& probe : asset.probes) check_probe(examination, probe, image.pixels);
+    check_catches_of_table(examination, asset, image.pixels);
 }
 
 void check_table_file(Examination& examination, const std::filesystem::path& path,
-                      const ManifestAsset& asset, const ManifestFile& file,
-                      std::span<const AssetCheck> further) {
+                      const ManifestAsset& asset, const ManifestFile& file) {
     const config::Outcome<std::string> bytes = read_file(path);
     if (!examination.expect_read(bytes, "file")) return;
     const config::Outcome<ExrImage> image = decode_exr(*bytes.value, file.path);
     if (!examination.expect_read(image, "format")) return;
     check_image(examination, asset, file, *image.value);
+}
+
+void check_further(VerifyReport& report, const ManifestAsset& asset,
+                   std::span<const AssetCheck> further) {
+    Examination examination(report, asset.files.empty() ? asset.name : asset.files.front().path);
     for (const AssetCheck& check : further) {
         int checks = 0;
-        for (const std::string& message : check.run(asset, *image.value, checks)) {
+        for (const std::string& message : check.run(asset, checks)) {
             examination.fail(check.name, message);
         }
         examination.count(checks);
@@ -81,8 +97,7 @@ void check_table_file(Examination& examination, const std::filesystem::path& pat
 }
 
 void check_file(VerifyReport& report, const std::filesystem::path& folder,
-                const ManifestAsset& asset, const ManifestFile& file,
-                std::span<const AssetCheck> further) {
+                const ManifestAsset& asset, const ManifestFile& file) {
     ++report.files;
     Examination examination(report, file.path);
     const std::filesystem::path path = folder / file.path;
@@ -94,7 +109,7 @@ void check_file(VerifyReport& report, const std::filesystem::path& folder,
     if (asset.is_volume()) {
         check_volume_file(examination, path, asset, file);
     } else {
-        check_table_file(examination, path, asset, file, further);
+        check_table_file(examination, path, asset, file);
     }
 }
 
@@ -119,8 +134,10 @@ config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
     VerifyReport report;
     check_manifest(report, place.file.filename().string(), *manifest.value);
     for (const ManifestAsset& asset : manifest.value->assets) {
-        for (const ManifestFile& file : asset.files)
-            check_file(report, place.folder, asset, file, further);
+        for (const ManifestFile& file : asset.files) {
+            check_file(report, place.folder, asset, file);
+        }
+        check_further(report, asset, further);
     }
     for (const FolderCheck& check : of_folder) {
         for (VerifyFailure& failure : check.run(*manifest.value, place.folder, report.checks)) {

@@ -10,8 +10,8 @@
 
 #include "bakers/core/hash.h"
 #include "bakers/core/pixel_type.h"
-#include "bakers/core/trilinear.h"
 #include "bakers/core/voxel_bytes.h"
+#include "bakers/core/wrong_lookups.h"
 #include "bakers/io/bin_volume.h"
 #include "bakers/io/exr_volume.h"
 #include "bakers/io/metadata.h"
@@ -25,20 +25,28 @@ std::int64_t voxel_index(const std::array<int, 3>& size, const std::array<int, 3
     return (std::int64_t{voxel[2]} * size[1] + voxel[1]) * size[0] + voxel[0];
 }
 
+std::vector<ProbeLookup> lookups_of(const VolumeProbe& probe) {
+    if (!probe.blend) return {{probe.uvw}};
+    return {{probe.uvw, 1 - probe.blend->share}, {probe.blend->uvw, probe.blend->share}};
+}
+
 // Goes over a file's voxels once, in order, and keeps what the checks want to know.
 class VoxelCheck {
   public:
-    VoxelCheck(const ManifestLevel& level, const std::array<bool, 3>& repeats, std::size_t channels,
+    VoxelCheck(const ManifestLevel& level, const TextureUse& use, std::size_t channels,
                config::PixelType type)
         : level_(level),
-          repeats_(repeats),
+          use_(use),
           channels_(channels),
           type_(type),
           min_(channels, std::numeric_limits<double>::infinity()),
           max_(channels, -std::numeric_limits<double>::infinity()) {
         for (const VolumeProbe& probe : level.probes) {
-            for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw, repeats)) {
-                wanted_.push_back(voxel_index(level.size, tap.voxel));
+            for (const ProbeLookup& lookup : lookups_of(probe)) {
+                want(use, lookup.uvw);
+                for (const WrongLookup& wrong : wrong_lookups(use, 3)) {
+                    want(wrong.use, wrong.place(lookup.uvw));
+                }
             }
         }
         std::sort(wanted_.begin(), wanted_.end());
@@ -78,28 +86,38 @@ class VoxelCheck {
             examination.expect_equal(max_[c], level_.statistics[c].max, "statistics",
                                      fmt::format("the largest value {}", name));
         }
+        const ReadableTexture texture = kept_texture();
+        std::vector<CaughtProbe> probes;
         for (const VolumeProbe& probe : level_.probes) {
+            probes.push_back({lookups_of(probe), probe.value, probe.tolerance});
             check_lookup(examination, fmt::format("uvw ({})", fmt::join(probe.uvw, ", ")),
-                         lookup(probe), probe.value, probe.tolerance);
+                         look_up(texture, probes.back().lookups), probe.value, probe.tolerance);
         }
+        check_catches(examination, texture, 3, probes, level_.catches);
     }
 
   private:
-    std::vector<double> lookup(const VolumeProbe& probe) const {
-        std::vector<double> value(channels_, 0.0);
-        for (const VoxelTap& tap : trilinear_taps(level_.size, probe.uvw, repeats_)) {
-            const std::int64_t index = voxel_index(level_.size, tap.voxel);
-            const auto found = std::lower_bound(wanted_.begin(), wanted_.end(), index);
-            const auto at = static_cast<std::size_t>(found - wanted_.begin()) * channels_;
-            for (std::size_t c = 0; c < channels_; ++c) {
-                value[c] += tap.weight * double{kept_[at + c]};
-            }
+    void want(const TextureUse& use, const std::array<double, 3>& uvw) {
+        for (const VoxelTap& tap : lookup_taps(use, uvw)) {
+            wanted_.push_back(voxel_index(level_.size, tap.voxel));
         }
-        return value;
+    }
+
+    // What was kept of the volume: all that probes look at.
+    ReadableTexture kept_texture() const {
+        const auto read = [this](const std::array<VoxelTap, 8>& taps, float* values) {
+            for (const VoxelTap& tap : taps) {
+                const std::int64_t index = voxel_index(level_.size, tap.voxel);
+                const auto found = std::lower_bound(wanted_.begin(), wanted_.end(), index);
+                const auto at = static_cast<std::size_t>(found - wanted_.begin()) * channels_;
+                values = std::copy_n(&kept_[at], channels_, values);
+            }
+        };
+        return {use_, channels_, read};
     }
 
     const ManifestLevel& level_;
-    const std::array<bool, 3> repeats_;
+    const TextureUse use_;
     const std::size_t channels_;
     const config::PixelType type_;
     std::vector<double> min_;
@@ -191,8 +209,10 @@ void check_vdb(Examination& examination, const std::filesystem::path& path,
 
 void check_volume_file(Examination& examination, const std::filesystem::path& path,
                        const ManifestAsset& asset, const ManifestFile& file) {
-    VoxelCheck voxels(asset.levels[static_cast<std::size_t>(file.level)],
-                      repeating_axes(asset.mapping), asset.channels.size(), file.pixel_type);
+    const ManifestLevel& level = asset.levels[static_cast<std::size_t>(file.level)];
+    const TextureUse use = {level.size, repeating_axes(asset.mapping),
+                            is_looked_up_nearest(asset.kind)};
+    VoxelCheck voxels(level, use, asset.channels.size(), file.pixel_type);
     if (file.format == spell(config::VolumeFormat::exr)) {
         check_exr(examination, path, asset, file, voxels);
     } else if (file.format == spell(config::VolumeFormat::vdb)) {

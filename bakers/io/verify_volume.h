@@ -9,8 +9,8 @@
 namespace skybake {
 
 // Makes every check that the file's format allows: size, layout, channels, pixel type, compression,
-// metadata, finiteness, the hash of the voxels, the extremes of each channel and each probe, looked
-// up in the stored values with repeat. Reads the file as a stream.
+// metadata, finiteness, the hash of the voxels, the extremes of each channel, each probe and what
+// the probes are said to catch. Reads the file as a stream.
 void check_volume_file(Examination& examination, const std::filesystem::path& path,
                        const ManifestAsset& asset, const ManifestFile& file);
 

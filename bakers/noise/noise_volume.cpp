@@ -82,6 +82,19 @@ VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size)
     };
 }
 
+// A place of the tile, in [0, 1).
+ProbePlace place_of(const std::array<int, 3>& size, NoiseSampling sampling,
+                    const std::array<double, 3>& uvw) {
+    static constexpr std::array<const char*, 3> kNames = {"x_tile", "y_tile", "z_tile"};
+    const std::array<bool, 3> centered = centered_axes(sampling);
+    ProbePlace place{{}, {{uvw}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double at = centered[i] ? uvw[i] : uvw[i] - 0.5 / size[i];
+        place.at.emplace_back(kNames[i], at - std::floor(at));
+    }
+    return place;
+}
+
 // The largest difference between voxels of the lower faces, as the kernels make them, and those a
 // tile's length away, which their specification finds at other lattice coordinates.
 double seam_error(const NoiseField& field, const std::array<int, 3>& size) {
@@ -149,7 +162,12 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
         std::move(volume),
         {.histogram_ranges = histogram_ranges(noise),
          .reference = reference_of(noise, bake.size),
-         .reference_name = "the noise's definition in double precision, point by point"},
+         .reference_name = "the noise's definition in double precision, point by point",
+         .dear = false,
+         .comparison = {},
+         .measure = {},
+         .probe_place = [&noise, &bake](const std::array<double, 3>& uvw,
+                                        int) { return place_of(bake.size, noise.sampling, uvw); }},
         options);
 }
 

@@ -86,6 +86,25 @@ std::array<AxisMapping, 3> axes_of(const BakedVolume& of, const CellGrid& grid) 
     return axes;
 }
 
+// The nearest place to texture coordinates that is a quarter of a cell from its middle along each
+// axis: near enough for no rounding to reach the next cell, and off the middle, so that linear
+// lookups differ.
+ProbePlace place_of(const BakedVolume& of, int cell, const std::array<double, 3>& uvw) {
+    const CellGrid grid{of.levels.front().size, cell};
+    const std::array<int, 3> cells = grid.size();
+    ProbePlace place{{}, {{}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double position = std::clamp(uvw[i], 0.0, 1.0) * cells[i];
+        const int k = std::min(static_cast<int>(position), cells[i] - 1);
+        const occupancy::Span voxels = grid.voxels_of(i, k);
+        const double part = position - k < 0.5 ? 0.25 : 0.75;
+        const double voxel = voxels.first + part * voxels.count();
+        place.at.emplace_back(of.axes[i].quantity, of.axes[i].first + voxel * of.voxel_size_m[i]);
+        place.lookups.front().uvw[i] = voxel / (static_cast<double>(cell) * cells[i]);
+    }
+    return place;
+}
+
 // Cells that are empty by `rule` and not by the exact one.
 std::size_t unsafe_cells(const OccupiedCells& rule, const OccupiedCells& exact) {
     std::size_t count = 0;
@@ -208,10 +227,12 @@ Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBak
     auto cells = make_cells(of, bake, grid, options, volume);
     if (!cells.value) return {{}, std::move(cells.diagnostics)};
     add_levels(*cells.value, bake, volume);
-    return finish_volume(
-        std::move(volume),
-        {.histogram_ranges = histogram_ranges(bake), .reference = {}, .reference_name = {}},
-        options);
+    VolumeFinish finish;
+    finish.histogram_ranges = histogram_ranges(bake);
+    finish.probe_place = [&of, &bake](const std::array<double, 3>& uvw, int level) {
+        return place_of(of.volume, bake.cell << level, uvw);
+    };
+    return finish_volume(std::move(volume), finish, options);
 }
 
 }  // namespace skybake

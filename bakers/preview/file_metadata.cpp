@@ -70,7 +70,7 @@ ValueStatistics statistics_of(const std::string& line) {
 }
 
 void add_level(const Attributes& attributes, const std::array<int, 3>& size, ManifestAsset& asset) {
-    ManifestLevel level{size, asset.content_hash, {}, {}};
+    ManifestLevel level{size, asset.content_hash, {}, {}, {}};
     std::istringstream lines(attribute(attributes, "statistics"));
     for (std::string line; std::getline(lines, line);) {
         level.statistics.push_back(statistics_of(line));

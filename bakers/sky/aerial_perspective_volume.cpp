@@ -255,6 +255,14 @@ config::Outcome<BakedVolume> bake_aerial_perspective(const SkyLight& light,
         return channels_of(light, at.front(), bake.content);
     };
     finish.reference_name = "quadrature along each view ray, exact sunlight and transmittance";
+    finish.probe_place = [&camera, slices = bake.size[2]](std::array<double, 3> uvw, int) {
+        // Nearer than the first slice a runtime scales what it finds there.
+        uvw[2] = std::max(uvw[2], 0.5 / slices);
+        return ProbePlace{{{"picture_x", uvw[0]},
+                           {"picture_y", uvw[1]},
+                           {"distance_km", camera.distance_km(uvw[2])}},
+                          {{uvw}}};
+    };
     VolumeLevel level;
     level.size = bake.size;
     level.repeats = repeating_axes(volume.mapping);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bakers/atmosphere/horizon_margin.h"
 #include "bakers/core/texel_axis.h"
 #include "bakers/core/transcendental.h"
 
@@ -45,6 +46,16 @@ double SkyViewCamera::angle_at(double y) const {
 double SkyViewCamera::coordinate(double angle) const {
     if (angle < 0) return 0.5 - 0.5 * std::sqrt(-angle / range_below_);
     return range_above_ > 0 ? 0.5 + 0.5 * std::sqrt(angle / range_above_) : 0.5;
+}
+
+double SkyViewCamera::off_the_edges(double y) const {
+    const double angle = angle_at(y);
+    // From far away even the whole range may be no wider.
+    const double below = std::min(kHorizonMargin, 0.25 * range_below_);
+    if (meets_ground(y)) return coordinate(std::min(angle, -below));
+    const double above = std::min(kHorizonMargin, 0.25 * range_above_);
+    const double highest = in_space() ? range_above_ - above : range_above_;
+    return coordinate(std::clamp(angle, above, highest));
 }
 
 SkyRay SkyViewCamera::ray(double y, const SunZenith& sun, double azimuth_cosine) const {

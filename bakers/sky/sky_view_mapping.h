@@ -37,6 +37,10 @@ class SkyViewCamera {
     double coordinate(double angle) const;
     static bool meets_ground(double y) { return y < 0.5; }
 
+    // The nearest coordinate whose view is not nearer to the horizon than kHorizonMargin, nor, from
+    // space, to the edge of the air.
+    double off_the_edges(double y) const;
+
     // The view ray at a coordinate y; the azimuth is told by its cosine.
     SkyRay ray(double y, const SunZenith& sun, double azimuth_cosine) const;
 

@@ -100,6 +100,9 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
     model.lowest = 0;
     model.highest = std::numeric_limits<double>::max();
     model.v_of = sky_view_v;
+    model.probe_place = [&camera](double x, double y) {
+        return std::array<double, 2>{x, camera.off_the_edges(y)};
+    };
     model.cost_per_texel = {1};
     model.row = [&light, &camera, sun, channels](int, double y, const std::vector<double>& x,
                                                  double* values) {
@@ -135,21 +138,25 @@ config::Outcome<BakedTable> bake_sky_view(const SkyLight& light, const SkyViewBa
     request.full = {4096, 1};
     config::Outcome<BakedTable> outcome;
     std::vector<BakedTable> parts;
+    std::vector<ProbeSpace> spaces;
     for (const config::Angle& elevation : bake.sun_elevations) {
         const auto place_of = [&camera, elevation](double x, double y) {
             return Place{{"azimuth_deg", 180 * x},
                          {"above_horizon_deg", camera.angle_at(y) * kDegrees},
                          {"sun_elevation_deg", elevation.radians * kDegrees}};
         };
-        config::Outcome<BakedTable> part =
-            finish_table(sky_view_model(light, camera, sun_at_elevation(elevation.radians)),
-                         request, options, place_of, table);
+        const TableModel model = sky_view_model(light, camera, sun_at_elevation(elevation.radians));
+        config::Outcome<BakedTable> part = finish_table(model, request, options, place_of, table);
         outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                    part.diagnostics.end());
         if (!part.value) return outcome;
         parts.push_back(std::move(*part.value));
+        spaces.push_back(table_space(model, bake.size, place_of));
     }
-    outcome.value = stack_tables(std::move(parts));
+    config::Outcome<BakedTable> stack = stack_tables(std::move(parts), std::move(spaces), options);
+    outcome.diagnostics.insert(outcome.diagnostics.end(), stack.diagnostics.begin(),
+                               stack.diagnostics.end());
+    outcome.value = std::move(stack.value);
     return outcome;
 }
 

@@ -243,29 +243,36 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
     request.choice = {32, 16};
     request.quick = {32, 16};
     request.full = {1024, 16};
-    const auto place_of = [&columns, thickness_km](double x, double y) {
-        return Place{{"altitude_km", y * thickness_km}, {"sun_cos_zenith", columns.cosine(x)}};
-    };
     std::vector<BakedTable> parts;
+    std::vector<ProbeSpace> spaces;
     for (int l = 0; l <= degree; ++l) {
         for (int m = 0; m <= l; ++m) {
+            const auto place_of = [&columns, thickness_km, moments, l, m](double x, double y) {
+                Place place = {{"altitude_km", y * thickness_km},
+                               {"sun_cos_zenith", columns.cosine(x)}};
+                if (moments) place.insert(place.end(), {{"l", l}, {"m", m}});
+                return place;
+            };
+            const TableModel model =
+                fitted ? fitted_model(texels)
+                       : moment_model(light, finer_light, l, m, columns, thickness_km);
             config::Outcome<BakedTable> part =
-                finish_table(fitted ? fitted_model(texels)
-                                    : moment_model(light, finer_light, l, m, columns, thickness_km),
-                             request, options, place_of, table);
+                finish_table(model, request, options, place_of, table);
             outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                        part.diagnostics.end());
             if (!part.value) return outcome;
-            for (Probe& probe : part.value->probes) {
-                if (!moments) break;
-                probe.at.emplace_back("l", l);
-                probe.at.emplace_back("m", m);
-            }
+            const Image2<float>& image = part.value->image;
+            spaces.push_back(table_space(model, {image.width, image.height}, place_of));
             parts.push_back(std::move(*part.value));
             table.bake_seconds = 0;
         }
     }
-    BakedTable stack = stack_tables(std::move(parts));
+    config::Outcome<BakedTable> stacked =
+        stack_tables(std::move(parts), std::move(spaces), options);
+    outcome.diagnostics.insert(outcome.diagnostics.end(), stacked.diagnostics.begin(),
+                               stacked.diagnostics.end());
+    if (!stacked.value) return outcome;
+    BakedTable& stack = *stacked.value;
     if (stack.certified) {
         SkyError sky = measure_sky(medium, scene, stack, degree, columns, finer_light, options);
         if (options.cancelled()) return outcome;

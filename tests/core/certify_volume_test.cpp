@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/survey_volume.h"
@@ -137,73 +136,6 @@ TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     EXPECT_EQ(again.figures.max, errors.figures.max);
     EXPECT_EQ(again.figures.rms, errors.figures.rms);
     EXPECT_EQ(again.worst, errors.worst);
-}
-
-TEST(VolumeProbes, AreTheStoredVoxelsLookedUpDirectly) {
-    for (const std::array<int, 3>& size :
-         {std::array<int, 3>{8, 6, 10}, {1, 1, 1}, {3, 1, 2}, {16, 16, 16}}) {
-        for (const PixelType type : {PixelType::float32, PixelType::half, PixelType::unorm8}) {
-            const VolumeLevel level = level_of(size, 3, type, sample_voxel);
-            const std::vector<VolumeProbe> probes = make_volume_probes(level, type);
-            EXPECT_GE(probes.size(), 16u);
-            for (const VolumeProbe& probe : probes) {
-                ASSERT_EQ(probe.value.size(), 3u);
-                ASSERT_EQ(probe.tolerance.size(), 3u);
-                for (const double u : probe.uvw) EXPECT_TRUE(u >= 0 && u < 1) << u;
-                for (int c = 0; c < 3; ++c) {
-                    EXPECT_NEAR(probe.value[static_cast<std::size_t>(c)],
-                                lookup(sample_voxel, size, type, c, probe.uvw), 1e-12);
-                }
-            }
-        }
-    }
-}
-
-// A runtime that gets an axis backwards, swaps two, is half a voxel off or clamps at the seam must
-// fail: on each axis some probes are apart from what it finds by more than they tolerate.
-TEST(VolumeProbes, CatchWrongLookups) {
-    const std::array<int, 3> size = {16, 16, 16};
-    const VolumeLevel level = level_of(size, 1, PixelType::half, sample_voxel);
-    const std::vector<VolumeProbe> probes = make_volume_probes(level, PixelType::half);
-    const auto caught = [&](const auto& change) {
-        int count = 0;
-        for (const VolumeProbe& probe : probes) {
-            const double found = lookup(sample_voxel, size, PixelType::half, 0, change(probe.uvw));
-            count += std::fabs(found - probe.value[0]) > probe.tolerance[0] ? 1 : 0;
-        }
-        return count;
-    };
-    EXPECT_EQ(caught([](const Place& p) { return p; }), 0);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto moved = [axis](Place p, double by) {
-            p[axis] += by;
-            return p;
-        };
-        EXPECT_GE(caught([&](Place p) {
-                      p[axis] = 1 - p[axis];
-                      return p;
-                  }),
-                  8);
-        EXPECT_GE(caught([&](const Place& p) { return moved(p, 0.5 / 16); }), 8);
-        EXPECT_GE(caught([&](Place p) {
-                      std::swap(p[axis], p[(axis + 1) % 3]);
-                      return p;
-                  }),
-                  8);
-        EXPECT_GE(caught([&](Place p) {  // clamped
-                      p[axis] = std::min(std::max(p[axis], 0.5 / 16), 15.5 / 16);
-                      return p;
-                  }),
-                  2);
-        // Filtering in steps of 1/256 voxel, rounded either way, passes.
-        EXPECT_EQ(caught([&](Place p) {
-                      for (std::size_t k = 0; k < 3; ++k) {
-                          p[k] = std::floor(p[k] * 16 * 256 + (k == axis ? 0.9 : 0)) / (16 * 256);
-                      }
-                      return p;
-                  }),
-                  0);
-    }
 }
 
 }  // namespace

@@ -115,8 +115,11 @@ inline std::vector<VolumeProbe> sample_volume_probes(const VolumeLevel& level, s
     for (int i = 0; i < 16; ++i) {
         VolumeProbe probe;
         probe.uvw = {i / 16.0, 1 - i * 0.0625, (i * 5 % 16) / 15.0};
+        probe.at = {{"x_tile", probe.uvw[0]}, {"y_tile", probe.uvw[1]}, {"z_tile", probe.uvw[2]}};
         probe.value.assign(channels, 0.0);
         probe.tolerance.assign(channels, 1e-9);
+        // As of two sub-images.
+        if (i == 3) probe.blend = BlendedLookup{probe.uvw, 0.25};
         for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw)) {
             std::vector<float> voxel(channels);
             std::vector<float*> out;
@@ -152,6 +155,7 @@ inline BakedTable sample_table(const std::string& name = "transmittance") {
                          "cos_zenith -0.01",
                          "a larger size"};
     table.probes = sample_probes(table.image);
+    table.catches = {"zeros", "flip_v"};
     table.parameters = "[atmosphere]\nground_radius = \"6360000 m\"\n";
     table.axes[0].constants = {{"ground_radius_km", 6360.0}, {"names", "of a planet"}};
     table.axes[1].constants = {{"tables", std::vector<double>{1, 0.1, -2}}};
@@ -193,6 +197,7 @@ inline BakedVolume sample_volume(const std::array<int, 3>& size = {12, 10, 7}, i
         const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0.0, 1.0});
         EXPECT_TRUE(survey_level(volume, static_cast<int>(i), ranges, {2}).empty());
         level.probes = sample_volume_probes(level, volume.channel_names.size(), type);
+        level.catches = {"zeros"};
     }
     volume.certified = true;
     volume.certificate = {{1e-4, 3e-5}, {2e-2, 4e-3}, 64, 1024, "double", "1 is the range", "", ""};

@@ -75,6 +75,10 @@ def main():
         "a negative count": (("assets", 2, "statistics", 0, "histogram", "counts", 0), -1),
         "a negative seam error": (("assets", 2, "seam_error"), -1),
         "a mip without a size": (("assets", 2, "mips", 0), {}),
+        "an unknown fault": (("assets", 0, "catches"), ["turned"]),
+        "a fault named twice": (("assets", 2, "catches"), ["zeros", "zeros"]),
+        "a volume's probe without a place": (("assets", 2, "probes", 0, "at"), {}),
+        "a blend of more than all": (("assets", 2, "probes", 3, "blend", "share"), 1.5),
     }
     for name, (path, value) in wrong.items():
         if validator.is_valid(set_at(manifest, path, value)):

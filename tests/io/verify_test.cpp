@@ -106,6 +106,7 @@ TEST(Verify, ComparesSizeChannelsAndType) {
     asset.size = {8, 16};
     asset.compression = config::Compression::piz;
     asset.probes.clear();
+    asset.catches.clear();
     save(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()), (Checks{"size", "compression"}));
 }
@@ -124,7 +125,7 @@ TEST(Verify, ChecksEachProbe) {
 TEST(Verify, RunsFurtherChecks) {
     const TemporaryFolder folder;
     testing::write_sample_bake(folder.path(), {"transmittance"});
-    const AssetCheck check{"mapping", [](const ManifestAsset&, const ExrImage&, int& checks) {
+    const AssetCheck check{"mapping", [](const ManifestAsset&, int& checks) {
                                checks += 3;
                                return std::vector<std::string>{"one", "two"};
                            }};

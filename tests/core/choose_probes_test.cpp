@@ -1,0 +1,99 @@
+#include "bakers/core/choose_probes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "bakers/core/make_probe.h"
+
+namespace skybake {
+namespace {
+
+// 0 but for one texel.
+Image2<float> spot(int x, int y) {
+    Image2<float> image(16, 16, 1);
+    image.texel(x, y)[0] = 1;
+    return image;
+}
+
+ProbedTexture texture_of(const Image2<float>& image) {
+    return {readable_texture(image), 2, config::PixelType::float32, {1}};
+}
+
+// Places where the spot is seen from `from` on only; else where nothing is.
+ProbeSpace space_that_sees(double from) {
+    ProbeSpace space;
+    space.place = [from](const std::array<double, 3>& wanted) {
+        const std::array<double, 3> uvw = {wanted[0] >= from ? 3.4 / 16 : 0.9, 5.3 / 16, 0.5};
+        return ProbePlace{{{"x", uvw[0]}}, {{uvw}}};
+    };
+    for (int i = 0; i < 16; ++i) space.wanted.push_back({i / 16.0, 0.5, 0});
+    return space;
+}
+
+TEST(ChooseProbes, RefusesASetThatAWrongFilePasses) {
+    const Image2<float> image = spot(3, 5);
+    // One place of sixteen sees the spot, and none next to it does.
+    ProbeSpace one = space_that_sees(15 / 16.0);
+    one.place = [seen = one.wanted[7], place = one.place](const std::array<double, 3>& wanted) {
+        return place({wanted == seen ? 1.0 : 0.0, 0.5, 0});
+    };
+    const ProbeSet blind = take_probes(texture_of(image), {one}, 8, {});
+    EXPECT_EQ(std::count(blind.missed.begin(), blind.missed.end(), "zeros"), 1);
+    EXPECT_EQ(std::count(blind.catches.begin(), blind.catches.end(), "zeros"), 0);
+    const auto problem = weak_probes("spot", blind);
+    ASSERT_TRUE(problem.has_value());
+    EXPECT_EQ(problem->code, "E0407");
+    EXPECT_NE(problem->message.find("`spot`"), std::string::npos);
+    EXPECT_NE(problem->message.find("flip_u"), std::string::npos) << problem->message;
+
+    const ProbeSet seeing = take_probes(texture_of(image), {space_that_sees(0.5)}, 8, {});
+    EXPECT_TRUE(seeing.missed.empty());
+    EXPECT_FALSE(weak_probes("spot", seeing).has_value());
+    for (const char* fault : {"zeros", "flip_u", "flip_v", "swap_uv", "shift_u", "shift_v"}) {
+        EXPECT_EQ(std::count(seeing.catches.begin(), seeing.catches.end(), fault), 1) << fault;
+    }
+}
+
+// Where a fault shows at one place, those next to it are looked at.
+TEST(ChooseProbes, LooksAboutALonelyPlace) {
+    const Image2<float> image = spot(3, 5);
+    ProbeSpace space;
+    space.place = [](const std::array<double, 3>& wanted) {
+        return ProbePlace{{{"x", wanted[0]}}, {{{wanted[0], wanted[1], 0.5}}}};
+    };
+    space.wanted = {{0.9, 0.9, 0}, {0.8, 0.1, 0}, {3.4 / 16, 5.3 / 16, 0}};
+    const ProbeSet set = take_probes(texture_of(image), {space}, 3, {});
+    EXPECT_TRUE(set.missed.empty());
+    EXPECT_EQ(std::count(set.catches.begin(), set.catches.end(), "zeros"), 1);
+    EXPECT_GE(std::count_if(set.probes.begin(), set.probes.end(),
+                            [](const TakenProbe& probe) { return probe.value.value[0] > 0.1; }),
+              kSeveralProbes);
+}
+
+// Of several tables one below the other each has its share.
+TEST(ChooseProbes, TakesSomeOfEachSpace) {
+    Image2<float> image(8, 8, 1);
+    for (std::size_t i = 0; i < image.texels.size(); ++i) {
+        image.texels[i] = static_cast<float>((i * 37) % 101);
+    }
+    std::vector<ProbeSpace> spaces(4);
+    for (std::size_t part = 0; part < spaces.size(); ++part) {
+        spaces[part].place = [part](const std::array<double, 3>& wanted) {
+            const double v = (static_cast<double>(part) + wanted[1]) / 4;
+            return ProbePlace{{{"part", static_cast<double>(part)}}, {{{wanted[0], v, 0.5}}}};
+        };
+        for (int i = 0; i < 20; ++i)
+            spaces[part].wanted.push_back({i / 20.0, i * 7 % 20 / 20.0, 0});
+    }
+    const ProbeSet set = take_probes(texture_of(image), spaces, 24, {});
+    for (int part = 0; part < 4; ++part) {
+        EXPECT_GE(std::count_if(
+                      set.probes.begin(), set.probes.end(),
+                      [part](const TakenProbe& probe) { return probe.place.at[0].second == part; }),
+                  6);
+    }
+}
+
+}  // namespace
+}  // namespace skybake

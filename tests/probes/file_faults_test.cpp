@@ -1,0 +1,412 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "bakers/core/hash.h"
+#include "bakers/core/voxel_bytes.h"
+#include "bakers/io/read_volume.h"
+#include "bakers/probe_check.h"
+#include "tests/incremental/bakes.h"
+#include "tests/probes/texels.h"
+
+namespace skybake::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a manifest's probe says, of tables and volumes alike.
+struct ProbeOfFile {
+    std::vector<std::pair<Uvw, double>> lookups;  // with their shares
+    std::vector<double> value;
+    std::vector<double> tolerance;
+};
+
+// A file of an asset, a table's as a texture of one slice.
+struct BakedFile {
+    std::string name;
+    int dimensions = 3;
+    Texels texels;
+    Sampler sampler;
+    std::vector<ProbeOfFile> probes;
+    std::vector<std::string> catches;
+};
+
+BakedFile file_of_table(const fs::path& folder, const ManifestAsset& asset) {
+    BakedFile file;
+    file.name = asset.name;
+    file.dimensions = 2;
+    const ExrImage image = *read_exr(folder / asset.files[0].path).value;
+    file.texels.size = {image.pixels.width, image.pixels.height, 1};
+    file.texels.channels = static_cast<std::size_t>(image.pixels.channels);
+    file.texels.values.assign(image.pixels.texels.begin(), image.pixels.texels.end());
+    for (const Probe& probe : asset.probes) {
+        file.probes.push_back(
+            {{{{probe.uv[0], probe.uv[1], 0.5}, 1.0}}, probe.value, probe.tolerance});
+    }
+    file.catches = asset.catches;
+    return file;
+}
+
+BakedFile file_of_volume(const fs::path& folder, const ManifestAsset& asset,
+                         const ManifestFile& entry) {
+    const ManifestLevel& level = asset.levels[static_cast<std::size_t>(entry.level)];
+    BakedFile file;
+    file.name = entry.level == 0 ? asset.name : fmt::format("{}.{}", asset.name, entry.level);
+    file.texels = {level.size, asset.channels.size(), {}};
+    const auto visit = [&](std::int64_t, std::int64_t count, const float* values) {
+        const auto total = static_cast<std::size_t>(count) * file.texels.channels;
+        file.texels.values.insert(file.texels.values.end(), values, values + total);
+        return true;
+    };
+    EXPECT_TRUE(read_volume(folder / entry.path, asset, entry, visit).value.value_or(false));
+    const bool tile = asset.mapping == "tile";
+    const bool layer = asset.mapping == "layer";
+    file.sampler = {{tile || layer, tile || layer, tile}, asset.kind == "occupancy"};
+    for (const VolumeProbe& probe : level.probes) {
+        const double share = probe.blend ? probe.blend->share : 0;
+        ProbeOfFile of_file{{{probe.uvw, 1 - share}}, probe.value, probe.tolerance};
+        if (probe.blend) of_file.lookups.emplace_back(probe.blend->uvw, share);
+        file.probes.push_back(std::move(of_file));
+    }
+    file.catches = level.catches;
+    return file;
+}
+
+// How many probes a file fails, whose lookups are made at `place` of the right coordinates.
+int failed_probes(const BakedFile& file, const Texels& texels, const Sampler& sampler,
+                  const std::function<Uvw(const Uvw&)>& place) {
+    int failed = 0;
+    for (const ProbeOfFile& probe : file.probes) {
+        std::vector<double> found(texels.channels, 0.0);
+        for (const auto& [uvw, share] : probe.lookups) {
+            const std::vector<double> part = looked_up(texels, sampler, place(uvw));
+            for (std::size_t c = 0; c < found.size(); ++c) found[c] += share * part[c];
+        }
+        bool holds = true;
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            holds = holds && std::fabs(found[c] - probe.value[c]) <= probe.tolerance[c];
+        }
+        failed += holds ? 0 : 1;
+    }
+    return failed;
+}
+
+Uvw same(const Uvw& uvw) { return uvw; }
+
+int failed_probes(const BakedFile& file, const Texels& texels) {
+    return failed_probes(file, texels, file.sampler, same);
+}
+
+// The fewest probes that fail when the file is half a texel off to one side or the other.
+int failed_by_shift(const BakedFile& file, std::size_t axis) {
+    int fewest = static_cast<int>(file.probes.size());
+    for (const int side : {-1, 1}) {
+        // No file can be half a texel off where lookups take the nearest: a lookup can.
+        const auto moved = [&](Uvw uvw) {
+            uvw[axis] += 0.5 * side / file.texels.size[axis];
+            return uvw;
+        };
+        const int failed =
+            file.sampler.nearest
+                ? failed_probes(file, file.texels, file.sampler, moved)
+                : failed_probes(file, shifted(file.texels, file.sampler, axis, side));
+        fewest = std::min(fewest, failed);
+    }
+    return fewest;
+}
+
+int failed_by_swap(const BakedFile& file, std::size_t a, std::size_t b) {
+    if (file.texels.size[a] == file.texels.size[b] && !file.sampler.nearest) {
+        return failed_probes(file, exchanged(file.texels, a, b));
+    }
+    return failed_probes(file, file.texels, file.sampler, [&](Uvw uvw) {
+        std::swap(uvw[a], uvw[b]);
+        return uvw;
+    });
+}
+
+// By fault: how many probes fail.
+std::map<std::string, int> failed_by_fault(const BakedFile& file) {
+    std::map<std::string, int> failed = {{"zeros", failed_probes(file, zeros(file.texels))}};
+    const auto axes = static_cast<std::size_t>(file.dimensions);
+    for (std::size_t a = 0; a < axes; ++a) {
+        failed[fmt::format("flip_{}", "uvw"[a])] = failed_probes(file, flipped(file.texels, a));
+        failed[fmt::format("shift_{}", "uvw"[a])] = failed_by_shift(file, a);
+        for (std::size_t b = a + 1; b < axes; ++b) {
+            failed[fmt::format("swap_{}{}", "uvw"[a], "uvw"[b])] = failed_by_swap(file, a, b);
+        }
+    }
+    return failed;
+}
+
+// A fault that changes no lookup: of an axis of one texel.
+bool changes_nothing(const BakedFile& file, const std::string& fault) {
+    std::size_t long_axes = 0;
+    for (const char axis : fault.substr(fault.find('_') + 1)) {
+        if (axis >= 'u' && axis <= 'w') {
+            long_axes += file.texels.size[static_cast<std::size_t>(axis - 'u')] > 1 ? 1 : 0;
+        }
+    }
+    return fault != "zeros" && long_axes == 0;
+}
+
+// Prints one line of the table of faults, and fails where one is not caught.
+void expect_faults_caught(const BakedFile& file) {
+    constexpr std::array kFaults = {"zeros",   "flip_u",  "flip_v",  "flip_w",  "swap_uv",
+                                    "swap_uw", "swap_vw", "shift_u", "shift_v", "shift_w"};
+    EXPECT_EQ(failed_probes(file, file.texels), 0) << file.name;
+    EXPECT_GE(file.probes.size(), 16u) << file.name;
+    const std::map<std::string, int> failed = failed_by_fault(file);
+    std::string line = fmt::format("{:<24}{:>6}", file.name, file.probes.size());
+    for (const char* fault : kFaults) {
+        const auto entry = failed.find(fault);
+        if (entry == failed.end() || changes_nothing(file, fault)) {
+            line += fmt::format("{:>9}", entry == failed.end() ? "" : "same");
+            continue;
+        }
+        line += fmt::format("{:>9}", entry->second);
+        EXPECT_GE(entry->second, 3) << file.name << ": " << fault;
+        EXPECT_EQ(std::count(file.catches.begin(), file.catches.end(), fault), 1)
+            << file.name << ": " << fault;
+    }
+    fmt::print("{}\n", line);
+    // Most probes lie where there is something.
+    EXPECT_GE(failed.at("zeros") * 4, static_cast<int>(file.probes.size()) * 3) << file.name;
+    for (const ProbeOfFile& probe : file.probes) {
+        for (const double tolerance : probe.tolerance) EXPECT_GT(tolerance, 0) << file.name;
+    }
+}
+
+void print_head() {
+    fmt::print("{:<24}{:>6}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "probes failed",
+               "of", "zeros", "flip_u", "flip_v", "flip_w", "swap_uv", "swap_uw", "swap_vw",
+               "shift_u", "shift_v", "shift_w");
+}
+
+std::vector<BakedFile> files_of(const fs::path& folder) {
+    const Manifest manifest = *read_manifest(folder).value;
+    std::vector<BakedFile> files;
+    for (const ManifestAsset& asset : manifest.assets) {
+        if (!asset.is_volume()) {
+            files.push_back(file_of_table(folder, asset));
+            continue;
+        }
+        for (const ManifestFile& entry : asset.files) {
+            if (entry.format == "bin") files.push_back(file_of_volume(folder, asset, entry));
+        }
+    }
+    return files;
+}
+
+void bake(const std::string& recipe, const fs::path& folder) {
+    TestBake test(recipe_of(recipe), folder);
+    test.bake.certification = Certification::off;
+    const auto baked = test.run();
+    ASSERT_TRUE(baked.value.has_value())
+        << (baked.diagnostics.empty() ? "" : baked.diagnostics[0].message);
+}
+
+// Bakes, and expects that verification passes, with each probe at the place that it names, and
+// that each wrong file is told.
+void expect_told(const std::string& recipe) {
+    const TemporaryFolder folder;
+    bake(recipe, folder.path());
+    const std::array checks = {probe_check()};
+    const auto report = verify_bake(folder.path(), checks);
+    ASSERT_TRUE(report.value.has_value());
+    for (const VerifyFailure& failure : report.value->failures) {
+        ADD_FAILURE() << failure.file << ": " << failure.check << ": " << failure.message;
+    }
+    print_head();
+    for (const BakedFile& file : files_of(folder.path())) expect_faults_caught(file);
+}
+
+TEST(FileFaults, AreToldInTablesOfTheSky) {
+    expect_told(R"(
+preset = "earth"
+[bake.transmittance]
+size = [64, 16]
+[bake.transmittance_ue]
+asset = "transmittance"
+mapping = "ue"
+size = [64, 64]
+[bake.optical_depth]
+asset = "transmittance"
+content = "optical_depth"
+size = [64, 16]
+pixel_type = "half"
+[bake.multiple_scattering]
+size = [16, 16]
+max_texel_error = "20 %"
+[bake.sky_view]
+orders = "single"
+size = [16, 16]
+altitude = "500 m"
+sun_elevations = ["30 deg", "3 deg", "-4 deg"]
+[bake.sky_view_of_space]
+asset = "sky_view"
+orders = "single"
+size = [16, 16]
+altitude = "400 km"
+sun_elevations = ["20 deg"]
+[bake.irradiance]
+orders = "single"
+content = "sky"
+size = [16, 16]
+max_texel_error = "20 %"
+[bake.phase]
+layer = "mie"
+size = 64
+[bake.aerial_perspective]
+orders = "single"
+size = [12, 12, 12]
+altitude = "500 m"
+sun_elevation = "20 deg"
+formats = ["bin"]
+)");
+}
+
+TEST(FileFaults, AreToldInSolvedTables) {
+    expect_told(R"(
+preset = "earth"
+[bake.twilight]
+asset = "multiple_scattering"
+method = "solved"
+mapping = "twilight"
+size = [16, 16]
+[bake.moments]
+asset = "multiple_scattering"
+method = "solved"
+content = "moments"
+degree = 2
+mapping = "twilight"
+size = [16, 16]
+)");
+}
+
+TEST(FileFaults, AreToldInBrunetonsTables) {
+    expect_told(R"(
+preset = "earth"
+[bake.b_transmittance]
+asset = "bruneton"
+table = "transmittance"
+size = [64, 16, 1]
+formats = ["bin"]
+[bake.b_irradiance]
+asset = "bruneton"
+table = "irradiance"
+orders = 1
+size = [16, 8, 1]
+formats = ["bin"]
+[bake.b_scattering]
+asset = "bruneton"
+table = "scattering"
+orders = 1
+size = [32, 16, 8]
+nu_size = 4
+formats = ["bin"]
+[bake.b_single_mie]
+asset = "bruneton"
+table = "single_mie"
+size = [32, 16, 8]
+nu_size = 4
+formats = ["bin"]
+mips = 2
+)");
+}
+
+TEST(FileFaults, AreToldInColumns) {
+    expect_told(R"(
+preset = "earth"
+[atmosphere.layers.fog]
+preset = "fog"
+[bake.to_top]
+asset = "optical_depth"
+kinds = ["rayleigh", "fog"]
+size = [32, 16, 1]
+formats = ["bin"]
+[bake.between]
+asset = "optical_depth"
+table = "between"
+kinds = ["rayleigh", "fog"]
+size = [16, 16, 16]
+formats = ["bin"]
+[bake.along]
+asset = "optical_depth"
+table = "between"
+coordinates = "distance"
+kinds = ["rayleigh", "fog"]
+size = [16, 8, 8]
+formats = ["bin"]
+[bake.density]
+asset = "optical_depth"
+table = "density"
+kinds = ["rayleigh", "fog"]
+formats = ["bin"]
+[bake.phases]
+asset = "optical_depth"
+table = "phase"
+kinds = ["rayleigh", "mie"]
+formats = ["bin"]
+)");
+}
+
+TEST(FileFaults, AreToldInNoisesAndClouds) {
+    expect_told(R"(
+[noise.shape]
+preset = "nubis_shape"
+pack = "shape"
+[noise.detail]
+preset = "nubis_detail"
+pack = "detail"
+[bake.shape]
+asset = "noise_volume"
+noise = "shape"
+size = [32, 32, 32]
+formats = ["bin"]
+pixel_type = "unorm8"
+mips = 3
+[noise.corners]
+sampling = "corners"
+[noise.corners.channels.Y]
+type = "perlin"
+frequency = 4
+[bake.corners]
+asset = "noise_volume"
+noise = "corners"
+size = [16, 16, 16]
+formats = ["bin"]
+[clouds.congestus]
+preset = "cumulus_congestus"
+[clouds.stratus]
+preset = "stratus"
+[bake.congestus]
+asset = "cloud_volume"
+cloud = "congestus"
+size = [64, 64, 32]
+formats = ["bin"]
+[bake.stratus]
+asset = "cloud_volume"
+cloud = "stratus"
+size = [64, 64, 16]
+formats = ["bin"]
+mips = 2
+[bake.congestus_cells]
+asset = "occupancy"
+of = "congestus"
+cell = 4
+contents = ["occupied", "leap"]
+formats = ["bin"]
+mips = 2
+[bake.stratus_cells]
+asset = "occupancy"
+of = "stratus"
+cell = 2
+formats = ["bin"]
+)");
+}
+
+}  // namespace
+}  // namespace skybake::testing
