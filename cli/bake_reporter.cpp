@@ -13,7 +13,7 @@ namespace skybake::cli {
 bool BakeReporter::cancelled() const { return interrupted(); }
 
 void BakeReporter::waits() {
-    console_.note("waiting for another skybake that bakes into this folder\n");
+    console_.note("waiting: another skybake is baking into this folder\n");
 }
 
 void BakeReporter::planned(const FolderPlan& plan) {

@@ -13,11 +13,6 @@
 namespace skybake::cli {
 namespace {
 
-std::string bytes_text(std::uint64_t bytes) {
-    const double kib = static_cast<double>(bytes) / 1024;
-    return kib < 1024 ? fmt::format("{:.0f} KiB", kib) : fmt::format("{:.1f} MiB", kib / 1024);
-}
-
 // Three significant digits without an exponent, so that columns compare at a glance.
 std::string time_text(double milliseconds) {
     const int decimals = milliseconds < 10 ? 2 : milliseconds < 100 ? 1 : 0;
@@ -54,7 +49,8 @@ constexpr std::array<Column, 10> kColumns = {{
     {"variant", Align::left, [](const ReportRow& row) { return row.variant; }},
     {"size", Align::right, [](const ReportRow& row) { return size_text(row.size); }},
     {"type", Align::left, [](const ReportRow& row) { return std::string(spell(row.pixel_type)); }},
-    {"file", Align::right, [](const ReportRow& row) { return bytes_text(row.file_bytes); }},
+    {"file", Align::right,
+     [](const ReportRow& row) { return byte_size_text(static_cast<double>(row.file_bytes)); }},
     {"time", Align::right, [](const ReportRow& row) { return time_text(row.time_ms); }},
     {"write", Align::right,
      [](const ReportRow& row) { return time_text(row.volume_file->write_ms); }, true},
@@ -117,7 +113,8 @@ std::string skipping_text(const AssetReport& asset) {
                        fmt::format("{} of {}", row.lost_samples, row.samples),
                        fmt::format("{}", row.changed_rays), fmt::format("{:.1f}", row.fetches[0]),
                        fmt::format("{:.1f}", row.fetches[1]), fmt::format("{:.1f}", row.fetches[2]),
-                       bytes_text(row.structure_bytes), time_text(row.time_ms)});
+                       byte_size_text(static_cast<double>(row.structure_bytes)),
+                       time_text(row.time_ms)});
     }
     return fmt::format(
         "{} ({})\n"

@@ -17,6 +17,9 @@ struct FileError {
 std::variant<std::string, FileError> read_text_file(const std::filesystem::path& path,
                                                     std::size_t most_bytes);
 
+// The same of standard input, to its end.
+std::variant<std::string, FileError> read_standard_input(std::size_t most_bytes);
+
 std::string without_byte_order_mark(std::string text);
 
 }  // namespace skybake::config

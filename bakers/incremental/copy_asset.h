@@ -1,4 +1,4 @@
-// Ready-made files into another folder.
+// Copies the files of a baked asset into another folder.
 #pragma once
 
 #include <filesystem>

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <sstream>
+
 #include "cli/text_width.h"
 
 namespace skybake::cli {
@@ -16,6 +19,34 @@ TEST(TablePrinter, AlignsColumns) {
               "  asset            bytes  error\n"
               "  transmittance       12\n"
               "  µ              1234567\n");
+}
+
+TEST(TablePrinter, FitsTheTerminal) {
+    TextTable table({Align::left, Align::right, Align::left, Align::right});
+    table.add_row({"asset", "size", "file", "write"});
+    table.add_row({"µ_transmittance", "256x64", "transmittance_of_air.exr", "12 ms"});
+    constexpr std::array<std::size_t, 1> expendable = {3};
+    const std::string whole = table.text();
+    EXPECT_EQ(table.text_within(0, expendable), whole);
+    EXPECT_EQ(table.text_within(58, expendable), whole);
+    EXPECT_EQ(table.text_within(57, expendable),
+              "  asset              size  file\n"
+              "  µ_transmittance  256x64  transmittance_of_air.exr\n");
+    for (const int columns : {50, 45, 40, 35, 30}) {
+        std::istringstream lines(table.text_within(columns, expendable));
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_LE(text_width(line), columns) << line;
+        }
+    }
+    EXPECT_EQ(table.text_within(36, expendable),
+              "  asset              size  file\n"
+              "  µ_transmittance  256x64  transmit…\n");
+}
+
+TEST(TablePrinter, NumbersStayWhole) {
+    TextTable table({Align::left, Align::right});
+    table.add_row({"abcdefghijkl", "1234567890123"});
+    EXPECT_EQ(table.text_within(10, {}), "  abcdefg…  1234567890123\n");
 }
 
 TEST(TablePrinter, AnEmptyTableIsNoText) {
