@@ -86,7 +86,7 @@ std::string rows_text(const AssetReport& asset) {
 
 std::string volume_text(const VolumeFacts& volume) {
     const int count = volume.write_repetitions;
-    std::string text = fmt::format("  write: processor time of a file in memory, one thread, {}\n",
+    std::string text = fmt::format("  write: processor time to encode a file in memory, one thread, {}\n",
                                    count == 1 ? "once" : fmt::format("median of {}", count));
     for (std::size_t c = 0; c < volume.channels.size(); ++c) {
         const ValueStatistics& channel = volume.statistics[c];
@@ -118,9 +118,9 @@ std::string skipping_text(const AssetReport& asset) {
     }
     return fmt::format(
         "{} ({})\n"
-        "  cells of {} voxels over {}; the smallest share that is safe is {:.2f} %\n"
-        "  up, within, down: fetches of density and structure, mean of {} rays each, up to 500 "
-        "steps of 1/600 tile\n"
+        "  cells of {} voxels over {}; the smallest safe share of occupied cells is {:.2f} %\n"
+        "  up, within, down: lookups of density and structure per ray, mean of {} rays each, up to "
+        "500 steps of 1/600 tile\n"
         "  time: {}, median of {}\n\n{}",
         asset.name, asset.kind, skipping.cell, size_text(skipping.size),
         100 * skipping.smallest_safe_share, skipping.rays, asset.timing, asset.repetitions,
@@ -138,11 +138,11 @@ std::string asset_text(const AssetReport& asset) {
         "  error: {}, against {} ({} lookups, up to {} texels)\n"
         "  time: {}, median of {}\n"
         "{}"
-        "  front: no variant is closer in as little time (within 5 %), in lookups or in texels at "
-        "one size{}\n\n",
+        "  front: no other variant has a smaller error in as little time (within 5 %), of lookups "
+        "or of texels at one size{}\n\n",
         title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points,
         asset.timing, asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
-        asset.volume ? "; errors to two digits; bytes: none is closer in as few" : "");
+        asset.volume ? "; errors to two digits; bytes: none has a smaller error in as few bytes" : "");
     text += rows_text(asset);
     return text + notes_text(asset);
 }
