@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "bakers/io/byte_size_text.h"
 #include "bakers/io/file_names.h"
 #include "bakers/io/spelling.h"
 #include "cli/table_printer.h"
@@ -57,6 +58,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
                      Align::right, Align::right, Align::left});
     // Those that a narrow terminal does without: write, certify, pixel type, channels.
     constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
+    constexpr std::array<std::size_t, 2> names = {0, 3};
     table.add_row(
         {"asset", "size", "", "file", "", "bake", "certify", "write", "lookup error max / rms"});
     bool made = false;
@@ -69,7 +71,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
             if (!first) table.add_row(further_row(finished.entry, file));
         }
     }
-    return made ? table.text_within(columns, expendable) : "";
+    return made ? table.text_within(columns, expendable, names) : "";
 }
 
 std::string advice_text(const ManifestAsset& asset) {

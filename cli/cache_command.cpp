@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/incremental/asset_cache.h"
-#include "bakers/io/spelling.h"
+#include "bakers/io/byte_size_text.h"
 #include "cli/byte_size.h"
 #include "cli/cache_folder.h"
 #include "cli/command.h"

@@ -85,10 +85,9 @@ std::string usage_line(const Command& command) {
     return line + " [options]\n";
 }
 
-constexpr std::array<Example, 3> first_steps = {{
+constexpr std::array<Example, 2> first_steps = {{
     {"skybake init earth.toml", "writes a commented recipe"},
     {"skybake bake earth.toml -o out", "bakes its tables and measures their errors"},
-    {"skybake help bake", "shows the options of a command"},
 }};
 
 }  // namespace
@@ -110,7 +109,7 @@ std::string short_help(std::span<const Command> commands) {
 
 std::string global_help(std::span<const Command> commands, std::span<const Option> global_options) {
     std::string text =
-        "skybake bakes sky tables, cloud noise and cloud volumes, and measures the error of each\n\n"
+        "skybake bakes sky tables, cloud noise and cloud volumes, and measures their errors\n"
         "usage: skybake <command> [recipe.toml] [options]\n\ncommands:\n";
     text += command_table(commands);
     text += "\noptions (after the command):\n" + option_table(global_options);

@@ -113,10 +113,10 @@ ExitCode run(const Invocation& invocation, Console& console) {
     if (!preset.value) return console.report(preset.diagnostics);
     const auto& arguments = invocation.arguments();
     const std::string file = arguments.empty() ? std::string(default_file) : arguments[0];
-    if (!presets_for_init(file).empty()) {
+    if (const auto meant = presets_for_init(file); !meant.empty()) {
         return console.report(
             std::array{usage_error(fmt::format("`{}` is the name of a preset, not of a file", file),
-                                   fmt::format("skybake init {}.toml --preset {}", file, file))});
+                                   init_command_of(meant, file))});
     }
     if (file == standard_output) {
         print_recipe(*preset.value, console);

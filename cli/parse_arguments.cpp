@@ -90,20 +90,33 @@ config::Diagnostic unknown_option(const std::string& word, std::span<const Optio
     return usage_error(fmt::format("unknown option `{}`", shown), std::move(hint));
 }
 
-// A word before the command that is no global option: an option of commands, or of none.
-config::Diagnostic stray_option(const std::string& word, std::span<const Command> commands,
+// The command that an option before all commands was meant for: one that is named among the words,
+// else the first that has the option; null where none has it.
+const Command* command_of_option(const std::string& option, std::span<const std::string> words,
+                                 std::span<const Command> commands) {
+    const Command* first = nullptr;
+    for (const Command& command : commands) {
+        if (misplaced_option(option, command).empty()) continue;
+        if (std::find(words.begin(), words.end(), command.name) != words.end()) return &command;
+        if (first == nullptr) first = &command;
+    }
+    return first;
+}
+
+// An option before the command that is no global one: an option of commands, or of none.
+config::Diagnostic stray_option(const std::string& option, std::span<const std::string> words,
+                                std::span<const Command> commands,
                                 std::span<const Option> globals) {
+    if (const Command* command = command_of_option(option, words, commands)) {
+        return usage_error(fmt::format("`{}` stands before the command", option),
+                           fmt::format("the options of a command come after it: skybake {} {}",
+                                       command->name, misplaced_option(option, *command)));
+    }
     std::vector<Option> all(globals.begin(), globals.end());
     for (const Command& command : commands) {
-        const std::string option = misplaced_option(word, command);
-        if (!option.empty()) {
-            return usage_error(fmt::format("`{}` stands before the command", word),
-                               fmt::format("the options of a command come after it: skybake {} {}",
-                                           command.name, option));
-        }
         all.insert(all.end(), command.options.begin(), command.options.end());
     }
-    return unknown_option(word, all, "skybake --help");
+    return unknown_option(option, all, "skybake --help");
 }
 
 config::Diagnostic unknown_choice(const Option& option, const std::string& value) {
@@ -243,7 +256,7 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
     std::vector<Option> options(global_options.begin(), global_options.end());
     const std::size_t position = command_position(words, global_options);
     if (const auto stray = first_stray(words.first(position), global_options)) {
-        line.diagnostics.push_back(stray_option(*stray, commands, global_options));
+        line.diagnostics.push_back(stray_option(*stray, words, commands, global_options));
         return line;
     }
     if (position < rest.size()) {

@@ -85,6 +85,12 @@ std::vector<KnownPreset> presets_for_init(std::string_view name) {
     return found;
 }
 
+std::string init_command_of(std::span<const KnownPreset> presets, std::string_view name) {
+    const KnownPreset& first = presets.front();
+    return fmt::format("skybake init {}.toml --preset {}", first.preset->name,
+                       presets.size() == 1 ? std::string(name) : first.full_name());
+}
+
 config::Diagnostic unknown_preset(const std::string& name) {
     const bool of_layer = config::find_preset(config::layer_presets(), name) != nullptr;
     config::Diagnostic diagnostic =

@@ -32,6 +32,10 @@ struct KnownPreset {
 // name, "clouds.thesis", fits one.
 std::vector<KnownPreset> presets_for_init(std::string_view name);
 
+// The command that writes a recipe from the first of them: `name`, where it fits just that one, or
+// its full name.
+std::string init_command_of(std::span<const KnownPreset> presets, std::string_view name);
+
 // E0115: there is no such preset, or it is one of a layer. The label names those that are meant.
 config::Diagnostic unknown_preset(const std::string& name);
 

@@ -7,7 +7,6 @@
 
 #include "bakers/io/file_diagnostic.h"
 #include "cli/preset_kinds.h"
-#include "config/recipe_sources.h"
 #include "config/text_file.h"
 
 namespace skybake::cli {
@@ -50,12 +49,10 @@ std::optional<config::Diagnostic> preset_in_place_of_file(const fs::path& path) 
     if (fs::exists(fs::symlink_status(path, error))) return std::nullopt;
     const auto presets = presets_for_init(path.string());
     if (presets.empty()) return std::nullopt;
-    const KnownPreset& first = presets.front();
     config::Diagnostic diagnostic =
         file_error("E0300", "", fmt::format("`{}` is a preset and not a file", path.string()));
     diagnostic.label =
-        fmt::format("write a recipe from it: skybake init {}.toml --preset {}", first.preset->name,
-                    presets.size() == 1 ? path.string() : first.full_name());
+        fmt::format("write a recipe from it: {}", init_command_of(presets, path.string()));
     return diagnostic;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "bakers/io/byte_size_text.h"
 #include "bakers/io/spelling.h"
 #include "bakers/report/sweep.h"
 #include "cli/table_printer.h"
@@ -86,8 +87,9 @@ std::string rows_text(const AssetReport& asset) {
 
 std::string volume_text(const VolumeFacts& volume) {
     const int count = volume.write_repetitions;
-    std::string text = fmt::format("  write: processor time to encode a file in memory, one thread, {}\n",
-                                   count == 1 ? "once" : fmt::format("median of {}", count));
+    std::string text =
+        fmt::format("  write: processor time to encode a file in memory, one thread, {}\n",
+                    count == 1 ? "once" : fmt::format("median of {}", count));
     for (std::size_t c = 0; c < volume.channels.size(); ++c) {
         const ValueStatistics& channel = volume.statistics[c];
         text += fmt::format("  {}: {:.4f} to {:.4f}, mean {:.4f}\n", volume.channels[c],
@@ -142,7 +144,8 @@ std::string asset_text(const AssetReport& asset) {
         "or of texels at one size{}\n\n",
         title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points,
         asset.timing, asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
-        asset.volume ? "; errors to two digits; bytes: none has a smaller error in as few bytes" : "");
+        asset.volume ? "; errors to two digits; bytes: none has a smaller error in as few bytes"
+                     : "");
     text += rows_text(asset);
     return text + notes_text(asset);
 }

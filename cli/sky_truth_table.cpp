@@ -66,7 +66,8 @@ std::string sky_truth_table(const SkyErrorReport& report) {
         report.directions, report.mean_paths, report.repetitions,
         report.black == 0
             ? ""
-            : fmt::format("  {} values are left out, because they are black in the reference\n", report.black),
+            : fmt::format("  {} values are left out, because they are black in the reference\n",
+                          report.black),
         table.text());
 }
 

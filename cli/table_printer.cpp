@@ -55,15 +55,14 @@ void TextTable::drop_column(std::size_t column) {
     }
 }
 
-// Of the columns of text; numbers stay whole. False where no column may lose a sign.
-bool TextTable::shorten_widest_column(int excess) {
+// Takes signs from the widest of these columns. False where none may lose one.
+bool TextTable::shorten_widest(std::span<const std::size_t> columns, int excess) {
     constexpr std::size_t least = 8;
     const std::vector<std::size_t> widths = column_widths(rows_);
     std::size_t widest = widths.size();
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        const bool numbers = i < columns_.size() && columns_[i] == Align::right;
-        if (numbers || widths[i] <= least) continue;
-        if (widest == widths.size() || widths[i] > widths[widest]) widest = i;
+    for (const std::size_t column : columns) {
+        if (column >= widths.size() || widths[column] <= least) continue;
+        if (widest == widths.size() || widths[column] > widths[widest]) widest = column;
     }
     if (widest == widths.size()) return false;
     const std::size_t wanted =
@@ -74,19 +73,25 @@ bool TextTable::shorten_widest_column(int excess) {
     return true;
 }
 
-std::string TextTable::text_within(int terminal_columns,
-                                   std::span<const std::size_t> expendable) const {
+std::string TextTable::text_within(int terminal_columns, std::span<const std::size_t> expendable,
+                                   std::span<const std::size_t> shrinkable) const {
+    if (terminal_columns <= 0) return text();
     TextTable table = *this;
+    std::vector<std::size_t> shrinking(shrinkable.begin(), shrinkable.end());
     std::vector<std::size_t> dropped;
-    for (const std::size_t column : expendable) {
-        if (terminal_columns <= 0 || table.width() <= terminal_columns) break;
+    const auto position = [&dropped](std::size_t column) {
         const auto before = std::count_if(dropped.begin(), dropped.end(),
                                           [column](std::size_t other) { return other < column; });
-        table.drop_column(column - static_cast<std::size_t>(before));
+        return column - static_cast<std::size_t>(before);
+    };
+    for (const std::size_t column : expendable) {
+        if (table.width() <= terminal_columns) break;
+        table.drop_column(position(column));
         dropped.push_back(column);
     }
-    while (terminal_columns > 0 && table.width() > terminal_columns) {
-        if (!table.shorten_widest_column(table.width() - terminal_columns)) break;
+    for (std::size_t& column : shrinking) column = position(column);
+    while (table.width() > terminal_columns) {
+        if (!table.shorten_widest(shrinking, table.width() - terminal_columns)) break;
     }
     return table.text();
 }

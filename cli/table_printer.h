@@ -22,14 +22,15 @@ class TextTable {
     std::string text() const;
 
     // The same for a terminal of that many columns, 0 being any number of them. A table that is too
-    // wide loses the columns that are `expendable`, the first of them first, and then the ends of
-    // its longest texts, down to eight signs each.
-    std::string text_within(int terminal_columns, std::span<const std::size_t> expendable) const;
+    // wide loses the columns that are `expendable`, the first of them first; then the texts of
+    // those that are `shrinkable` lose their ends, the longest first, down to eight signs each.
+    std::string text_within(int terminal_columns, std::span<const std::size_t> expendable,
+                            std::span<const std::size_t> shrinkable) const;
 
   private:
     int width() const;
     void drop_column(std::size_t column);
-    bool shorten_widest_column(int excess);
+    bool shorten_widest(std::span<const std::size_t> columns, int excess);
 
     std::vector<Align> columns_;  // columns beyond these are left
     int indent_;

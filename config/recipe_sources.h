@@ -2,7 +2,6 @@
 // preset, the included files (each after its own preset and includes), the file itself, each --set.
 #pragma once
 
-#include <cstddef>
 #include <deque>
 #include <filesystem>
 #include <span>
@@ -13,9 +12,6 @@
 #include "config/value_tree.h"
 
 namespace skybake::config {
-
-// A recipe and each file that it includes may be as long as this.
-inline constexpr std::size_t most_recipe_bytes = std::size_t{4} << 20;
 
 struct SourceTree {
     const Source* source = nullptr;

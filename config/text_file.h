@@ -1,11 +1,15 @@
 // Reading a small text file, with a bound on its size.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <variant>
 
 namespace skybake::config {
+
+// A recipe and each file that it includes may be as long as this.
+inline constexpr std::size_t most_recipe_bytes = std::size_t{4} << 20;
 
 struct FileError {
     bool too_large = false;

@@ -2,7 +2,7 @@
 // with end points on texel centres, u = 1/2N + x (1 - 1/N).
 //
 //   hillaire  x = (mu_s + 1) / 2                                the paper's, linear in the cosine
-//   twilight  x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2             puts more texels about the
+//   twilight  x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2             spends its texels about the
 //   terminator
 //
 // and y = altitude / thickness in both. Column 0 is mu_s = -1, row 0 the ground.

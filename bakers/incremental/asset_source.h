@@ -1,4 +1,4 @@
-// Where a baked asset may be found, so that it need not be baked again.
+// Where an asset may lie ready-made, so that it need not be baked again.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Copies the files of a baked asset into another folder.
+// Ready-made files into another folder.
 #pragma once
 
 #include <filesystem>

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "bakers/io/byte_size_text.h"
 #include "bakers/io/file_input.h"
 #include "bakers/io/file_names.h"
-#include "bakers/io/spelling.h"
 #include "bakers/registry.h"
 #include "config/volume_files.h"
 

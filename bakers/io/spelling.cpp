@@ -1,7 +1,5 @@
 #include "bakers/io/spelling.h"
 
-#include <fmt/format.h>
-
 #include <span>
 
 #include "config/fields.h"
@@ -63,14 +61,6 @@ std::optional<config::VolumeFormat> volume_format_of(std::string_view word) {
 
 std::optional<config::VolumeLayout> volume_layout_of(std::string_view word) {
     return value_of<config::VolumeLayout>("layout", word);
-}
-
-std::string byte_size_text(double bytes) {
-    constexpr double kib = 1024;
-    if (bytes < kib) return fmt::format("{:.0f} B", bytes);
-    if (bytes < kib * kib) return fmt::format("{:.0f} KiB", bytes / kib);
-    if (bytes < kib * kib * kib) return fmt::format("{:.1f} MiB", bytes / (kib * kib));
-    return fmt::format("{:.1f} GiB", bytes / (kib * kib * kib));
 }
 
 }  // namespace skybake

@@ -1,9 +1,8 @@
-// Words that files and messages use: for the enumerations of the parameters those of recipes, from
-// the field tables, and amounts of bytes.
+// Words that files use for the enumerations of the parameters: those of recipes, from the field
+// tables.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "config/parameters.h"
@@ -15,9 +14,6 @@ std::string_view spell(config::Compression compression);     // "none", "zip", "
 std::string_view spell(config::VdbCompression compression);  // "none", "zip", "blosc"
 std::string_view spell(config::VolumeFormat format);         // "exr", "vdb", "bin"
 std::string_view spell(config::VolumeLayout layout);         // "stack", "atlas"
-
-// Amounts of memory and disk: "12 B", "190 KiB", "1.5 GiB".
-std::string byte_size_text(double bytes);
 
 std::optional<config::PixelType> pixel_type_of(std::string_view word);
 std::optional<config::Compression> compression_of(std::string_view word);

@@ -1,7 +1,6 @@
 #include "cli/help.h"
 
 #include <set>
-#include <sstream>
 
 #include "cli/commands.h"
 #include "cli/text_width.h"
@@ -53,22 +52,6 @@ TEST(Help, IsACommandToo) {
     const testing::Result slip = run_words({"help", "baek"});
     EXPECT_EQ(slip.code, 2);
     EXPECT_TRUE(contains(slip.error, "did you mean `bake`?")) << slip.error;
-}
-
-// A line of help is read in a terminal of eighty to a hundred columns.
-TEST(Help, LinesAreNotTooWide) {
-    constexpr int widest = 112;
-    const auto check = [](const std::string& text, const std::string& name) {
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);) {
-            EXPECT_LE(text_width(line), widest) << name << ": " << line;
-        }
-    };
-    check(run_words({"--help"}).out, "skybake");
-    for (const Command& command : commands()) {
-        const std::string name(command.name);
-        check(run_words({name, "--help"}).out, name);
-    }
 }
 
 TEST(Help, TheProgramAloneSaysAtMostTwelveLines) {
