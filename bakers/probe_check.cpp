@@ -155,7 +155,7 @@ std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     for (const Probe& probe : asset.probes) {
         ++checks;
         if (probe.at.size() != coordinates) {
-            failures.push_back(fmt::format("a probe has not {} coordinates", coordinates));
+            failures.push_back(fmt::format("a probe does not have {} coordinates", coordinates));
             continue;
         }
         const Coordinates uv =

@@ -113,8 +113,8 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     if (!occupied.value) return "";
     const CellGrid cells{volume.levels.front().size, grid.bake.cell};
     if (occupied.value->size() != occupancy::count_of(cells.size())) {
-        return fmt::format("{} cells are not those of {} voxels a cell of {}",
-                           occupied.value->size(), grid.bake.cell, volume.name);
+        return fmt::format("{} cells do not cover {} at {} voxels per cell", occupied.value->size(),
+                           volume.name, grid.bake.cell);
     }
     const auto named = std::find(volume.channels.begin(), volume.channels.end(), grid.bake.channel);
     if (!grid.bake.channel.empty() && named == volume.channels.end()) {

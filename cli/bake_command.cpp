@@ -1,13 +1,19 @@
-// skybake bake: makes what the recipe asks for.
+// skybake bake: bakes the assets of a recipe that are missing or out of date.
+#include <fmt/format.h>
+
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/incremental/asset_cache.h"
 #include "bakers/incremental/bake_folder.h"
 #include "bakers/incremental/depfile.h"
+#include "bakers/io/file_diagnostic.h"
+#include "bakers/preview/load_sweep.h"
+#include "bakers/sweep/index_files.h"
 #include "cli/bake_events.h"
 #include "cli/bake_reporter.h"
 #include "cli/bake_selection.h"
@@ -18,6 +24,7 @@
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/parse_arguments.h"
+#include "cli/recipe_argument.h"
 
 namespace skybake::cli {
 namespace {
@@ -41,12 +48,24 @@ Outcome<FolderBake> folder_bake(const Invocation& invocation, const BakeSelectio
     bake.threads = selection.threads;
     bake.certification = certification_option(invocation);
     bake.force = invocation.has("force");
+    bake.prune = invocation.has("prune");
     if (invocation.has("max-memory")) {
         const auto bytes = parse_byte_size(invocation.value("max-memory"));
         if (!bytes) return {{}, {byte_size_error("--max-memory", invocation.value("max-memory"))}};
         bake.memory_limit_mib = static_cast<double>(*bytes) / (1024.0 * 1024.0);
     }
     return {std::move(bake), {}};
+}
+
+// A bake in the root of a sweep would mix its files with the variants' folders.
+std::vector<config::Diagnostic> check_no_sweep(const FolderBake& bake) {
+    if (bake.force || !is_sweep_folder(bake.folder)) return {};
+    const std::string folder = bake.folder.string();
+    config::Diagnostic diagnostic =
+        file_error("E0303", folder,
+                   fmt::format("`{}` holds a sweep: it has a {}", folder, sweep_manifest_name));
+    diagnostic.label = "choose another folder with -o, or bake into this one with --force";
+    return {std::move(diagnostic)};
 }
 
 ExitCode dry_run(const FolderBake& bake, bool json, Console& console) {
@@ -84,7 +103,10 @@ ExitCode run(const Invocation& invocation, Console& console) {
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
     auto bake = folder_bake(invocation, *selection.value);
     if (const ExitCode code = console.report(bake.diagnostics); !bake.value) return code;
-    const bool json = invocation.has("json");
+    if (const ExitCode code = console.report(check_no_sweep(*bake.value)); code != ExitCode::done) {
+        return code;
+    }
+    const bool json = console.display().json;
     if (invocation.has("dry-run")) return dry_run(*bake.value, json, console);
 
     std::optional<AssetCache> cache;
@@ -106,7 +128,8 @@ ExitCode run(const Invocation& invocation, Console& console) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     console.result(json ? finished_events(*baked.value, bake.value->folder, elapsed.count())
                         : paths_text(*baked.value, bake.value->folder));
-    console.note(summary_text(*baked.value, elapsed.count()));
+    console.note(
+        summary_text(*baked.value, {elapsed.count(), console.error_columns(), bake.value->prune}));
     return ExitCode::done;
 }
 
@@ -115,37 +138,40 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command bake_command() {
     return {
         .name = "bake",
-        .brief = "make what a recipe asks for",
-        .summary = "make what a recipe asks for and the folder has not: files and manifest.json",
-        .arguments = {{.name = "recipe.toml", .help = "the recipe"}},
+        .brief = "bake a recipe",
+        .summary = "bake the assets that are missing or out of date",
+        .arguments = {{.name = "recipe.toml", .help = recipe_help}},
         .options = {{.name = "output",
                      .short_name = 'o',
                      .value = "FOLDER",
-                     .help = "where the files go",
+                     .help = "write the files into this folder",
                      .fallback = "out"},
                     set_option(),
-                    only_option("bake just [bake.NAME]; other entries of the manifest stay"),
+                    only_option("bake only [bake.NAME] and keep the other assets"),
                     {.name = "certify",
                      .value = "HOW",
-                     .help = "how thoroughly to measure the error",
+                     .help = "how thoroughly to measure errors",
                      .choices = {"quick", "full", "off"},
                      .fallback = "quick"},
-                    jobs_option("threads; results do not depend on it (default: all)"),
-                    {.name = "dry-run", .help = "say what would be made and why; make nothing"},
+                    jobs_option("use N threads; results do not depend on N (default: all)"),
+                    {.name = "dry-run", .help = "show what would be baked and why, without baking"},
                     cache_option(),
                     {.name = "depfile",
                      .value = "FILE",
-                     .help = "write what the files depend on, for Make and Ninja"},
+                     .help = "write the files' dependencies for Make and Ninja"},
                     {.name = "max-memory",
                      .value = "SIZE",
-                     .help = "refuse before work what may need more, such as 2GiB"},
-                    {.name = "force", .help = "overwrite files that skybake did not write"},
-                    {.name = "json", .help = "events as JSON Lines on stdout"}},
-        .examples = {{"skybake bake earth.toml", "into ./out"},
+                     .help = "stop before starting if more memory may be needed (2GiB, 500M)"},
+                    {.name = "prune",
+                     .help = "remove unchanged files of assets that left the recipe"},
+                    {.name = "force", .help = "overwrite files that skybake did not write"}},
+        .examples = {{"skybake bake earth.toml", "writes ./out"},
                      {"skybake bake earth.toml --set atmosphere.layers.mie.g=0.76 -o haze",
-                      "one value changed"},
+                      "changes one value"},
                      {"skybake bake earth.toml --only transmittance --certify full",
-                      "one table, its error measured at every texel"}},
+                      "measures the error of one table at every texel"},
+                     {"generate | skybake bake - -o out",
+                      "reads a recipe whose paths are relative to the current folder"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run};
 }

@@ -1,15 +1,14 @@
 #include "cli/bake_events.h"
 
 #include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/event_line.h"
 
 namespace skybake::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string line(const Json& event) {
-    return event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 std::string_view spell(AssetState state) {
     switch (state) {
@@ -34,6 +33,7 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
                   {"changed", asset.files[i] == WriteResult::written},
                   {"size", entry.size},
                   {"bake_s", entry.timing.bake_s},
+                  {"certify_s", asset.certify_s},
                   {"write_s", entry.timing.write_s}};
     if (entry.is_volume()) {
         event["size"] = entry.levels[static_cast<std::size_t>(file.level)].size;
@@ -46,6 +46,13 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
         event["texel_error"] = {{"max", entry.error->texel.max}, {"rms", entry.error->texel.rms}};
     }
     return event;
+}
+
+// Relative to the folder, as the manifest has them.
+Json paths_of(const std::vector<RetiredFile>& files) {
+    Json paths = Json::array();
+    for (const RetiredFile& file : files) paths.push_back(file.path);
+    return paths;
 }
 
 }  // namespace
@@ -62,7 +69,11 @@ std::string plan_event(const FolderPlan& plan) {
                           {"memory_mib", asset.estimate.memory_mib},
                           {"disk_mib", asset.estimate.disk_mib}});
     }
-    return line({{"event", "plan"}, {"stale", plan.stale_count()}, {"assets", std::move(assets)}});
+    return event_line({{"event", "plan"},
+                       {"stale", plan.stale_count()},
+                       {"assets", std::move(assets)},
+                       {"retired", paths_of(plan.retired)},
+                       {"pruned", paths_of(plan.pruned)}});
 }
 
 std::string finished_events(const BakedFolder& baked, const std::filesystem::path& folder,
@@ -72,13 +83,15 @@ std::string finished_events(const BakedFolder& baked, const std::filesystem::pat
     for (const FinishedAsset& asset : baked.assets) {
         stale += asset.state == AssetState::up_to_date ? 0 : 1;
         for (std::size_t i = 0; i < asset.files.size(); ++i) {
-            text += line(file_event(asset, i, folder));
+            text += event_line(file_event(asset, i, folder));
         }
     }
-    return text + line({{"event", "done"},
-                        {"assets", baked.assets.size()},
-                        {"made", stale},
-                        {"seconds", seconds}});
+    return text + event_line({{"event", "done"},
+                              {"assets", baked.assets.size()},
+                              {"made", stale},
+                              {"retired", paths_of(baked.retired)},
+                              {"pruned", paths_of(baked.pruned)},
+                              {"seconds", seconds}});
 }
 
 }  // namespace skybake::cli

@@ -9,7 +9,7 @@ namespace skybake::cli {
 
 std::string plan_event(const FolderPlan& plan);
 
-// One for each file, then the last.
+// One event per file, then the last one.
 std::string finished_events(const BakedFolder& baked, const std::filesystem::path& folder,
                             double seconds);
 

@@ -10,6 +10,7 @@
 
 #include "bakers/cloud_inputs.h"
 #include "cli/parse_arguments.h"
+#include "cli/recipe_argument.h"
 #include "config/suggest.h"
 
 namespace skybake::cli {
@@ -30,7 +31,7 @@ std::optional<int> thread_count_of(const std::string& text) {
 Diagnostic nothing_to_bake() {
     return {config::Severity::error,
             "E0124",
-            "the recipe asks for nothing: it has no [bake.*]",
+            "the recipe bakes nothing: it has no [bake.*]",
             {},
             "add [bake.transmittance]"};
 }
@@ -56,14 +57,13 @@ Outcome<int> jobs_of(const Invocation& invocation) {
     if (!invocation.has("jobs")) return {0, {}};
     const auto threads = thread_count_of(invocation.value("jobs"));
     if (threads) return {*threads, {}};
-    return {
-        {},
-        {usage_error(fmt::format("-j: `{}` is not a number of threads", invocation.value("jobs")),
-                     "1 to 1024")}};
+    return {{},
+            {usage_error(fmt::format("`-j` cannot be `{}`", invocation.value("jobs")),
+                         "it takes a number of threads from 1 to 1024")}};
 }
 
 Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
-    auto recipe = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
+    auto recipe = recipe_of(invocation);
     Outcome<BakeSelection> outcome;
     outcome.diagnostics = std::move(recipe.diagnostics);
     if (!recipe.value) return outcome;

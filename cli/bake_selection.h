@@ -1,5 +1,5 @@
-// What `bake` and `report` share of the command line: the recipe, which of its assets, how many
-// threads.
+// What `bake`, `report` and `preview` share of the command line: the recipe, which of its assets,
+// how many threads.
 #pragma once
 
 #include <vector>

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
+#include "bakers/io/byte_size_text.h"
 #include "bakers/io/file_names.h"
 #include "bakers/io/spelling.h"
-#include "cli/byte_size.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
@@ -26,7 +29,8 @@ std::string channels_text(const ManifestAsset& asset) {
 }
 
 // What the first row of an asset says.
-std::vector<std::string> first_row(const ManifestAsset& asset) {
+std::vector<std::string> first_row(const FinishedAsset& finished) {
+    const ManifestAsset& asset = finished.entry;
     const ManifestFile& file = asset.files.front();
     return {asset.name,
             extent_text(asset.size),
@@ -34,6 +38,7 @@ std::vector<std::string> first_row(const ManifestAsset& asset) {
             file.path,
             std::string(spell(file.pixel_type)),
             time_text(asset.timing.bake_s),
+            finished.state == AssetState::baked ? time_text(finished.certify_s) : "",
             time_text(asset.timing.write_s),
             asset.error
                 ? fmt::format("{:.2g} / {:.2g}", asset.error->lookup.max, asset.error->lookup.rms)
@@ -47,6 +52,92 @@ std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestF
             std::string(spell(file.pixel_type))};
 }
 
+// The table of what was made; empty where all was up to date.
+std::string assets_text(const BakedFolder& baked, int columns) {
+    TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
+                     Align::right, Align::right, Align::left});
+    // Those that a narrow terminal does without: write, certify, pixel type, channels.
+    constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
+    constexpr std::array<std::size_t, 2> names = {0, 3};
+    table.add_row(
+        {"asset", "size", "", "file", "", "bake", "certify", "write", "lookup error max / rms"});
+    bool made = false;
+    for (const FinishedAsset& finished : baked.assets) {
+        if (finished.state == AssetState::up_to_date) continue;
+        made = true;
+        table.add_row(first_row(finished));
+        for (const ManifestFile& file : finished.entry.files) {
+            const bool first = &file == &finished.entry.files.front();
+            if (!first) table.add_row(further_row(finished.entry, file));
+        }
+    }
+    return made ? table.text_within(columns, expendable, names) : "";
+}
+
+std::string advice_text(const ManifestAsset& asset) {
+    if (!asset.error) return "";
+    std::string text;
+    if (asset.error->sky) {
+        const SkyError& sky = *asset.error->sky;
+        text += fmt::format(
+            "  {}: skies made with it are off by {:.2g} % (median), {:.2g} % (90th percentile), "
+            "measured against {}\n",
+            asset.name, 100 * sky.median, 100 * sky.ninth_decile, sky.reference);
+    }
+    if (!asset.error->advice.empty()) {
+        text += fmt::format("  {}: its error is largest at {}; {}\n", asset.name,
+                            asset.error->worst, asset.error->advice);
+    }
+    return text;
+}
+
+std::string retired_text(const BakedFolder& baked, bool prune) {
+    std::string text;
+    for (const RetiredFile& file : baked.pruned) {
+        text += fmt::format("  {} is no longer in the recipe; removed\n", file.path);
+    }
+    for (const RetiredFile& file : baked.retired) {
+        text += prune ? fmt::format(
+                            "  {} is no longer in the recipe, but was changed since it was "
+                            "baked; kept\n",
+                            file.path)
+                      : fmt::format("  {} is no longer in the recipe; kept (--prune removes it)\n",
+                                    file.path);
+    }
+    return text;
+}
+
+// What a bake with --prune would do with files of earlier recipes.
+std::string planned_retired_text(const FolderPlan& plan) {
+    std::string text;
+    for (const RetiredFile& file : plan.retired) {
+        const bool pruned =
+            std::any_of(plan.pruned.begin(), plan.pruned.end(),
+                        [&file](const RetiredFile& other) { return other.path == file.path; });
+        text +=
+            pruned
+                ? fmt::format("  {} is no longer in the recipe and would be removed\n", file.path)
+                : fmt::format("  {} is no longer in the recipe and would be kept\n", file.path);
+    }
+    return text;
+}
+
+// "2 assets (1 up to date) (1 from the cache)"
+std::string count_text(const BakedFolder& baked) {
+    const auto count_of = [&baked](AssetState state) {
+        return std::count_if(baked.assets.begin(), baked.assets.end(),
+                             [state](const FinishedAsset& asset) { return asset.state == state; });
+    };
+    const auto count = static_cast<std::ptrdiff_t>(baked.assets.size());
+    const std::ptrdiff_t unchanged = count_of(AssetState::up_to_date);
+    const std::ptrdiff_t copied = count_of(AssetState::copied);
+    std::string text = fmt::format("{} asset{}", count, count == 1 ? "" : "s");
+    if (unchanged == count) return text + " up to date";
+    if (unchanged > 0) text += fmt::format(" ({} up to date)", unchanged);
+    if (copied > 0) text += fmt::format(" ({} from the cache)", copied);
+    return text;
+}
+
 }  // namespace
 
 std::string extent_text(std::span<const int> size) {
@@ -56,7 +147,7 @@ std::string extent_text(std::span<const int> size) {
 std::string plan_text(const FolderPlan& plan) {
     TextTable table(
         {Align::left, Align::right, Align::left, Align::right, Align::right, Align::left});
-    table.add_row({"asset", "size", "files", "about", "disk", "why"});
+    table.add_row({"asset", "size", "files", "time", "disk", "why"});
     for (const PlannedAsset& asset : plan.assets) {
         const Estimate& estimate = asset.estimate;
         const bool chosen = estimate.size[0] == 0;
@@ -67,7 +158,7 @@ std::string plan_text(const FolderPlan& plan) {
              asset.stale() && !chosen ? byte_size_text(estimate.disk_mib * 1024 * 1024) : "",
              asset.stale() ? fmt::format("{}", fmt::join(asset.reasons, "; ")) : "up to date"});
     }
-    return table.text();
+    return table.text() + planned_retired_text(plan);
 }
 
 std::string reasons_text(const FolderPlan& plan) {
@@ -79,48 +170,16 @@ std::string reasons_text(const FolderPlan& plan) {
     return text;
 }
 
-std::string summary_text(const BakedFolder& baked, double seconds) {
-    TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
-                     Align::right, Align::left});
-    table.add_row({"asset", "size", "", "file", "", "bake", "write", "lookup error max / rms"});
-    std::uint64_t bytes = 0;
-    std::size_t made = 0;
-    std::size_t copied = 0;
+std::string summary_text(const BakedFolder& baked, const SummaryOptions& options) {
     std::string advice;
+    std::uint64_t bytes = 0;
     for (const FinishedAsset& finished : baked.assets) {
-        const ManifestAsset& asset = finished.entry;
-        for (const ManifestFile& file : asset.files) bytes += file.bytes;
-        if (finished.state == AssetState::up_to_date) continue;
-        ++made;
-        if (finished.state == AssetState::copied) ++copied;
-        table.add_row(first_row(asset));
-        for (const ManifestFile& file : asset.files) {
-            if (&file != &asset.files.front()) table.add_row(further_row(asset, file));
-        }
-        if (asset.error && asset.error->sky) {
-            const SkyError& sky = *asset.error->sky;
-            advice += fmt::format(
-                "  {}: sky made with it is off by {:.2g} % (median), {:.2g} % (nine in ten below), "
-                "against {}\n",
-                asset.name, 100 * sky.median, 100 * sky.ninth_decile, sky.reference);
-        }
-        if (asset.error && !asset.error->advice.empty()) {
-            advice += fmt::format("  {}: worst at {}; {}\n", asset.name, asset.error->worst,
-                                  asset.error->advice);
-        }
+        for (const ManifestFile& file : finished.entry.files) bytes += file.bytes;
+        if (finished.state != AssetState::up_to_date) advice += advice_text(finished.entry);
     }
-    for (const RetiredFile& file : baked.retired) {
-        advice += fmt::format("  {}: of an earlier recipe, left as it is\n", file.path);
-    }
-    const std::size_t count = baked.assets.size();
-    std::string state;
-    if (made == 0) state = " up to date";
-    if (made > 0 && made < count) state = fmt::format(" ({} up to date)", count - made);
-    if (copied > 0) state += fmt::format(" ({} ready-made)", copied);
-    return (made > 0 ? table.text() : "") + advice +
-           fmt::format("{} asset{}{}, {}, {}, {}\n", count, count == 1 ? "" : "s", state,
-                       time_text(seconds), byte_size_text(static_cast<double>(bytes)),
-                       manifest_name);
+    return assets_text(baked, options.columns) + advice + retired_text(baked, options.prune) +
+           fmt::format("{}, {}, {}, {}\n", count_text(baked), time_text(options.seconds),
+                       byte_size_text(static_cast<double>(bytes)), manifest_name);
 }
 
 }  // namespace skybake::cli

@@ -20,6 +20,10 @@ struct Unit {
 constexpr std::array units = {
     Unit{"", 1},
     Unit{"B", 1},
+    Unit{"K", 1024.0},
+    Unit{"M", 1024.0 * 1024},
+    Unit{"G", 1024.0 * 1024 * 1024},
+    Unit{"T", 1024.0 * 1024 * 1024 * 1024},
     Unit{"KiB", 1024.0},
     Unit{"MiB", 1024.0 * 1024},
     Unit{"GiB", 1024.0 * 1024 * 1024},
@@ -49,14 +53,8 @@ std::optional<std::uint64_t> parse_byte_size(std::string_view text) {
 }
 
 config::Diagnostic byte_size_error(std::string_view option, std::string_view text) {
-    return usage_error(fmt::format("{}: `{}` is not a size such as 512MiB or 2GiB", option,
-                                   config::shorten(text)));
-}
-
-std::string byte_size_text(double bytes) {
-    if (bytes < 1024 * 1024) return fmt::format("{:.0f} KiB", bytes / 1024);
-    if (bytes < 1024.0 * 1024 * 1024) return fmt::format("{:.1f} MiB", bytes / (1024 * 1024));
-    return fmt::format("{:.1f} GiB", bytes / (1024.0 * 1024 * 1024));
+    return usage_error(fmt::format("`{}` cannot be `{}`", option, config::shorten(text)),
+                       "it takes a size such as 512M, 2GiB or 2GB");
 }
 
 }  // namespace skybake::cli

@@ -1,9 +1,7 @@
-// skybake cache: looks after the folder of ready-made assets.
-#include <fmt/chrono.h>
+// skybake cache: inspects, verifies and trims the asset cache.
 #include <fmt/format.h>
 
 #include <array>
-#include <ctime>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -11,10 +9,12 @@
 #include <vector>
 
 #include "bakers/incremental/asset_cache.h"
+#include "bakers/io/byte_size_text.h"
 #include "cli/byte_size.h"
 #include "cli/cache_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/parse_arguments.h"
 #include "cli/table_printer.h"
 
@@ -52,14 +52,14 @@ ExitCode stats(const std::string& folder, bool json, Console& console) {
         for (const auto& [kind, totals] : kinds) {
             by_kind[kind] = {{"assets", totals.assets}, {"bytes", totals.bytes}};
         }
-        const Json result = {{"assets", entries.value->size()},
-                             {"bytes", bytes_of(*entries.value)},
-                             {"kinds", std::move(by_kind)}};
-        console.result(result.dump(2) + "\n");
+        console.result(event_line({{"event", "cache_stats"},
+                                   {"assets", entries.value->size()},
+                                   {"bytes", bytes_of(*entries.value)},
+                                   {"kinds", std::move(by_kind)}}));
         return ExitCode::done;
     }
     TextTable table({Align::left, Align::right, Align::right});
-    table.add_row({"asset", "kept", "size"});
+    table.add_row({"kind", "assets", "size"});
     for (const auto& [kind, totals] : kinds) {
         table.add_row({kind, std::to_string(totals.assets),
                        byte_size_text(static_cast<double>(totals.bytes))});
@@ -78,7 +78,8 @@ ExitCode gc(const std::string& folder, const std::string& size, bool json, Conso
     if (const ExitCode code = console.report(removed.diagnostics); !removed.value) return code;
     const std::uint64_t bytes = bytes_of(*removed.value);
     if (json) {
-        console.result(Json({{"removed", removed.value->size()}, {"bytes", bytes}}).dump(2) + "\n");
+        console.result(event_line(
+            {{"event", "cache_trimmed"}, {"removed", removed.value->size()}, {"bytes", bytes}}));
     } else {
         console.result(fmt::format("{} removed, {}\n",
                                    counted(removed.value->size(), "asset", "assets"),
@@ -93,15 +94,17 @@ ExitCode verify(const std::string& folder, bool json, Console& console) {
     std::vector<std::string> damaged;
     for (const auto& file : verified.value->damaged) damaged.push_back(file.string());
     if (json) {
-        const Json result = {{"assets", verified.value->entries}, {"damaged", damaged}};
-        console.result(result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+        console.result(event_line({{"event", "cache_verified"},
+                                   {"assets", verified.value->entries},
+                                   {"damaged", damaged}}));
     } else {
         std::string text;
-        for (const std::string& file : damaged) text += file + ": damaged, its asset was removed\n";
+        for (const std::string& file : damaged)
+            text += file + " is damaged; its asset was removed\n";
         text += counted(verified.value->entries, "asset", "assets");
         text +=
             damaged.empty()
-                ? ", all whole\n"
+                ? ", none is damaged\n"
                 : fmt::format(", {}\n", counted(damaged.size(), "damaged file", "damaged files"));
         console.result(text);
     }
@@ -112,19 +115,20 @@ ExitCode run(const Invocation& invocation, Console& console) {
     const std::string& what = invocation.arguments()[0];
     const std::string folder = cache_folder(invocation);
     if (folder.empty()) {
-        return console.report(
-            std::array{usage_error("no cache is named", "--cache-dir or $SKYBAKE_CACHE_DIR")});
+        return console.report(std::array{usage_error(
+            "no cache folder is given", "name it by --cache-dir or $SKYBAKE_CACHE_DIR")});
     }
-    const bool json = invocation.has("json");
+    const bool json = console.display().json;
     if (what == "stats") return stats(folder, json, console);
     if (what == "verify") return verify(folder, json, console);
     if (what != "gc") {
-        return console.report(std::array{usage_error(
-            fmt::format("`{}` is nothing that a cache does", what), "stats, gc or verify")});
+        return console.report(
+            std::array{usage_error(fmt::format("`skybake cache` has no action `{}`", what),
+                                   "it has stats, gc and verify")});
     }
     if (!invocation.has("max-size")) {
-        return console.report(
-            std::array{usage_error("gc: --max-size is missing", "such as --max-size 10GiB")});
+        return console.report(std::array{
+            usage_error("`skybake cache gc` needs --max-size", "for example --max-size 10GiB")});
     }
     return gc(folder, invocation.value("max-size"), json, console);
 }
@@ -133,20 +137,19 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command cache_command() {
     return {.name = "cache",
-            .brief = "keep ready-made assets",
-            .summary = "look after the folder of ready-made assets",
+            .brief = "look after the asset cache",
+            .summary = "inspect, verify and trim the asset cache",
             .arguments = {{.name = "stats|gc|verify",
-                           .help = "what it holds, make room, prove that all is whole"}},
+                           .help = "show what it holds, remove old assets, check its files"}},
             .options = {{.name = "cache-dir",
                          .value = "FOLDER",
-                         .help = "the cache (default: $SKYBAKE_CACHE_DIR)"},
+                         .help = "the folder of the cache (default: $SKYBAKE_CACHE_DIR)"},
                         {.name = "max-size",
                          .value = "SIZE",
-                         .help = "gc: remove what was used least recently until this is left"},
-                        {.name = "json", .help = "the result as JSON"}},
-            .examples = {{"skybake cache stats --cache-dir ~/.cache/skybake", "what it holds"},
+                         .help = "gc: remove the least recently used assets beyond this size"}},
+            .examples = {{"skybake cache stats --cache-dir ~/.cache/skybake", "shows its contents"},
                          {"skybake cache gc --cache-dir ~/.cache/skybake --max-size 10GiB",
-                          "make room"}},
+                          "keeps at most 10 GiB"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},
             .run = run};
 }

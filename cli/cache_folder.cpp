@@ -5,10 +5,9 @@
 namespace skybake::cli {
 
 Option cache_option() {
-    return {
-        .name = "cache-dir",
-        .value = "FOLDER",
-        .help = "take assets from there, and keep new ones there (default: $SKYBAKE_CACHE_DIR)"};
+    return {.name = "cache-dir",
+            .value = "FOLDER",
+            .help = "share baked assets through this folder (default: $SKYBAKE_CACHE_DIR)"};
 }
 
 std::string cache_folder(const Invocation& invocation) {

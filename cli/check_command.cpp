@@ -1,14 +1,19 @@
 // skybake check: all errors of a recipe, nothing baked.
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bakers/cloud_inputs.h"
 #include "bakers/phase/check_particles.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/diagnostic_json.h"
+#include "cli/event_line.h"
+#include "cli/recipe_argument.h"
 #include "config/recipe.h"
 
 namespace skybake::cli {
@@ -31,31 +36,50 @@ std::string contents(const config::Parameters& parameters) {
     return text + count(parameters.bakes.size(), "asset") + " to bake";
 }
 
+std::string checked_event(const std::string& name, const config::Parameters& parameters,
+                          const std::vector<config::Diagnostic>& warnings) {
+    const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;
+    return event_line({{"event", "checked"},
+                       {"recipe", name},
+                       {"layers", has_atmosphere ? parameters.atmosphere.layers.size() : 0},
+                       {"particles", parameters.particles.size()},
+                       {"noises", parameters.noises.size()},
+                       {"clouds", parameters.clouds.size()},
+                       {"assets", parameters.bakes.size()},
+                       {"warnings", diagnostics_json(warnings)}});
+}
+
 ExitCode run(const Invocation& invocation, Console& console) {
-    const std::string& file = invocation.arguments()[0];
-    const auto outcome = config::load_recipe(file, invocation.values("set"));
+    const std::string name = recipe_name(invocation.arguments()[0]);
+    const auto outcome = recipe_of(invocation);
     const ExitCode code = console.report_results(outcome.diagnostics);
     if (!outcome.value) return code;
     auto problems = check_particles(outcome.value->parameters);
     const auto unreadable = check_maps(outcome.value->parameters);
     problems.insert(problems.end(), unreadable.begin(), unreadable.end());
     if (!problems.empty()) return console.report_results(problems);
-    console.note(fmt::format("{}: no errors; {}\n", file, contents(outcome.value->parameters)));
+    const config::Parameters& parameters = outcome.value->parameters;
+    if (console.display().json) {
+        console.result(checked_event(name, parameters, outcome.diagnostics));
+    }
+    console.note(fmt::format("{}: no errors; {}\n", name, contents(parameters)));
     return code;
 }
 
 }  // namespace
 
 Command check_command() {
-    return {.name = "check",
-            .brief = "find all its errors",
-            .summary = "find all errors of a recipe, bake nothing",
-            .arguments = {{.name = "recipe.toml", .help = "the recipe to check"}},
-            .options = {set_option()},
-            .examples = {{"skybake check earth.toml", "every error with its line and a remedy"},
-                         {"skybake check earth.toml --diagnostics json", "the same for an editor"}},
-            .exit_codes = {ExitCode::io},
-            .run = run};
+    return {
+        .name = "check",
+        .brief = "find its errors",
+        .summary = "find all errors of a recipe without baking it",
+        .arguments = {{.name = "recipe.toml", .help = recipe_help}},
+        .options = {set_option()},
+        .examples = {{"skybake check earth.toml", "shows every error with its line and a remedy"},
+                     {"skybake check - < earth.toml", "checks the text that an editor pipes in"},
+                     {"skybake check earth.toml --json", "tells a program"}},
+        .exit_codes = {ExitCode::io},
+        .run = run};
 }
 
 }  // namespace skybake::cli

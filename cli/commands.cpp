@@ -16,30 +16,32 @@ Command info_command();
 Command diff_command();
 Command verify_command();
 Command cache_command();
+Command help_command();
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> table = {
         init_command(), check_command(),  show_command(),    explain_command(), schema_command(),
         bake_command(), sweep_command(),  preview_command(), report_command(),  info_command(),
-        diff_command(), verify_command(), cache_command(),
+        diff_command(), verify_command(), cache_command(),   help_command(),
     };
     return table;
 }
 
 const std::vector<Option>& global_options() {
     static const std::vector<Option> table = {
-        {.name = "help", .short_name = 'h', .help = "show this help, or a command's"},
-        {.name = "version", .help = "show the release"},
-        {.name = "quiet", .short_name = 'q', .help = "no words but errors and warnings"},
-        {.name = "verbose", .short_name = 'v', .help = "more words"},
+        {.name = "help", .short_name = 'h', .help = "show this help, or the help of a command"},
+        {.name = "version", .short_name = 'V', .help = "show the release"},
+        {.name = "quiet", .short_name = 'q', .help = "print only errors and warnings"},
+        {.name = "verbose", .short_name = 'v', .help = "print more"},
+        {.name = "json", .help = "print results and failures as JSON Lines on stdout"},
         {.name = "color",
          .value = "WHEN",
-         .help = "colours",
+         .help = "when to colour messages",
          .choices = {"auto", "always", "never"},
          .fallback = "auto"},
         {.name = "diagnostics",
          .value = "FORMAT",
-         .help = "form of errors",
+         .help = "how to print errors and warnings",
          .choices = {"human", "short", "json", "github", "sarif"},
          .fallback = "human"},
     };

@@ -1,11 +1,13 @@
 #include "cli/console.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <utility>
 
+#include "cli/event_line.h"
 #include "cli/interrupt.h"
 #include "config/diagnostic_codes.h"
 
@@ -16,11 +18,21 @@ bool is_machine_format(DiagnosticFormat format) {
     return format == DiagnosticFormat::json || format == DiagnosticFormat::sarif;
 }
 
+bool is_set(const char* variable) { return variable != nullptr && *variable != '\0'; }
+
+bool forces(const char* variable) { return is_set(variable) && std::string_view(variable) != "0"; }
+
+int columns_of_terminal(int descriptor) {
+    winsize size{};
+    return ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
 }  // namespace
 
 Sink descriptor_sink(int descriptor) {
     Sink sink;
     sink.terminal = ::isatty(descriptor) == 1;
+    if (sink.terminal) sink.columns = columns_of_terminal(descriptor);
     sink.write = [descriptor](std::string_view text) {
         while (!text.empty()) {
             const ssize_t count = ::write(descriptor, text.data(), text.size());
@@ -33,11 +45,10 @@ Sink descriptor_sink(int descriptor) {
     return sink;
 }
 
-bool wants_color(std::string_view choice, bool terminal, const char* no_color) {
+bool wants_color(std::string_view choice, bool terminal, const ColorEnvironment& environment) {
     if (choice == "always") return true;
-    if (choice == "never") return false;
-    // https://no-color.org: present and not empty.
-    return terminal && (no_color == nullptr || *no_color == '\0');
+    if (choice == "never" || is_set(environment.no_color)) return false;
+    return terminal || forces(environment.clicolor_force) || forces(environment.force_color);
 }
 
 Console::Console(Sink out, Sink error, Display display)
@@ -73,6 +84,9 @@ ExitCode Console::report_results(std::span<const config::Diagnostic> diagnostics
 }
 
 ExitCode Console::report_to(bool results, std::span<const config::Diagnostic> diagnostics) {
+    if (display_.json) {
+        reported_.insert(reported_.end(), diagnostics.begin(), diagnostics.end());
+    }
     if (display_.diagnostics == DiagnosticFormat::sarif) {
         sarif_.insert(sarif_.end(), diagnostics.begin(), diagnostics.end());
         sarif_is_result_ = sarif_is_result_ || results;
@@ -98,9 +112,16 @@ ExitCode Console::finish(ExitCode code) {
         }
         sarif_.clear();
     }
+    const ExitCode last = exit_code(code);
+    if (display_.json && last > ExitCode::differs) {
+        result(failed_event(display_.command, last, reported_));
+    }
+    return exit_code(last);
+}
+
+ExitCode Console::exit_code(ExitCode code) const {
     if (interrupted()) return ExitCode::interrupted;
-    if (!result_lost_) return code;
-    return std::max(code, ExitCode::io);
+    return result_lost_ ? std::max(code, ExitCode::io) : code;
 }
 
 }  // namespace skybake::cli

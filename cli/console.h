@@ -18,6 +18,7 @@ namespace skybake::cli {
 struct Sink {
     std::function<bool(std::string_view)> write;
     bool terminal = false;
+    int columns = 0;  // of the terminal; 0 where they are not known
 };
 
 // A sink that writes to a file descriptor (1 or 2), whole texts, whatever signals arrive.
@@ -28,11 +29,21 @@ struct Display {
     bool color = false;    // on stderr
     bool quiet = false;    // -q: no notes
     bool verbose = false;  // -v: details too
+    bool json = false;     // --json: results are events on stdout, and so is a failure
+    std::string command;   // for that event; empty where none was understood
 };
 
-// Whether to colour a stream: --color=always|never decide, auto asks for a terminal without
-// NO_COLOR.
-bool wants_color(std::string_view choice, bool terminal, const char* no_color);
+// What the environment says about colours; null where a variable is not set.
+struct ColorEnvironment {
+    const char* no_color = nullptr;        // https://no-color.org
+    const char* clicolor_force = nullptr;  // https://bixense.com/clicolors
+    const char* force_color = nullptr;     // https://force-color.org
+};
+
+// Whether to colour a stream. --color=always and --color=never decide. With auto, NO_COLOR turns
+// colours off, else CLICOLOR_FORCE or FORCE_COLOR turns them on, else a terminal gets them. A
+// variable that is empty counts as not set; `0` forces nothing.
+bool wants_color(std::string_view choice, bool terminal, const ColorEnvironment& environment);
 
 // Never throws for a stream that is gone. Once a result could not be written the process's exit
 // code becomes `io`, see finish. Notes may come from any thread.
@@ -54,17 +65,20 @@ class Console {
     // The same for a command whose results they are (check): json and sarif go to stdout.
     ExitCode report_results(std::span<const config::Diagnostic> diagnostics);
 
-    // Writes what waits for the end of the run (a SARIF document is one whole) and returns the exit
-    // code to leave with.
+    // Writes what waits for the end of the run, a SARIF document and the event of a failure, and
+    // returns the exit code to leave with.
     ExitCode finish(ExitCode code);
 
     const Display& display() const { return display_; }
     bool error_is_terminal() const { return error_.terminal; }
     bool shows_notes() const;
+    // Of the terminal that notes go to; 0 where there is none, or it does not say.
+    int error_columns() const { return error_.columns; }
 
   private:
     ExitCode report_to(bool results, std::span<const config::Diagnostic> diagnostics);
     void write_error(std::string_view text);
+    ExitCode exit_code(ExitCode code) const;
 
     std::mutex error_mutex_;
     Sink out_;
@@ -73,6 +87,7 @@ class Console {
     bool result_lost_ = false;
     bool sarif_is_result_ = false;
     std::vector<config::Diagnostic> sarif_;
+    std::vector<config::Diagnostic> reported_;  // with --json
 };
 
 }  // namespace skybake::cli

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "bakers/io/release.h"
+#include "cli/event_line.h"
+#include "cli/recipe_argument.h"
 #include "config/diagnostic_codes.h"
 
 namespace skybake::cli {
@@ -15,18 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Sources may hold anything: bytes that are not UTF-8 become U+FFFD.
-std::string text_of(const Json& json, int indent) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 std::string_view severity_word(const config::Diagnostic& diagnostic) {
     return diagnostic.severity == config::Severity::error ? "error" : "warning";
-}
-
-// "--set `a.b=c`", "--vary `a.b=1,2`" and "preset earth" are places, but no files.
-bool is_file(const std::string& source) {
-    return !source.empty() && !source.starts_with("--") && !source.starts_with("preset ");
 }
 
 // RFC 3986: everything but unreserved signs and the slashes between folders is escaped.
@@ -90,18 +82,41 @@ Json sarif_rules(std::span<const config::Diagnostic> diagnostics) {
     return rules;
 }
 
+Json diagnostic_json(const config::Diagnostic& diagnostic) {
+    Json json = {{"severity", severity_word(diagnostic)},
+                 {"code", diagnostic.code},
+                 {"message", diagnostic.message},
+                 {"label", diagnostic.label}};
+    const config::SourceRange& where = diagnostic.where;
+    if (where.source.empty()) return json;
+    json[is_file(where.source) ? "file" : "source"] = where.source;
+    const bool has_lines = is_file(where.source) || where.source == standard_input_name;
+    if (!has_lines || where.line == 0) return json;
+    json["line"] = where.line;
+    if (where.column == 0) return json;
+    json["column"] = where.column;
+    json["length"] = where.length;
+    return json;
+}
+
 }  // namespace
+
+bool is_file(const std::string& source) {
+    return !source.empty() && !source.starts_with("--") && !source.starts_with("preset ") &&
+           source != standard_input_name;
+}
+
+Json diagnostics_json(std::span<const config::Diagnostic> diagnostics) {
+    Json array = Json::array();
+    for (const config::Diagnostic& diagnostic : diagnostics) {
+        array.push_back(diagnostic_json(diagnostic));
+    }
+    return array;
+}
 
 std::string print_json_lines(std::span<const config::Diagnostic> diagnostics) {
     std::string text;
-    for (const config::Diagnostic& diagnostic : diagnostics) {
-        const Json json = {
-            {"severity", severity_word(diagnostic)}, {"code", diagnostic.code},
-            {"message", diagnostic.message},         {"file", diagnostic.where.source},
-            {"line", diagnostic.where.line},         {"column", diagnostic.where.column},
-            {"length", diagnostic.where.length},     {"label", diagnostic.label}};
-        text += text_of(json, -1);
-    }
+    for (const Json& json : diagnostics_json(diagnostics)) text += event_line(json);
     return text;
 }
 
@@ -121,7 +136,8 @@ std::string print_sarif(std::span<const config::Diagnostic> diagnostics) {
     const Json document = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                            {"version", "2.1.0"},
                            {"runs", std::move(runs)}};
-    return text_of(document, 2);
+    // Sources may hold anything: bytes that are not UTF-8 become U+FFFD.
+    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace skybake::cli

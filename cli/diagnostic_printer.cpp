@@ -195,20 +195,27 @@ std::string github_escaped(std::string_view text, bool property) {
     return result;
 }
 
+// The properties that place an annotation in a file; what is no file has none.
+std::string github_place(const config::SourceRange& where) {
+    if (!is_file(where.source)) return "";
+    std::string text = fmt::format("file={},", github_escaped(where.source, true));
+    if (where.line > 0) text += fmt::format("line={},", where.line);
+    if (where.column > 0) {
+        text += fmt::format("col={},endColumn={},", where.column,
+                            std::int64_t{where.column} + std::max(where.length, 1));
+    }
+    return text;
+}
+
 std::string print_github(std::span<const Diagnostic> diagnostics) {
     std::string text;
     for (const Diagnostic& diagnostic : diagnostics) {
-        const config::SourceRange& where = diagnostic.where;
-        text += fmt::format("::{} ", severity_word(diagnostic));
-        if (!where.source.empty())
-            text += fmt::format("file={},", github_escaped(where.source, true));
-        if (where.line > 0) text += fmt::format("line={},", where.line);
-        if (where.column > 0) {
-            text += fmt::format("col={},endColumn={},", where.column,
-                                std::int64_t{where.column} + std::max(where.length, 1));
+        text += fmt::format("::{} {}title={}::{}", severity_word(diagnostic),
+                            github_place(diagnostic.where), diagnostic.code,
+                            github_escaped(diagnostic.message, false));
+        if (!diagnostic.where.source.empty() && !is_file(diagnostic.where.source)) {
+            text += fmt::format(" ({})", github_escaped(place(diagnostic.where), false));
         }
-        text +=
-            fmt::format("title={}::{}", diagnostic.code, github_escaped(diagnostic.message, false));
         if (!diagnostic.label.empty()) {
             text += fmt::format("; {}", github_escaped(diagnostic.label, false));
         }

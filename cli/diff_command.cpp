@@ -13,6 +13,7 @@
 #include "bakers/io/file_input.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/parse_arguments.h"
 #include "cli/table_printer.h"
 
@@ -114,7 +115,7 @@ std::set<std::string> files_in(const fs::path& folder,
         diagnostics.push_back(file_error(
             "E0300", folder.string(),
             fmt::format("cannot compare `{}`: {}", folder.string(),
-                        error ? error.message() : "there is no .exr, .vdb or .bin file in it")));
+                        error ? error.message() : "it holds no .exr, .vdb or .bin file")));
     }
     return names;
 }
@@ -244,10 +245,10 @@ Json as_json(const FileDifference& file, const Judgement& judgement) {
 std::string as_json(const Comparison& comparison, const Judgement& judgement) {
     Json files = Json::array();
     for (const FileDifference& file : comparison.files) files.push_back(as_json(file, judgement));
-    const Json json = {{"equal", judgement.equal(comparison)},
+    return event_line({{"event", "compared"},
+                       {"equal", judgement.equal(comparison)},
                        {"tolerance", judgement.tolerance},
-                       {"files", std::move(files)}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+                       {"files", std::move(files)}});
 }
 
 std::string as_text(const Comparison& comparison, const Judgement& judgement) {
@@ -270,13 +271,13 @@ ExitCode run(const Invocation& invocation, Console& console) {
     if (!tolerance) {
         return console.report(
             std::array{usage_error(fmt::format("`--tolerance` cannot be `{}`", text),
-                                   "a number from 0 on, such as 1e-6")});
+                                   "it takes a number of at least 0, such as 1e-6")});
     }
     const Comparison comparison = compare(invocation.arguments()[0], invocation.arguments()[1]);
     const Judgement judgement{*tolerance, invocation.has("metadata")};
     const ExitCode code = console.report(comparison.diagnostics);
     if (comparison.files.empty() && code != ExitCode::done) return code;
-    console.result(invocation.has("json") ? as_json(comparison, judgement)
+    console.result(console.display().json ? as_json(comparison, judgement)
                                           : as_text(comparison, judgement));
     if (code != ExitCode::done) return code;
     return judgement.equal(comparison) ? ExitCode::done : ExitCode::differs;
@@ -289,15 +290,14 @@ Command diff_command() {
             .brief = "compare baked files",
             .summary = "compare two baked files or folders",
             .arguments = {{.name = "first", .help = "an EXR, VDB or raw file, or a folder of them"},
-                          {.name = "second", .help = "the same to compare with"}},
+                          {.name = "second", .help = "the file or folder to compare it with"}},
             .options = {{.name = "tolerance",
                          .value = "NUMBER",
-                         .help = "the largest difference of values that counts as equal",
+                         .help = "count values as equal up to this difference",
                          .fallback = "0"},
-                        {.name = "metadata", .help = "differences in the metadata count too"},
-                        {.name = "json", .help = "the comparison as JSON"}},
-            .examples = {{"skybake diff old new", "all tables of two folders"},
-                         {"skybake diff a.exr b.exr --tolerance 1e-6", "equal but for rounding?"}},
+                        {.name = "metadata", .help = "count differences in the metadata too"}},
+            .examples = {{"skybake diff old new", "compares all files of two folders"},
+                         {"skybake diff a.exr b.exr --tolerance 1e-6", "allows for rounding"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},
             .run = run};
 }

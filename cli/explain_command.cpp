@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/parse_arguments.h"
 #include "config/explain.h"
 #include "config/key_path.h"
@@ -20,19 +23,22 @@ config::Diagnostic unknown_name(const std::string& name) {
     const std::vector<std::string_view> names(known.begin(), known.end());
     std::string label = config::did_you_mean(name, names);
     if (label.empty()) label = "`skybake explain` lists all keys";
-    return usage_error(fmt::format("`{}` is no key and no diagnostic code", config::shorten(name)),
-                       label);
+    return usage_error(
+        fmt::format("`{}` is neither a key nor a diagnostic code", config::shorten(name)), label);
+}
+
+// Without a name, that of all keys.
+std::optional<std::string> explanation_of(const std::string& name) {
+    return name.empty() ? config::explain_all_keys() : config::explain(name);
 }
 
 ExitCode run(const Invocation& invocation, Console& console) {
-    if (invocation.arguments().empty()) {
-        console.result(config::explain_all_keys());
-        return ExitCode::done;
-    }
-    const std::string& name = invocation.arguments()[0];
-    const std::optional<std::string> text = config::explain(name);
+    const std::string name = invocation.arguments().empty() ? "" : invocation.arguments()[0];
+    const std::optional<std::string> text = explanation_of(name);
     if (!text) return console.report(std::array{unknown_name(name)});
-    console.result(*text);
+    console.result(console.display().json
+                       ? event_line({{"event", "explanation"}, {"name", name}, {"text", *text}})
+                       : *text);
     return ExitCode::done;
 }
 
@@ -41,15 +47,15 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command explain_command() {
     return {
         .name = "explain",
-        .brief = "a key or a code",
-        .summary = "say what a key or a diagnostic code means",
+        .brief = "explain a key or a code",
+        .summary = "explain a key of recipes or the code of a diagnostic",
         .arguments = {{.name = "name",
-                       .help = "a key's path or its tail, a table, or a code; left out: all keys",
+                       .help = "a key's path or its tail, a table, or a code (default: all keys)",
                        .required = false}},
-        .examples = {{"skybake explain atmosphere.layers.mie.g", "unit, range, default, source"},
-                     {"skybake explain scale_height", "the same by the key alone"},
-                     {"skybake explain noise.shape.channels", "the keys of a noise's channels"},
-                     {"skybake explain E0102", "an error, and how to put it right"}},
+        .examples = {{"skybake explain atmosphere.layers.mie.g", "shows its range and default"},
+                     {"skybake explain scale_height", "finds a key without its path"},
+                     {"skybake explain noise.shape.channels", "lists the keys of a table"},
+                     {"skybake explain E0102", "explains an error and its remedy"}},
         .run = run};
 }
 

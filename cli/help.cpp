@@ -17,15 +17,15 @@ struct ExitCodeWords {
 };
 constexpr std::array<ExitCodeWords, 7> exit_code_words = {{
     {ExitCode::done, "done"},
-    {ExitCode::differs, "a comparison or verification differs"},
+    {ExitCode::differs, "a comparison or verification found differences"},
     {ExitCode::usage, "usage or parameter error"},
-    {ExitCode::io, "cannot open, read or write"},
+    {ExitCode::io, "a file cannot be opened, read or written"},
     {ExitCode::checks, "the result failed its checks"},
     {ExitCode::internal, "internal error"},
     {ExitCode::interrupted, "interrupted"},
 }};
 
-// "-o, --output FOLDER"; without a short name the long ones still stand below each other.
+// "-o, --output FOLDER"; long names are aligned whether there is a short one or not.
 std::string option_text(const Option& option) {
     const std::string short_name =
         option.short_name != 0 ? fmt::format("-{}, ", option.short_name) : "    ";
@@ -63,7 +63,7 @@ std::string command_table(std::span<const Command> commands) {
     return table.text();
 }
 
-// The codes that a command may return, one a line; an empty list stands for all.
+// The codes that a command may return, one per line; an empty list stands for all.
 std::string exit_code_table(std::span<const ExitCode> codes) {
     TextTable table({Align::right});
     for (const ExitCodeWords& entry : exit_code_words) {
@@ -85,10 +85,9 @@ std::string usage_line(const Command& command) {
     return line + " [options]\n";
 }
 
-constexpr std::array<Example, 3> first_steps = {{
-    {"skybake init earth.toml", "write a commented recipe"},
-    {"skybake bake earth.toml -o out", "make its tables, say how wrong they are"},
-    {"skybake bake --help", "the options of a command"},
+constexpr std::array<Example, 2> first_steps = {{
+    {"skybake init earth.toml", "writes a commented recipe"},
+    {"skybake bake earth.toml -o out", "bakes its tables and measures their errors"},
 }};
 
 }  // namespace
@@ -105,15 +104,15 @@ std::string short_help(std::span<const Command> commands) {
         table.add_row(row);
     }
     return "usage: skybake <command> [recipe.toml] [options]\n" + table.text() +
-           "`skybake --help` and `skybake <command> --help` say more\n";
+           "`skybake help` and `skybake help <command>` show more\n";
 }
 
 std::string global_help(std::span<const Command> commands, std::span<const Option> global_options) {
     std::string text =
-        "skybake bakes sky tables from a parameter file and says how wrong they are\n\n"
+        "skybake bakes sky tables, cloud noise and cloud volumes, and measures their errors\n"
         "usage: skybake <command> [recipe.toml] [options]\n\ncommands:\n";
     text += command_table(commands);
-    text += "\noptions, anywhere behind the command:\n" + option_table(global_options);
+    text += "\noptions (after the command):\n" + option_table(global_options);
     text += "\nexamples:\n" + example_table(first_steps);
     return text + "\nexit codes:\n" + exit_code_table({});
 }
@@ -129,7 +128,7 @@ std::string command_help(const Command& command) {
         text += "\narguments:\n" + table.text();
     }
     if (!command.options.empty()) text += "\noptions:\n" + option_table(command.options);
-    text += "\noptions of every command: skybake --help\n";
+    text += "\n`skybake help` shows the options that every command has.\n";
     text += "\nexamples:\n" + example_table(command.examples);
     std::vector<ExitCode> codes = command.exit_codes;
     codes.insert(codes.end(), {ExitCode::done, ExitCode::usage});

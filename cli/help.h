@@ -8,7 +8,7 @@
 
 namespace skybake::cli {
 
-// What `skybake` alone says: twelve lines.
+// What `skybake` without a command prints: twelve lines.
 std::string short_help(std::span<const Command> commands);
 
 // skybake --help: at most 40 lines.

@@ -17,6 +17,7 @@
 #include "cli/bake_summary.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/table_printer.h"
 #include "config/key_path.h"
 
@@ -66,23 +67,22 @@ Json attributes_json(const Attributes& attributes) {
     return json;
 }
 
-std::string text_of(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string image_json(const ExrRows& image, const std::vector<ValueRange>& ranges) {
+std::string image_json(const std::string& path, const ExrRows& image,
+                       const std::vector<ValueRange>& ranges) {
     Json values = Json::object();
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         values[image.channel_names()[i]] = {{"min", ranges[i].smallest},
                                             {"max", ranges[i].largest},
                                             {"not_finite", ranges[i].not_finite}};
     }
-    return text_of({{"size", {image.width(), image.height()}},
-                    {"channels", image.channel_names()},
-                    {"pixel_type", spell(image.pixel_type())},
-                    {"compression", spell(image.compression())},
-                    {"values", std::move(values)},
-                    {"attributes", attributes_json(image.attributes())}});
+    return event_line({{"event", "image"},
+                       {"path", path},
+                       {"size", {image.width(), image.height()}},
+                       {"channels", image.channel_names()},
+                       {"pixel_type", spell(image.pixel_type())},
+                       {"compression", spell(image.compression())},
+                       {"values", std::move(values)},
+                       {"attributes", attributes_json(image.attributes())}});
 }
 
 // Texts of several lines stand below their name, the others beside it.
@@ -123,7 +123,7 @@ ExitCode show_image(const fs::path& path, bool json, Console& console) {
     if (!image.value) return console.report(image.diagnostics);
     const auto ranges = value_ranges(*image.value);
     if (!ranges.value) return console.report(ranges.diagnostics);
-    console.result(json ? image_json(*image.value, *ranges.value)
+    console.result(json ? image_json(path.string(), *image.value, *ranges.value)
                         : image_text(path.string(), *image.value, *ranges.value));
     return ExitCode::done;
 }
@@ -137,7 +137,7 @@ std::string active_extent(const VdbGrid& grid) {
     return fmt::format("{}", fmt::join(size, " x "));
 }
 
-std::string vdb_json(const VdbFile& file) {
+std::string vdb_json(const std::string& path, const VdbFile& file) {
     Json grids = Json::array();
     for (const VdbGrid& grid : file.grids) {
         grids.push_back({{"name", grid.name},
@@ -152,10 +152,12 @@ std::string vdb_json(const VdbFile& file) {
                          {"active_voxels", grid.active_voxels},
                          {"metadata", attributes_json(grid.metadata)}});
     }
-    return text_of({{"uuid", file.uuid},
-                    {"library", file.library},
-                    {"grids", std::move(grids)},
-                    {"attributes", attributes_json(file.attributes)}});
+    return event_line({{"event", "grids"},
+                       {"path", path},
+                       {"uuid", file.uuid},
+                       {"library", file.library},
+                       {"grids", std::move(grids)},
+                       {"attributes", attributes_json(file.attributes)}});
 }
 
 std::string vdb_text(const std::string& name, const VdbFile& file) {
@@ -173,18 +175,18 @@ ExitCode show_vdb(const fs::path& path, bool json, Console& console) {
     const auto file = read_vdb(path);
     const ExitCode code = console.report(file.diagnostics);
     if (!file.value) return code;
-    console.result(json ? vdb_json(*file.value) : vdb_text(path.string(), *file.value));
+    console.result(json ? vdb_json(path.string(), *file.value)
+                        : vdb_text(path.string(), *file.value));
     return ExitCode::done;
 }
 
 // --- Bare voxels --------------------------------------------------------------------------------
 
 ExitCode refuse_bare_voxels(const fs::path& path, Console& console) {
-    config::Diagnostic diagnostic =
-        file_error("E0304", path.string(),
-                   fmt::format("`{}` holds voxels and nothing else: it says nothing of itself",
-                               path.string()));
-    diagnostic.label = "its manifest.json says what it holds: look into that, or verify it";
+    config::Diagnostic diagnostic = file_error(
+        "E0304", path.string(),
+        fmt::format("`{}` holds voxels alone and does not describe itself", path.string()));
+    diagnostic.label = "the manifest.json beside it describes it";
     return console.report({&diagnostic, 1});
 }
 
@@ -213,7 +215,13 @@ std::string wavelengths_text(const Manifest& manifest) {
     return "";
 }
 
-std::string manifest_text(const Manifest& manifest) {
+// "missing" where the manifest lists a file that is not there.
+std::string bytes_text(const fs::path& file, std::uint64_t bytes) {
+    std::error_code error;
+    return fs::exists(file, error) ? fmt::format("{}", bytes) : "missing";
+}
+
+std::string manifest_text(const fs::path& folder, const Manifest& manifest) {
     TextTable table({Align::left, Align::left, Align::right, Align::left, Align::left, Align::left,
                      Align::left, Align::right});
     table.add_row(
@@ -223,7 +231,7 @@ std::string manifest_text(const Manifest& manifest) {
             table.add_row({asset.name, asset.kind, extent_text(file_size(asset, file)),
                            fmt::format("{}", fmt::join(asset.channels, "")), asset.mapping,
                            file.path, std::string(spell(file.pixel_type)),
-                           fmt::format("{}", file.bytes), error_text(asset.error)});
+                           bytes_text(folder / file.path, file.bytes), error_text(asset.error)});
         }
     }
     return fmt::format("{} {}{}\n", manifest.tool_name, manifest.tool_version,
@@ -231,21 +239,41 @@ std::string manifest_text(const Manifest& manifest) {
            table.text();
 }
 
-ExitCode show_manifest(const config::Outcome<Manifest>& manifest, bool json, Console& console) {
+std::vector<std::string> missing_files(const fs::path& folder, const Manifest& manifest) {
+    std::vector<std::string> missing;
+    for (const ManifestAsset& asset : manifest.assets) {
+        for (const ManifestFile& file : asset.files) {
+            std::error_code error;
+            if (!fs::exists(folder / file.path, error)) missing.push_back(file.path);
+        }
+    }
+    return missing;
+}
+
+std::string folder_json(const fs::path& folder, const Manifest& manifest) {
+    return event_line({{"event", "folder"},
+                       {"path", folder.string()},
+                       {"missing", missing_files(folder, manifest)},
+                       {"manifest", Json::parse(manifest_json(manifest))}});
+}
+
+ExitCode show_manifest(const fs::path& folder, bool json, Console& console) {
+    const auto manifest = read_manifest(folder);
     const ExitCode code = console.report(manifest.diagnostics);
     if (!manifest.value) return code;
-    console.result(json ? manifest_json(*manifest.value) : manifest_text(*manifest.value));
+    console.result(json ? folder_json(folder, *manifest.value)
+                        : manifest_text(folder, *manifest.value));
     return ExitCode::done;
 }
 
 ExitCode run(const Invocation& invocation, Console& console) {
     const fs::path path = invocation.arguments()[0];
-    const bool json = invocation.has("json");
+    const bool json = console.display().json;
     std::error_code error;
-    if (fs::is_directory(path, error)) return show_manifest(read_manifest(path), json, console);
+    if (fs::is_directory(path, error)) return show_manifest(path, json, console);
     if (path.filename() == manifest_name) {
         const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-        return show_manifest(read_manifest(folder), json, console);
+        return show_manifest(folder, json, console);
     }
     if (path.extension() == ".vdb") return show_vdb(path, json, console);
     if (path.extension() == ".bin" && fs::is_regular_file(path, error)) {
@@ -258,14 +286,13 @@ ExitCode run(const Invocation& invocation, Console& console) {
 
 Command info_command() {
     return {.name = "info",
-            .brief = "look into baked files",
-            .summary = "look into a baked file or folder",
+            .brief = "describe baked files",
+            .summary = "describe a baked file or the folder of a bake",
             .arguments = {{.name = "path",
                            .help = "an EXR or VDB file, a folder of a bake, or its manifest.json"}},
-            .options = {{.name = "json", .help = "the same as JSON"}},
-            .examples = {{"skybake info out", "the assets of a bake and their errors"},
+            .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
                          {"skybake info out/transmittance.exr",
-                          "mapping, units, parameters of a file"}},
+                          "shows the mapping, units and parameters of a file"}},
             .exit_codes = {ExitCode::io},
             .run = run};
 }

@@ -1,155 +1,154 @@
 // skybake init: a commented recipe to start from.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
-#include <optional>
-#include <span>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "bakers/io/atomic_file.h"
 #include "bakers/io/file_diagnostic.h"
+#include "bakers/io/output_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/parse_arguments.h"
+#include "cli/preset_kinds.h"
 #include "cli/table_printer.h"
-#include "config/init_text.h"
 #include "config/presets.h"
-#include "config/suggest.h"
 
 namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
 constexpr std::string_view default_file = "skybake.toml";
 constexpr std::string_view standard_output = "-";
 
-std::string titles(std::span<const config::Preset> presets) {
-    TextTable table({}, 2);
-    for (const config::Preset& preset : presets) {
-        table.add_row({std::string(preset.name), config::preset_title(preset)});
-    }
-    return table.text();
-}
-
 std::string preset_list() {
-    return "atmospheres: preset = \"NAME\" at the top of a recipe\n" + titles(config::presets()) +
-           "\nnoises: preset = \"NAME\" below [noise.ANY_NAME]\n" +
-           titles(config::noise_presets()) +
-           "\nparticles: preset = \"NAME\" below [particles.ANY_NAME]\n" +
-           titles(config::particle_presets()) +
-           "\nlayers: preset = \"NAME\" below [atmosphere.layers.ANY_NAME]\n" +
-           titles(config::layer_presets()) +
-           "\nclouds: preset = \"NAME\" below [clouds.ANY_NAME]; init --preset clouds.NAME\n" +
-           titles(config::cloud_presets());
-}
-
-// The recipe of a preset of any kind; none if there is none of that name. "clouds.thesis" is the
-// cloud where "thesis" is the noise of that name.
-std::optional<std::string> recipe_text(std::string_view name) {
-    constexpr std::string_view clouds = "clouds.";
-    const bool is_cloud = name.starts_with(clouds);
-    if (is_cloud) name.remove_prefix(clouds.size());
-    const auto* preset = is_cloud ? nullptr : config::find_preset(name);
-    if (preset) return config::init_text(*preset);
-    const auto* noise = is_cloud ? nullptr : config::find_noise_preset(name);
-    if (noise) return config::noise_init_text(*noise);
-    const auto* cloud = config::find_cloud_preset(name);
-    if (cloud) return config::cloud_init_text(*cloud);
-    const auto* particles =
-        is_cloud ? nullptr : config::find_preset(config::particle_presets(), name);
-    if (!particles) return std::nullopt;
-    return config::particle_init_text(*particles);
-}
-
-config::Diagnostic unknown_preset(const std::string& name) {
-    if (config::find_preset(config::layer_presets(), name)) {
-        return usage_error(fmt::format("`{}` is the preset of a layer, not of a recipe", name),
-                           fmt::format("preset = \"{}\" below [atmosphere.layers.ANY_NAME]", name));
+    std::string text;
+    for (const PresetKind& kind : preset_kinds()) {
+        text += fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", kind.plural, kind.use);
+        TextTable table({}, 2);
+        for (const config::Preset& preset : kind.all()) {
+            table.add_row({std::string(preset.name), config::preset_title(preset)});
+        }
+        text += table.text();
     }
-    auto names = config::preset_names();
-    for (const config::SectionPresets& kind : config::section_presets()) {
-        for (const std::string_view other : config::preset_names(kind.all())) {
-            const bool is_known = std::find(names.begin(), names.end(), other) != names.end();
-            if (!is_known) names.push_back(other);
+    return text +
+           "\n`skybake init FILE --preset NAME` writes a recipe from a preset of any kind but "
+           "layers\n";
+}
+
+std::string preset_list_event() {
+    Json presets = Json::array();
+    for (const PresetKind& kind : preset_kinds()) {
+        for (const config::Preset& preset : kind.all()) {
+            presets.push_back({{"kind", kind.name},
+                               {"name", preset.name},
+                               {"title", config::preset_title(preset)},
+                               {"makes_recipe", kind.recipe != nullptr}});
         }
     }
-    std::string label = config::did_you_mean(name, names);
-    if (label.empty()) label = fmt::format("there are: {}", fmt::join(names, ", "));
-    config::Diagnostic diagnostic = usage_error(fmt::format("unknown preset `{}`", name), label);
+    return event_line({{"event", "presets"}, {"presets", std::move(presets)}});
+}
+
+// The one preset that a name means. E0115: there is none, or there are several.
+config::Outcome<KnownPreset> preset_of(const std::string& name) {
+    const auto presets = presets_for_init(name);
+    if (presets.size() == 1) return {presets.front(), {}};
+    if (presets.empty()) return {{}, {unknown_preset(name)}};
+    config::Diagnostic diagnostic =
+        usage_error(fmt::format("several presets have the name `{}`", name),
+                    fmt::format("ask for {}", full_names(presets)));
     diagnostic.code = "E0115";
-    return diagnostic;
+    return {{}, {std::move(diagnostic)}};
 }
 
 config::Diagnostic would_overwrite(const std::string& file) {
     config::Diagnostic diagnostic =
         file_error("E0303", file, fmt::format("`{}` exists and would be overwritten", file));
-    diagnostic.label = "--force overwrites it";
+    diagnostic.label = "overwrite it with --force";
     return diagnostic;
 }
 
-ExitCode write_recipe(const std::string& file, const std::string& text, bool force,
+ExitCode write_recipe(const std::string& file, const KnownPreset& preset, bool force,
                       Console& console) {
     std::error_code error;
     const bool exists = fs::symlink_status(file, error).type() != fs::file_type::not_found;
     if (exists && !force) return console.report(std::array{would_overwrite(file)});
-    const auto outcome = write_file_atomically(file, text);
+    const auto folder = create_output_folder(fs::absolute(file).parent_path());
+    if (!folder.value) return console.report(folder.diagnostics);
+    const auto outcome = write_file_atomically(file, preset.recipe());
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
-    console.result(file + '\n');
-    console.note(fmt::format("next: skybake bake {} -o out\n", file));
+    console.result(console.display().json ? event_line({{"event", "recipe_written"},
+                                                        {"path", file},
+                                                        {"preset", preset.full_name()}})
+                                          : file + '\n');
+    console.note(
+        fmt::format("{} was written from the preset {}\n"
+                    "next: skybake bake {} -o out\n",
+                    file, preset.full_name(), file));
     return ExitCode::done;
+}
+
+void print_recipe(const KnownPreset& preset, Console& console) {
+    const std::string text = preset.recipe();
+    console.result(
+        console.display().json
+            ? event_line({{"event", "recipe"}, {"preset", preset.full_name()}, {"text", text}})
+            : text);
 }
 
 ExitCode run(const Invocation& invocation, Console& console) {
     if (invocation.has("list")) {
-        console.result(preset_list());
+        console.result(console.display().json ? preset_list_event() : preset_list());
         return ExitCode::done;
     }
-    const std::string name = invocation.value("preset");
-    const std::optional<std::string> text = recipe_text(name);
-    if (!text) return console.report(std::array{unknown_preset(name)});
+    const auto preset = preset_of(invocation.value("preset"));
+    if (!preset.value) return console.report(preset.diagnostics);
     const auto& arguments = invocation.arguments();
     const std::string file = arguments.empty() ? std::string(default_file) : arguments[0];
-    if (recipe_text(file)) {
+    if (const auto meant = presets_for_init(file); !meant.empty()) {
         return console.report(
             std::array{usage_error(fmt::format("`{}` is the name of a preset, not of a file", file),
-                                   fmt::format("skybake init {}.toml --preset {}", file, file))});
+                                   init_command_of(meant, file))});
     }
     if (file == standard_output) {
-        console.result(*text);
+        print_recipe(*preset.value, console);
         return ExitCode::done;
     }
-    return write_recipe(file, *text, invocation.has("force"), console);
+    return write_recipe(file, *preset.value, invocation.has("force"), console);
 }
 
 }  // namespace
 
 Command init_command() {
-    return {.name = "init",
-            .brief = "write a recipe",
-            .summary = "write a commented recipe from a preset",
-            .arguments = {{.name = "file",
-                           .help = "the recipe to write (default skybake.toml); - is stdout",
-                           .required = false}},
-            .options = {{.name = "preset",
-                         .value = "NAME",
-                         .help = "what to start from",
-                         .fallback = "earth"},
-                        {.name = "list", .help = "list the presets and write nothing"},
-                        {.name = "force", .help = "overwrite an existing file"}},
-            .examples = {{"skybake init earth.toml", "the Earth, every value with its meaning"},
-                         {"skybake init mars.toml --preset mars", "another planet"},
-                         {"skybake init clouds.toml --preset nubis_shape", "a cloud noise"},
-                         {"skybake init clouds.toml --preset clouds.thesis", "a cloud"},
-                         {"skybake init fog.toml --preset fog", "the droplets of fog"},
-                         {"skybake init --list", "the presets, a line each"}},
-            .exit_codes = {ExitCode::io},
-            .run = run};
+    return {
+        .name = "init",
+        .brief = "write a recipe",
+        .summary = "write a commented recipe from a preset",
+        .arguments = {{.name = "file",
+                       .help = "the recipe to write (default skybake.toml); - prints it",
+                       .required = false}},
+        .options = {{.name = "preset",
+                     .value = "NAME",
+                     .help = "the preset to start from, such as clouds.thesis",
+                     .fallback = "earth"},
+                    {.name = "list", .help = "list the presets of each kind and write nothing"},
+                    {.name = "force", .help = "overwrite an existing file"}},
+        .examples = {{"skybake init earth.toml", "writes the Earth, every value with its meaning"},
+                     {"skybake init mars.toml --preset mars", "writes another planet"},
+                     {"skybake init noise.toml --preset nubis_shape", "writes a cloud noise"},
+                     {"skybake init cloud.toml --preset clouds.thesis", "writes a cloud"},
+                     {"skybake init fog.toml --preset fog", "writes the droplets of fog"},
+                     {"skybake init --list", "lists the presets, one per line"}},
+        .exit_codes = {ExitCode::io},
+        .run = run};
 }
 
 }  // namespace skybake::cli

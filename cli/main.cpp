@@ -31,8 +31,10 @@ int main(int argc, char** argv) {
     skybake::keep_freed_memory();
     try {
         const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
-        return static_cast<int>(run(words, descriptor_sink(STDOUT_FILENO),
-                                    descriptor_sink(STDERR_FILENO), std::getenv("NO_COLOR")));
+        const ColorEnvironment colors = {std::getenv("NO_COLOR"), std::getenv("CLICOLOR_FORCE"),
+                                         std::getenv("FORCE_COLOR")};
+        return static_cast<int>(
+            run(words, descriptor_sink(STDOUT_FILENO), descriptor_sink(STDERR_FILENO), colors));
     } catch (const std::exception& exception) {
         std::fprintf(stderr, "error[E0500]: internal error: %s\n", exception.what());
     } catch (...) {

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "config/suggest.h"
@@ -21,6 +22,32 @@ const Option* find_option(std::span<const Option> options, std::string_view name
     const auto found = std::find_if(options.begin(), options.end(),
                                     [name](const Option& option) { return option.name == name; });
     return found != options.end() ? &*found : nullptr;
+}
+
+bool has_letter(std::span<const Option> options, char letter) {
+    return std::any_of(options.begin(), options.end(),
+                       [letter](const Option& option) { return option.short_name == letter; });
+}
+
+// Whether a word that begins like an option is one of these: "--name", "--name=value", "-n", "-nm".
+bool is_option_of(std::string_view word, std::span<const Option> options) {
+    if (!word.starts_with("--")) {
+        word.remove_prefix(1);
+        return std::all_of(word.begin(), word.end(),
+                           [&](char letter) { return has_letter(options, letter); });
+    }
+    word.remove_prefix(2);
+    return word.empty() || find_option(options, word.substr(0, word.find('='))) != nullptr;
+}
+
+// The first option before the command that is not a global one. (No value of a global option begins
+// with a dash.)
+std::optional<std::string> first_stray(std::span<const std::string> before,
+                                       std::span<const Option> globals) {
+    for (const std::string& word : before) {
+        if (is_option(word) && !is_option_of(word, globals)) return word;
+    }
+    return std::nullopt;
 }
 
 // The position of the command among the words: the first that is neither an option nor the value of
@@ -38,12 +65,18 @@ std::size_t command_position(std::span<const std::string> words, std::span<const
 // `--name`, for messages.
 std::string dashed(std::string_view name) { return fmt::format("`--{}`", name); }
 
-config::Diagnostic unknown_command(const std::string& name, std::span<const Command> commands) {
-    std::vector<std::string_view> names;
-    for (const Command& command : commands) names.push_back(command.name);
-    std::string hint = config::did_you_mean(name, names);
-    if (hint.empty()) hint = "`skybake --help` lists the commands";
-    return usage_error(fmt::format("unknown command `{}`", name), std::move(hint));
+// The option of a command that a word before the command's name may mean, as help writes it.
+std::string misplaced_option(std::string_view word, const Command& command) {
+    for (const Option& option : command.options) {
+        const bool by_letter = !word.starts_with("--") && option.short_name == word[1];
+        const bool by_name =
+            word.starts_with("--") && word.substr(2, word.find('=') - 2) == option.name;
+        if (!by_letter && !by_name) continue;
+        const std::string name =
+            by_letter ? fmt::format("-{}", option.short_name) : fmt::format("--{}", option.name);
+        return option.value.empty() ? name : fmt::format("{} {}", name, option.value);
+    }
+    return "";
 }
 
 config::Diagnostic unknown_option(const std::string& word, std::span<const Option> options,
@@ -55,6 +88,35 @@ config::Diagnostic unknown_option(const std::string& word, std::span<const Optio
     std::string hint = shown.starts_with("--") ? config::did_you_mean(shown, known) : std::string();
     if (hint.empty()) hint = fmt::format("`{}` lists the options", help);
     return usage_error(fmt::format("unknown option `{}`", shown), std::move(hint));
+}
+
+// The command that an option before all commands was meant for: one that is named among the words,
+// else the first that has the option; null where none has it.
+const Command* command_of_option(const std::string& option, std::span<const std::string> words,
+                                 std::span<const Command> commands) {
+    const Command* first = nullptr;
+    for (const Command& command : commands) {
+        if (misplaced_option(option, command).empty()) continue;
+        if (std::find(words.begin(), words.end(), command.name) != words.end()) return &command;
+        if (first == nullptr) first = &command;
+    }
+    return first;
+}
+
+// An option before the command that is no global one: an option of commands, or of none.
+config::Diagnostic stray_option(const std::string& option, std::span<const std::string> words,
+                                std::span<const Command> commands,
+                                std::span<const Option> globals) {
+    if (const Command* command = command_of_option(option, words, commands)) {
+        return usage_error(fmt::format("`{}` stands before the command", option),
+                           fmt::format("the options of a command come after it: skybake {} {}",
+                                       command->name, misplaced_option(option, *command)));
+    }
+    std::vector<Option> all(globals.begin(), globals.end());
+    for (const Command& command : commands) {
+        all.insert(all.end(), command.options.begin(), command.options.end());
+    }
+    return unknown_option(option, all, "skybake --help");
 }
 
 config::Diagnostic unknown_choice(const Option& option, const std::string& value) {
@@ -80,7 +142,7 @@ config::Diagnostic malformed(const CLI::ParseError& error, std::span<const Optio
         if (!option.value.empty()) return missing_value(option);
         return usage_error(fmt::format("{} takes no value", dashed(option.name)));
     }
-    return usage_error("the options cannot be understood");
+    return usage_error("the options cannot be parsed");
 }
 
 // Where the library puts what it finds.
@@ -165,11 +227,19 @@ void take_arguments(const Found& found, const Command& command, CommandLine& lin
         if (!wanted[i].required) break;
         line.diagnostics.push_back(
             usage_error(fmt::format("`skybake {}` needs <{}>", command.name, wanted[i].name),
-                        fmt::format("{}", command.examples.front().command)));
+                        fmt::format("for example {}", command.examples.front().command)));
     }
 }
 
 }  // namespace
+
+config::Diagnostic unknown_command(const std::string& name, std::span<const Command> commands) {
+    std::vector<std::string_view> names;
+    for (const Command& command : commands) names.push_back(command.name);
+    std::string hint = config::did_you_mean(name, names);
+    if (hint.empty()) hint = "`skybake --help` lists the commands";
+    return usage_error(fmt::format("unknown command `{}`", name), std::move(hint));
+}
 
 config::Diagnostic usage_error(std::string message, std::string label) {
     config::Diagnostic diagnostic;
@@ -185,6 +255,10 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
     std::vector<std::string> rest(words.begin(), words.end());
     std::vector<Option> options(global_options.begin(), global_options.end());
     const std::size_t position = command_position(words, global_options);
+    if (const auto stray = first_stray(words.first(position), global_options)) {
+        line.diagnostics.push_back(stray_option(*stray, words, commands, global_options));
+        return line;
+    }
     if (position < rest.size()) {
         const auto command =
             std::find_if(commands.begin(), commands.end(),

@@ -1,8 +1,10 @@
 // skybake preview: pictures of recipes and of baked files, and one page of all of them.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,7 @@
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/interrupt.h"
 #include "cli/preview_options.h"
 #include "cli/preview_output.h"
@@ -74,6 +77,14 @@ Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest requ
     return page;
 }
 
+// The page comes last among the paths.
+std::string previewed_event(std::vector<std::string> paths, double seconds) {
+    const std::string page = paths.back();
+    paths.pop_back();
+    return event_line(
+        {{"event", "previewed"}, {"page", page}, {"pictures", paths}, {"seconds", seconds}});
+}
+
 ExitCode show(const Invocation& invocation, const PreviewRequest& request, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     auto page = [&] {
@@ -90,8 +101,9 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
         code != ExitCode::done) {
         return code;
     }
-    for (const std::string& path : paths) console.result(path + "\n");
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    console.result(console.display().json ? previewed_event(paths, elapsed.count())
+                                          : fmt::format("{}\n", fmt::join(paths, "\n")));
     console.note(fmt::format("{} pictures in {:.1f} s: open {}\n", paths.size() - 1,
                              elapsed.count(), paths.back()));
     return ExitCode::done;
@@ -115,22 +127,21 @@ ExitCode run(const Invocation& invocation, Console& console) {
 }  // namespace
 
 Command preview_command() {
-    return {.name = "preview",
-            .brief = "pictures of it",
-            .summary = "pictures of a recipe or of baked files, and a page of all of them",
-            .arguments = {{.name = "recipe|folder|file",
-                           .help = "a recipe, a folder of a bake or sweep, or EXR, VDB, bin files",
-                           .repeatable = true}},
-            .options = preview_options(),
-            .examples = {{"skybake preview earth.toml", "the sky of a recipe: preview/index.html"},
-                         {"skybake preview out --sun-elevation 40,5,-4 -o sky",
-                          "of what was baked, for three suns"},
-                         {"skybake preview cumulus.toml --watch",
-                          "a page that follows the recipe while you write it"},
-                         {"skybake preview tower.toml --single --size 1280x1280 --sun-azimuth 150",
-                          "one tile alone, all of it in the picture"}},
-            .exit_codes = {ExitCode::io, ExitCode::checks},
-            .run = run};
+    return {
+        .name = "preview",
+        .brief = "make pictures of it",
+        .summary = "make pictures of a recipe or of baked files, and a page that shows them",
+        .arguments = {{.name = "recipe|folder|file",
+                       .help = "a recipe, a folder of a bake or sweep, or EXR, VDB, bin files",
+                       .repeatable = true}},
+        .options = preview_options(),
+        .examples = {{"skybake preview earth.toml", "shows a recipe's sky in preview/index.html"},
+                     {"skybake preview out --sun-elevation 40,5,-4 -o sky",
+                      "shows baked files under three suns"},
+                     {"skybake preview cumulus.toml --watch",
+                      "follows the recipe while you write it"}},
+        .exit_codes = {ExitCode::io, ExitCode::checks},
+        .run = run};
 }
 
 }  // namespace skybake::cli

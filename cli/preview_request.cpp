@@ -10,6 +10,7 @@
 #include "cli/bake_selection.h"
 #include "cli/parse_arguments.h"
 #include "cli/preview_options.h"
+#include "cli/recipe_argument.h"
 #include "config/key_path.h"
 
 namespace skybake::cli {
@@ -34,6 +35,10 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
     if (request.paths.size() > 1 && request.subject != Subject::files) {
         problems.push_back(usage_error("one recipe or one folder at a time",
                                        "several files are possible: a.exr b.exr"));
+    }
+    if (request.watch && is_standard_input(request.paths[0].string())) {
+        problems.push_back(usage_error("--watch needs a recipe in a file",
+                                       "standard input cannot be read a second time"));
     }
     if (request.subject == Subject::sweep && request.report) {
         problems.push_back(usage_error("--report is not for sweeps",

@@ -16,6 +16,7 @@
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/parse_arguments.h"
+#include "cli/recipe_argument.h"
 #include "cli/report_output.h"
 #include "cli/report_table.h"
 #include "cli/report_truth.h"
@@ -29,12 +30,12 @@ using config::Outcome;
 ExitCode run(const Invocation& invocation, Console& console) {
     if (invocation.has("json") && invocation.has("csv")) {
         return console.report(std::array{
-            usage_error("--json and --csv exclude each other", "the folder will hold both")});
+            usage_error("--json and --csv exclude each other", "the folder holds both anyway")});
     }
     if (invocation.has("truth")) return report_truth(invocation, console);
     if (invocation.has("truth-paths")) {
         return console.report(std::array{
-            usage_error("--truth-paths is for --truth alone", "it is the sky that is traced")});
+            usage_error("--truth-paths needs --truth", "it sets how many paths trace the sky")});
     }
     const auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
@@ -73,32 +74,32 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command report_command() {
     return {
         .name = "report",
-        .brief = "what accuracy costs",
+        .brief = "measure accuracy's cost",
         .summary = "measure what accuracy costs: time, error and bytes of many variants",
-        .arguments = {{.name = "recipe.toml", .help = "the recipe"}},
+        .arguments = {{.name = "recipe.toml", .help = recipe_help}},
         .options = {{.name = "output",
                      .short_name = 'o',
                      .value = "FOLDER",
-                     .help = "where report.csv, report.json and NAME.svg go",
+                     .help = "write report.csv, report.json and NAME.svg into this folder",
                      .fallback = "report"},
                     set_option(),
-                    only_option("report on [bake.NAME] alone"),
+                    only_option("report on [bake.NAME] only"),
                     {.name = "truth",
-                     .help = "the sky's error against path tracing, by each way to multiple "
-                             "scattering"},
+                     .help = "compare each method of multiple scattering with path tracing"},
                     {.name = "truth-paths",
                      .value = "N",
-                     .help = "paths a direction, on average (default: 131072, a minute on Earth)"},
+                     .help = "trace N paths per direction on average (default: 131072)"},
                     cache_option(),
-                    {.name = "quick", .help = "fewer repetitions, sizes, points and paths"},
-                    jobs_option("threads for references; timing takes one (default: all)"),
-                    {.name = "force", .help = "overwrite files that are not a report's"},
-                    {.name = "json", .help = "JSON on stdout in place of the table"},
-                    {.name = "csv", .help = "CSV on stdout in place of the table"}},
-        .examples = {{"skybake report earth.toml", "tables here, plots in ./report"},
+                    {.name = "quick", .help = "use fewer repetitions, sizes, points and paths"},
+                    jobs_option("use N threads for references; timing uses one (default: all)"),
+                    {.name = "force", .help = "overwrite files that no report has written"},
+                    {.name = "csv",
+                     .help = "print CSV instead of the table (--json: report.json)"}},
+        .examples = {{"skybake report earth.toml", "prints tables, writes plots into ./report"},
                      {"skybake report earth.toml --only transmittance --quick --csv > earth.csv",
-                      "one asset, in seconds, for a spreadsheet"},
-                     {"skybake report --truth earth.toml", "how wrong is the sky? truth is kept"}},
+                      "measures one asset in seconds, for a spreadsheet"},
+                     {"skybake report --truth earth.toml",
+                      "measures the error of the sky and keeps the traced reference"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run};
 }

@@ -6,17 +6,13 @@
 #include <array>
 #include <string_view>
 
+#include "bakers/io/byte_size_text.h"
 #include "bakers/io/spelling.h"
 #include "bakers/report/sweep.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
 namespace {
-
-std::string bytes_text(std::uint64_t bytes) {
-    const double kib = static_cast<double>(bytes) / 1024;
-    return kib < 1024 ? fmt::format("{:.0f} KiB", kib) : fmt::format("{:.1f} MiB", kib / 1024);
-}
 
 // Three significant digits without an exponent, so that columns compare at a glance.
 std::string time_text(double milliseconds) {
@@ -54,7 +50,8 @@ constexpr std::array<Column, 10> kColumns = {{
     {"variant", Align::left, [](const ReportRow& row) { return row.variant; }},
     {"size", Align::right, [](const ReportRow& row) { return size_text(row.size); }},
     {"type", Align::left, [](const ReportRow& row) { return std::string(spell(row.pixel_type)); }},
-    {"file", Align::right, [](const ReportRow& row) { return bytes_text(row.file_bytes); }},
+    {"file", Align::right,
+     [](const ReportRow& row) { return byte_size_text(static_cast<double>(row.file_bytes)); }},
     {"time", Align::right, [](const ReportRow& row) { return time_text(row.time_ms); }},
     {"write", Align::right,
      [](const ReportRow& row) { return time_text(row.volume_file->write_ms); }, true},
@@ -90,8 +87,9 @@ std::string rows_text(const AssetReport& asset) {
 
 std::string volume_text(const VolumeFacts& volume) {
     const int count = volume.write_repetitions;
-    std::string text = fmt::format("  write: processor time of a file in memory, one thread, {}\n",
-                                   count == 1 ? "once" : fmt::format("median of {}", count));
+    std::string text =
+        fmt::format("  write: processor time to encode a file in memory, one thread, {}\n",
+                    count == 1 ? "once" : fmt::format("median of {}", count));
     for (std::size_t c = 0; c < volume.channels.size(); ++c) {
         const ValueStatistics& channel = volume.statistics[c];
         text += fmt::format("  {}: {:.4f} to {:.4f}, mean {:.4f}\n", volume.channels[c],
@@ -117,13 +115,14 @@ std::string skipping_text(const AssetReport& asset) {
                        fmt::format("{} of {}", row.lost_samples, row.samples),
                        fmt::format("{}", row.changed_rays), fmt::format("{:.1f}", row.fetches[0]),
                        fmt::format("{:.1f}", row.fetches[1]), fmt::format("{:.1f}", row.fetches[2]),
-                       bytes_text(row.structure_bytes), time_text(row.time_ms)});
+                       byte_size_text(static_cast<double>(row.structure_bytes)),
+                       time_text(row.time_ms)});
     }
     return fmt::format(
         "{} ({})\n"
-        "  cells of {} voxels over {}; the smallest share that is safe is {:.2f} %\n"
-        "  up, within, down: fetches of density and structure, mean of {} rays each, up to 500 "
-        "steps of 1/600 tile\n"
+        "  cells of {} voxels over {}; the smallest safe share of occupied cells is {:.2f} %\n"
+        "  up, within, down: lookups of density and structure per ray, mean of {} rays each, up to "
+        "500 steps of 1/600 tile\n"
         "  time: {}, median of {}\n\n{}",
         asset.name, asset.kind, skipping.cell, size_text(skipping.size),
         100 * skipping.smallest_safe_share, skipping.rays, asset.timing, asset.repetitions,
@@ -141,11 +140,12 @@ std::string asset_text(const AssetReport& asset) {
         "  error: {}, against {} ({} lookups, up to {} texels)\n"
         "  time: {}, median of {}\n"
         "{}"
-        "  front: no variant is closer in as little time (within 5 %), in lookups or in texels at "
-        "one size{}\n\n",
+        "  front: no other variant has a smaller error in as little time (within 5 %), of lookups "
+        "or of texels at one size{}\n\n",
         title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points,
         asset.timing, asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
-        asset.volume ? "; errors to two digits; bytes: none is closer in as few" : "");
+        asset.volume ? "; errors to two digits; bytes: none has a smaller error in as few bytes"
+                     : "");
     text += rows_text(asset);
     return text + notes_text(asset);
 }

@@ -29,6 +29,7 @@
 #include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/parse_arguments.h"
+#include "cli/recipe_argument.h"
 #include "cli/report_output.h"
 #include "cli/sky_truth_table.h"
 #include "config/recipe.h"
@@ -71,28 +72,29 @@ Outcome<std::int64_t> mean_paths_of(const Invocation& invocation) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), paths);
     const bool whole = error == std::errc() && end == text.data() + text.size();
     if (whole && paths >= kFewestPaths && paths <= kMostPaths) return {paths, {}};
-    return {{},
-            {usage_error(fmt::format("--truth-paths: `{}` is not a number of paths", text),
-                         fmt::format("{} to {}", kFewestPaths, kMostPaths))}};
+    return {
+        {},
+        {usage_error(fmt::format("`--truth-paths` cannot be `{}`", text),
+                     fmt::format("it takes a number from {} to {}", kFewestPaths, kMostPaths))}};
 }
 
 Outcome<TruthRequest> request_of(const Invocation& invocation) {
     if (invocation.has("only")) {
         return {{},
                 {usage_error("--only and --truth exclude each other",
-                             "a sky is made of all of the air")}};
+                             "the sky needs all of the atmosphere")}};
     }
     const auto paths = mean_paths_of(invocation);
     if (!paths.value) return {{}, paths.diagnostics};
     const auto threads = jobs_of(invocation);
     if (!threads.value) return {{}, threads.diagnostics};
-    auto recipe = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
+    auto recipe = recipe_of(invocation);
     Outcome<TruthRequest> outcome;
     outcome.diagnostics = std::move(recipe.diagnostics);
     if (!recipe.value) return outcome;
     if (!(recipe.value->parameters.atmosphere.top_radius.meters > 0)) {  // noises, clouds alone
-        outcome.diagnostics.push_back(file_error("E0105", invocation.arguments()[0],
-                                                 "the recipe has no [atmosphere]: it has no sky"));
+        outcome.diagnostics.push_back(file_error("E0105", recipe_name(invocation.arguments()[0]),
+                                                 "the recipe has no [atmosphere] and so no sky"));
         return outcome;
     }
     TruthRequest request;
@@ -122,8 +124,8 @@ std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
         if (!fs::exists(path, error)) continue;
         Diagnostic diagnostic = file_error(
             "E0303", path.string(),
-            fmt::format("`{}` is there and is not a report of skybake's", path.string()));
-        diagnostic.label = "--force overwrites it, -o chooses another folder";
+            fmt::format("`{}` already exists and is no report of skybake", path.string()));
+        diagnostic.label = "overwrite it with --force, or choose another folder with -o";
         problems.push_back(std::move(diagnostic));
     }
     return problems;

@@ -2,39 +2,56 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "bakers/io/release.h"
 #include "cli/commands.h"
+#include "cli/event_line.h"
 #include "cli/help.h"
+#include "cli/help_command.h"
 #include "cli/parse_arguments.h"
 
 namespace skybake::cli {
 namespace {
 
-// Global options that could not be understood show themselves in the default way.
-Display display_of(const Invocation& invocation, bool terminal, const char* no_color) {
+// Global options that could not be understood show themselves in the default way; but a program
+// that asks for JSON is to read of every mistake.
+Display display_of(const CommandLine& line, std::span<const std::string> words, bool terminal,
+                   const ColorEnvironment& environment) {
+    const Invocation& invocation = line.invocation;
     Display display;
     display.diagnostics =
         diagnostic_format(invocation.value("diagnostics")).value_or(DiagnosticFormat::human);
-    display.color = wants_color(invocation.value("color"), terminal, no_color);
+    display.color = wants_color(invocation.value("color"), terminal, environment);
     display.quiet = invocation.has("quiet");
     display.verbose = invocation.has("verbose");
+    const bool misunderstood = !line.diagnostics.empty();
+    display.json = invocation.has("json") || (misunderstood && std::find(words.begin(), words.end(),
+                                                                         "--json") != words.end());
+    if (line.command != nullptr) display.command = line.command->name;
     return display;
+}
+
+void show_version(bool json, Console& console) {
+    const std::string text = fmt::format("{} {}\n", tool_name(), release());
+    console.result(
+        json ? event_line({{"event", "version"}, {"name", tool_name()}, {"release", release()}})
+             : text);
 }
 
 ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
     if (!line.diagnostics.empty()) return console.report(line.diagnostics);
     if (line.invocation.has("help")) {
-        console.result(line.command != nullptr ? command_help(*line.command)
-                                               : global_help(commands(), global_options()));
+        show_help(line.command, console);
         return ExitCode::done;
     }
     if (line.invocation.has("version")) {
-        console.result(fmt::format("{} {}\n", tool_name(), release()));
+        show_version(console.display().json, console);
         return ExitCode::done;
     }
     if (line.command != nullptr) return line.command->run(line.invocation, console);
@@ -43,7 +60,7 @@ ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
         return ExitCode::usage;
     }
     return console.report(
-        std::vector{usage_error("a command is missing", "`skybake --help` lists the commands")});
+        std::vector{usage_error("no command is given", "`skybake --help` lists the commands")});
 }
 
 ExitCode internal_error(Console& console, const std::string& what) {
@@ -56,16 +73,17 @@ ExitCode internal_error(Console& console, const std::string& what) {
 
 }  // namespace
 
-ExitCode run(std::span<const std::string> words, Sink out, Sink error, const char* no_color) {
+ExitCode run(std::span<const std::string> words, Sink out, Sink error,
+             const ColorEnvironment& environment) {
     const bool terminal = error.terminal;
     const CommandLine line = parse_arguments(words, commands(), global_options());
     Console console(std::move(out), std::move(error),
-                    display_of(line.invocation, terminal, no_color));
+                    display_of(line, words, terminal, environment));
     ExitCode code = ExitCode::internal;
     try {
         code = answer(line, words.empty(), console);
     } catch (const std::bad_alloc&) {
-        code = internal_error(console, "the memory does not suffice");
+        code = internal_error(console, "there is not enough memory");
     } catch (const std::exception& exception) {
         code = internal_error(console, exception.what());
     }

@@ -9,8 +9,9 @@
 
 namespace skybake::cli {
 
-// `words` are those behind the program's name. `no_color` is the environment's NO_COLOR, or null.
-// Exceptions are mistakes of the program's own and end here as `internal`.
-ExitCode run(std::span<const std::string> words, Sink out, Sink error, const char* no_color);
+// `words` are those behind the program's name. Exceptions are mistakes of the program's own and end
+// here as `internal`.
+ExitCode run(std::span<const std::string> words, Sink out, Sink error,
+             const ColorEnvironment& environment = {});
 
 }  // namespace skybake::cli

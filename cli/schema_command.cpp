@@ -48,15 +48,16 @@ ExitCode run(const Invocation& invocation, Console& console) {
 }  // namespace
 
 Command schema_command() {
-    return {.name = "schema",
-            .brief = "JSON Schemas",
-            .summary = "print the JSON Schema of recipes, manifests, sweeps or --json",
-            .arguments = {{.name = "what",
-                           .help = "recipe (default), manifest, sweep or events",
-                           .required = false}},
-            .examples = {{"skybake schema > recipe.schema.json", "for an editor's TOML mode"},
-                         {"skybake schema manifest", "what a manifest.json contains"}},
-            .run = run};
+    return {
+        .name = "schema",
+        .brief = "print JSON Schemas",
+        .summary = "print the JSON Schema of recipes, manifests, sweeps or the events of --json",
+        .arguments = {{.name = "what",
+                       .help = "recipe (default), manifest, sweep or events",
+                       .required = false}},
+        .examples = {{"skybake schema > recipe.schema.json", "serves an editor's TOML mode"},
+                     {"skybake schema manifest", "describes manifest.json"}},
+        .run = run};
 }
 
 }  // namespace skybake::cli

@@ -3,14 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/phase/layer_phase.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/parse_arguments.h"
+#include "cli/recipe_argument.h"
 #include "cli/table_printer.h"
 #include "cli/text_width.h"
 #include "config/key_path.h"
@@ -139,20 +143,61 @@ bool shows_layers(const std::vector<Line>& lines) {
     });
 }
 
+// The first path that ends in the names asked for: "atmosphere.layers.mie" for "mie".
+std::string path_with_tail(const std::vector<std::string>& known, const Names& tail) {
+    for (const std::string& path : known) {
+        const Names names = config::split_path(path).value_or(Names{});
+        if (tail.empty() || names.size() <= tail.size()) continue;
+        if (std::equal(tail.rbegin(), tail.rend(), names.rbegin())) return path;
+    }
+    return "";
+}
+
 config::Diagnostic unknown_path(const config::Recipe& recipe, const std::string& asked) {
     std::vector<std::string> known;
     for (const config::ResolvedValue& value : recipe.values) {
         const Line line = make_line(value);
-        known.push_back(value.path);
         known.push_back(line.table);
+        known.push_back(value.path);
     }
     const std::vector<std::string_view> names(known.begin(), known.end());
+    const std::string tail = path_with_tail(known, config::split_path(asked).value_or(Names{}));
     return usage_error(fmt::format("the recipe has nothing at `{}`", asked),
-                       config::did_you_mean(asked, names));
+                       tail.empty() ? config::did_you_mean(asked, names)
+                                    : fmt::format("did you mean `{}`?", tail));
+}
+
+using Json = nlohmann::ordered_json;
+
+Json depths_json(const config::Parameters& parameters) {
+    std::vector<double> wavelengths_nm;
+    for (const config::Length wavelength : parameters.wavelengths) {
+        wavelengths_nm.push_back(wavelength.meters * 1e9);
+    }
+    Json layers = Json::object();
+    for (const config::Layer& layer : parameters.atmosphere.layers) {
+        layers[layer.name] =
+            config::zenith_optical_depth(with_coefficients(layer), parameters.atmosphere);
+    }
+    return {{"wavelengths_nm", std::move(wavelengths_nm)}, {"layers", std::move(layers)}};
+}
+
+std::string values_event(const std::string& recipe, const std::vector<Line>& lines,
+                         const config::Parameters* sky) {
+    Json values = Json::array();
+    for (const Line& line : lines) {
+        values.push_back({{"path", line.value->path},
+                          {"written", line.value->written},
+                          {"canonical", line.value->canonical},
+                          {"origin", line.value->origin}});
+    }
+    Json event = {{"event", "values"}, {"recipe", recipe}, {"values", std::move(values)}};
+    if (sky != nullptr) event["zenith_optical_depths"] = depths_json(*sky);
+    return event_line(event);
 }
 
 ExitCode run(const Invocation& invocation, Console& console) {
-    const auto outcome = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
+    const auto outcome = recipe_of(invocation);
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
     const bool whole = invocation.arguments().size() < 2;
@@ -162,13 +207,15 @@ ExitCode run(const Invocation& invocation, Console& console) {
     if (!whole && (names.empty() || lines.empty())) {
         return console.report(std::array{unknown_path(*outcome.value, asked)});
     }
-    std::string text = values_text(lines, asked);
     // Whoever asks for one layer, or one key of all, has not asked for the sums.
     const bool all_layers = names.size() <= 2 && shows_layers(lines);
-    if ((whole && has_atmosphere(outcome.value->parameters)) || all_layers) {
-        text += '\n' + depths_text(outcome.value->parameters);
+    const bool sums = (whole && has_atmosphere(outcome.value->parameters)) || all_layers;
+    const config::Parameters* const sky = sums ? &outcome.value->parameters : nullptr;
+    if (console.display().json) {
+        console.result(values_event(recipe_name(invocation.arguments()[0]), lines, sky));
+    } else {
+        console.result(values_text(lines, asked) + (sky ? '\n' + depths_text(*sky) : ""));
     }
-    console.result(text);
     return ExitCode::done;
 }
 
@@ -177,17 +224,17 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command show_command() {
     return {
         .name = "show",
-        .brief = "every resolved value",
+        .brief = "show every resolved value",
         .summary = "show every resolved value and where it came from",
-        .arguments = {{.name = "recipe.toml", .help = "the recipe to resolve"},
+        .arguments = {{.name = "recipe.toml", .help = recipe_help},
                       {.name = "path",
-                       .help = "only what lies at or below it; * stands for any name",
+                       .help = "show only values at or below this path; * stands for any name",
                        .required = false}},
         .options = {set_option()},
-        .examples = {{"skybake show earth.toml", "all values and the zenith optical depths"},
-                     {"skybake show earth.toml atmosphere.layers.mie", "those of one layer"},
-                     {"skybake show clouds.toml noise.shape", "a noise with its preset's values"},
-                     {"skybake show earth.toml --set preset=mars", "what another preset would do"}},
+        .examples = {{"skybake show earth.toml", "shows all values and the zenith optical depths"},
+                     {"skybake show earth.toml atmosphere.layers.mie", "shows one layer"},
+                     {"skybake show clouds.toml noise.shape", "shows a noise and its preset"},
+                     {"skybake show earth.toml --set preset=mars", "tries another preset"}},
         .exit_codes = {ExitCode::io},
         .run = run};
 }

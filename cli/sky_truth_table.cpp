@@ -62,11 +62,12 @@ std::string sky_truth_table(const SkyErrorReport& report) {
         "zenith angle the RMS over the dome as a share of its mean\n"
         "  time: processor time of all that comes before the first view ray, one thread, median "
         "of {}; ratio to the cheapest\n"
-        "  front: no other has a smaller median in as little time (within 5 %)\n{}\n{}",
+        "  front: no other method has a smaller median in as little time (within 5 %)\n{}\n{}",
         report.directions, report.mean_paths, report.repetitions,
         report.black == 0
             ? ""
-            : fmt::format("  {} values are black in the truth and left out\n", report.black),
+            : fmt::format("  {} values are left out, because they are black in the reference\n",
+                          report.black),
         table.text());
 }
 

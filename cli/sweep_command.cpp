@@ -6,6 +6,8 @@
 #include <charconv>
 #include <chrono>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -13,6 +15,7 @@
 #include <vector>
 
 #include "bakers/io/file_diagnostic.h"
+#include "bakers/io/load_module.h"
 #include "bakers/io/manifest.h"
 #include "bakers/sweep/index_files.h"
 #include "bakers/sweep/run_sweep.h"
@@ -22,8 +25,10 @@
 #include "cli/cache_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/interrupt.h"
 #include "cli/parse_arguments.h"
+#include "cli/recipe_argument.h"
 #include "cli/sweep_reporter.h"
 #include "cli/sweep_scripts.h"
 #include "config/diagnostic_codes.h"
@@ -38,6 +43,13 @@ using config::Outcome;
 
 // Every variant reads the recipe again, which a pipe cannot give twice: opening it would wait.
 std::vector<Diagnostic> check_rereadable(const fs::path& recipe) {
+    if (is_standard_input(recipe.string())) {
+        return {
+            usage_error("a sweep reads its recipe more than once, which standard input does not "
+                        "allow",
+                        "write the recipe into a file")};
+    }
+    if (auto diagnostic = preset_in_place_of_file(recipe)) return {std::move(*diagnostic)};
     std::error_code error;
     const fs::file_status status = fs::status(recipe, error);
     if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return {};
@@ -57,7 +69,7 @@ Outcome<config::Sweep> sweep_of(const Invocation& invocation) {
     auto sweep = config::load_sweep(invocation.arguments()[0], invocation.values("set"), options);
     if (!sweep.value || !sweep.value->axes.empty()) return sweep;
     return {{},
-            {usage_error("nothing varies: the recipe has no [sweep], and there is no --vary",
+            {usage_error("there is nothing to vary: add [sweep] to the recipe or pass --vary",
                          "for example --vary clouds.cumulus.coverage=0.2:0.8:4")}};
 }
 
@@ -78,8 +90,8 @@ Outcome<std::pair<int, int>> shard_of(const Invocation& invocation) {
     const auto shards = count_of(std::string_view(text).substr(std::min(slash + 1, text.size())));
     if (shard && shards && *shard <= *shards) return {std::pair(*shard, *shards), {}};
     return {{},
-            {usage_error(fmt::format("--shard: `{}` is no shard", text),
-                         "I/N: part I of N, from 1/N to N/N")}};
+            {usage_error(fmt::format("`--shard` cannot be `{}`", text),
+                         "it takes I/N, part I of N: 1/N to N/N")}};
 }
 
 std::vector<Diagnostic> contradictions(const Invocation& invocation) {
@@ -123,40 +135,47 @@ Outcome<SweepJob> sweep_job(const Invocation& invocation, config::Sweep sweep) {
 
 // The program itself, so that a node finds it whatever its PATH.
 std::string program_path() {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    return error ? "skybake" : program.string();
+    const std::vector<fs::path> files = program_files();
+    return files.empty() ? "skybake" : files.front().string();
 }
 
+// A farm starts its tasks in folders of its own.
+std::string absolute_path(const std::string& path) { return fs::absolute(path).string(); }
+
 std::vector<std::string> script_words(const Invocation& invocation) {
-    std::vector<std::string> words = {program_path(), "sweep", invocation.arguments()[0]};
+    std::vector<std::string> words = {program_path(), "sweep",
+                                      absolute_path(invocation.arguments()[0])};
     for (const char* option : {"set", "vary", "zip"}) {
         for (const std::string& value : invocation.values(option)) {
             words.push_back(fmt::format("--{}", option));
             words.push_back(value);
         }
     }
-    for (const char* option : {"sobol", "certify", "cache-dir", "max-memory"}) {
+    for (const char* option : {"sobol", "certify", "max-memory"}) {
         if (!invocation.has(option)) continue;
         words.push_back(fmt::format("--{}", option));
         words.push_back(invocation.value(option));
     }
+    if (invocation.has("cache-dir")) {
+        words.emplace_back("--cache-dir");
+        words.push_back(absolute_path(invocation.value("cache-dir")));
+    }
     if (invocation.has("force")) words.emplace_back("--force");
     words.emplace_back("-o");
-    words.push_back(invocation.value("output"));
+    words.push_back(absolute_path(invocation.value("output")));
     return words;
 }
 
-// All files that any variant is made from, the program among them.
+// All files that any variant is made from, the program's among them.
 std::vector<fs::path> sweep_inputs(const SweepJob& job) {
-    std::vector<fs::path> inputs;
-    if (const fs::path program = program_path(); program.is_absolute()) inputs.push_back(program);
+    std::vector<fs::path> inputs = program_files();
     std::set<fs::path> known;
     for (int i = 0; i < variant_count(job.sweep); ++i) {
         const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, i);
         if (!recipe.value) continue;
         for (const fs::path& input : recipe.value->inputs) {
-            if (known.insert(input).second) inputs.push_back(input);
+            const fs::path path = fs::absolute(input);
+            if (known.insert(path).second) inputs.push_back(path);
         }
     }
     return inputs;
@@ -168,7 +187,7 @@ constexpr int most_tasks = 1000;
 Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& job) {
     SweepScript script;
     script.words = script_words(invocation);
-    script.folder = job.folder.string();
+    script.folder = absolute_path(job.folder.string());
     script.variants = variant_count(job.sweep);
     script.tasks = std::min(script.variants, most_tasks);
     script.threads = job.threads > 0 ? job.threads : 1;
@@ -176,40 +195,47 @@ Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& 
         const auto tasks = count_of(invocation.value("tasks"));
         if (!tasks) {
             return {{},
-                    {usage_error(fmt::format("--tasks: `{}` is no number of tasks",
-                                             invocation.value("tasks")),
-                                 fmt::format("1 to {}", config::most_variants))}};
+                    {usage_error(
+                        fmt::format("`--tasks` cannot be `{}`", invocation.value("tasks")),
+                        fmt::format("it takes a number from 1 to {}", config::most_variants))}};
         }
         script.tasks = std::min(*tasks, script.variants);
     }
     for (const std::string& word : script.words) {
         if (word.find('\n') == std::string::npos) continue;
-        return {{}, {usage_error("--emit: a value with a line break fits no script's line")}};
+        return {{}, {usage_error("--emit: a value holds a line break, but a task is one line")}};
     }
     return {std::move(script), {}};
 }
 
+std::string script_text(const std::string& engine, const SweepJob& job, SweepScript script) {
+    if (engine == "slurm") return slurm_script(script);
+    if (engine == "commands") return command_lines(script);
+    script.inputs = sweep_inputs(job);
+    const VariantNames names(job.sweep);
+    for (int i = 0; i < script.variants; ++i) script.names.push_back(names.name(i));
+    return ninja_file(script);
+}
+
 ExitCode emit(const Invocation& invocation, const SweepJob& job, Console& console) {
-    auto script = sweep_script(invocation, job);
+    const auto script = sweep_script(invocation, job);
     if (const ExitCode code = console.report(script.diagnostics); !script.value) return code;
     const std::string engine = invocation.value("emit");
-    if (engine == "slurm") {
-        console.result(slurm_script(*script.value));
-    } else if (engine == "ninja") {
-        script.value->inputs = sweep_inputs(job);
-        const VariantNames names(job.sweep);
-        for (int i = 0; i < script.value->variants; ++i) {
-            script.value->names.push_back(names.name(i));
-        }
-        console.result(ninja_file(*script.value));
-    } else {
-        console.result(command_lines(*script.value));
-        console.note(fmt::format("and when all are done: {}\n", merge_command(*script.value)));
+    const std::string text = script_text(engine, job, *script.value);
+    const std::string merge = merge_command(*script.value);
+    if (console.display().json) {
+        console.result(event_line(
+            {{"event", "script"}, {"engine", engine}, {"text", text}, {"merge", merge}}));
+        return ExitCode::done;
+    }
+    console.result(text);
+    if (engine == "commands") {
+        console.note(fmt::format("when all are done, write the index: {}\n", merge));
     }
     return ExitCode::done;
 }
 
-// --- Making -------------------------------------------------------------------------------------
+// --- Baking -------------------------------------------------------------------------------------
 
 // The same warning of many variants is one.
 void report_warnings(const std::vector<VariantResult>& results, Console& console) {
@@ -253,9 +279,17 @@ std::string paths_text(const SweepJob& job, const std::vector<VariantResult>& re
     std::string text;
     for (const VariantResult& result : results) {
         if (result.status != VariantStatus::done) continue;
-        text += (job.folder / result.name / manifest_name).string() + "\n";
+        const fs::path folder = job.folder / result.name;
+        for (const VariantAsset& asset : result.assets) {
+            for (const std::string& file : asset.files) text += (folder / file).string() + "\n";
+        }
+        text += (folder / manifest_name).string() + "\n";
     }
     return text;
+}
+
+std::string variants_text(int count) {
+    return fmt::format("{} variant{}", count, count == 1 ? "" : "s");
 }
 
 std::string index_paths_text(const SweepJob& job) {
@@ -294,7 +328,7 @@ std::string interrupted_text(int made) {
 
 ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& console) {
     const auto start = std::chrono::steady_clock::now();
-    const bool json = invocation.has("json");
+    const bool json = console.display().json;
     const bool merge = invocation.has("merge");
     const bool writes_index = job.shards == 1;
     if (writes_index) {
@@ -328,7 +362,8 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         console.result(paths_text(job, results) + (writes_index ? index_paths_text(job) : ""));
     }
     report_warnings(results, console);
-    console.note(fmt::format("{} made, {:.2g} s\n", reporter.made(), elapsed.count()));
+    console.note(
+        fmt::format("{} baked, {:.2g} s\n", variants_text(reporter.made()), elapsed.count()));
     if (writes_index) console.note(earlier_note(folders_of_earlier_sweeps(job)));
     return report_unfinished(results, console);
 }
@@ -350,52 +385,54 @@ ExitCode run(const Invocation& invocation, Console& console) {
 Command sweep_command() {
     return {
         .name = "sweep",
-        .brief = "one recipe, many values",
-        .summary = "bake one recipe with many values, a folder for each, and an index",
-        .arguments = {{.name = "recipe.toml", .help = "the recipe; [sweep] says what varies"}},
-        .options = {{.name = "output",
-                     .short_name = 'o',
-                     .value = "FOLDER",
-                     .help = "where the variants' folders go",
-                     .fallback = "sweep"},
-                    {.name = "vary",
-                     .value = "KEY=VALUES",
-                     .help = "FROM:TO:COUNT[:log] or A,B,C; in place of [sweep]'s own",
-                     .repeatable = true},
-                    {.name = "zip",
-                     .value = "KEY,KEY",
-                     .help = "keys that walk together, not across",
-                     .repeatable = true},
-                    {.name = "sobol", .value = "N", .help = "points over ranges without a count"},
-                    set_option(),
-                    {.name = "shard", .value = "I/N", .help = "part I of N, without the index"},
-                    {.name = "merge", .help = "bake nothing, write the index of what is there"},
-                    {.name = "emit",
-                     .value = "ENGINE",
-                     .help = "print a script for a farm",
-                     .choices = {"slurm", "commands", "ninja"}},
-                    {.name = "tasks",
-                     .value = "N",
-                     .help = "tasks in that script (default: one a variant, at most 1000)"},
-                    {.name = "certify",
-                     .value = "HOW",
-                     .help = "error measurement",
-                     .choices = {"quick", "full", "off"},
-                     .fallback = "quick"},
-                    jobs_option("threads, over variants first (default: all)"),
-                    {.name = "dry-run", .help = "list the variants and why each would be made"},
-                    cache_option(),
-                    {.name = "max-memory",
-                     .value = "SIZE",
-                     .help = "of all variants at once, such as 2GiB"},
-                    {.name = "force", .help = "overwrite files that skybake did not write"},
-                    {.name = "json", .help = "events as JSON Lines on stdout"}},
+        .brief = "bake many variants",
+        .summary = "bake variants of a recipe, one folder for each, and an index of them",
+        .arguments = {{.name = "recipe.toml",
+                       .help = "the recipe, whose [sweep] says what varies"}},
+        .options =
+            {{.name = "output",
+              .short_name = 'o',
+              .value = "FOLDER",
+              .help = "write the variants' folders into this folder",
+              .fallback = "sweep"},
+             {.name = "vary",
+              .value = "KEY=VALUES",
+              .help = "vary KEY over FROM:TO:COUNT[:log] or A,B,C instead of [sweep]",
+              .repeatable = true},
+             {.name = "zip",
+              .value = "KEY,KEY",
+              .help = "vary keys in lockstep instead of crossing them",
+              .repeatable = true},
+             {.name = "sobol", .value = "N", .help = "spread N points over ranges without a count"},
+             set_option(),
+             {.name = "shard", .value = "I/N", .help = "bake part I of N and leave out the index"},
+             {.name = "merge", .help = "write the index of baked variants without baking"},
+             {.name = "emit",
+              .value = "ENGINE",
+              .help = "print a script for a farm",
+              .choices = {"slurm", "commands", "ninja"}},
+             {.name = "tasks",
+              .value = "N",
+              .help = "tasks in that script (default: one per variant, up to 1000)"},
+             {.name = "certify",
+              .value = "HOW",
+              .help = "how thoroughly to measure errors",
+              .choices = {"quick", "full", "off"},
+              .fallback = "quick"},
+             jobs_option("use N threads, for variants side by side first (default: all)"),
+             {.name = "dry-run",
+              .help = "show which variants would be baked and why, without baking"},
+             cache_option(),
+             {.name = "max-memory",
+              .value = "SIZE",
+              .help = "limit the memory of all variants at once (2GiB, 500M)"},
+             {.name = "force", .help = "overwrite files that skybake did not write"}},
         .examples = {{"skybake sweep sky.toml --vary clouds.c.coverage=0.2:0.8:4 "
                       "--vary noise.n.seed=1,2",
-                      "8 variants"},
-                     {"skybake sweep sky.toml --shard 1/2", "half of what [sweep] asks for"},
+                      "bakes 8 variants"},
+                     {"skybake sweep sky.toml --shard 1/2", "bakes half of the variants"},
                      {"skybake sweep sky.toml --emit slurm > sweep.sh",
-                      "bash sweep.sh submits it"}},
+                      "writes a script; bash sweep.sh submits it"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run};
 }

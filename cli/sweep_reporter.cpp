@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/interrupt.h"
 #include "cli/table_printer.h"
 
@@ -16,10 +17,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using std::chrono::duration;
 using std::chrono::steady_clock;
-
-std::string line(const Json& event) {
-    return event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 std::string plural(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
@@ -44,18 +41,18 @@ std::string first_error(const VariantResult& variant) {
     return "";
 }
 
-// Why a variant is to be made, asset by asset.
+// Why a variant is to be baked, asset by asset.
 std::string reasons_text(const PlannedVariant& variant) {
     if (variant.result.status == VariantStatus::done) return "up to date";
     if (variant.result.status == VariantStatus::failed) {
-        return "cannot be made, " + first_error(variant.result);
+        return "cannot be baked: " + first_error(variant.result);
     }
     std::string text;
     for (const StaleAsset& asset : variant.stale) {
         text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", asset.name, asset.reason);
     }
-    if (text.empty()) text = "manifest.json alone";
-    if (!variant.last_failure.empty()) text += "; failed last time, " + variant.last_failure;
+    if (text.empty()) text = "only manifest.json is out of date";
+    if (!variant.last_failure.empty()) text += "; it failed last time: " + variant.last_failure;
     return text;
 }
 
@@ -112,15 +109,15 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
     }
     if (json_) {
         const std::string_view state = failed ? "failed" : made ? "made" : "up_to_date";
-        console_.result(line({{"event", "variant"},
-                              {"index", variant.index},
-                              {"name", variant.name},
-                              {"path", folder_of(job_, variant)},
-                              {"state", state},
-                              {"seconds", seconds}}));
+        console_.result(event_line({{"event", "variant"},
+                                    {"index", variant.index},
+                                    {"name", variant.name},
+                                    {"path", folder_of(job_, variant)},
+                                    {"state", state},
+                                    {"seconds", seconds}}));
     }
     if (console_.error_is_terminal() || (!made && !failed)) return;
-    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name, failed ? "failed" : "made",
+    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name, failed ? "failed" : "baked",
                               seconds, finished_, variants_));
 }
 
@@ -146,8 +143,8 @@ std::string earlier_note(const std::vector<std::string>& folders) {
     constexpr std::size_t most_named = 5;
     if (folders.empty()) return "";
     std::string text = fmt::format(
-        "{} of an earlier sweep, left as {}: {}", plural(folders.size(), "folder"),
-        folders.size() == 1 ? "it is" : "they are",
+        "{} no longer in the sweep; kept: {}",
+        folders.size() == 1 ? "1 folder is" : fmt::format("{} folders are", folders.size()),
         fmt::join(folders.begin(),
                   folders.begin() + std::ptrdiff_t(std::min(folders.size(), most_named)), ", "));
     if (folders.size() > most_named) {
@@ -170,24 +167,24 @@ std::string sweep_event(const SweepJob& job, const std::vector<PlannedVariant>& 
         shared.push_back(
             {{"name", asset.name}, {"variants", asset.variants}, {"bakes", asset.bakes}});
     }
-    return line({{"event", "sweep"},
-                 {"variants", config::variant_count(job.sweep)},
-                 {"in_shard", plan.size()},
-                 {"up_to_date", up_to_date_count(plan)},
-                 {"shared", std::move(shared)}});
+    return event_line({{"event", "sweep"},
+                       {"variants", config::variant_count(job.sweep)},
+                       {"in_shard", plan.size()},
+                       {"up_to_date", up_to_date_count(plan)},
+                       {"shared", std::move(shared)}});
 }
 
 std::string planned_variant_events(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
     std::string text;
     for (const PlannedVariant& variant : plan) {
-        text += line({{"event", "planned_variant"},
-                      {"index", variant.result.index},
-                      {"name", variant.result.name},
-                      {"path", folder_of(job, variant.result)},
-                      {"state", spell_planned(variant.result.status)},
-                      {"why", reasons_text(variant)},
-                      {"seconds", variant.seconds},
-                      {"memory_mib", variant.memory_mib}});
+        text += event_line({{"event", "planned_variant"},
+                            {"index", variant.result.index},
+                            {"name", variant.result.name},
+                            {"path", folder_of(job, variant.result)},
+                            {"state", spell_planned(variant.result.status)},
+                            {"why", reasons_text(variant)},
+                            {"seconds", variant.seconds},
+                            {"memory_mib", variant.memory_mib}});
     }
     return text;
 }
@@ -197,12 +194,12 @@ std::string swept_event(const std::vector<VariantResult>& results, int made, dou
         return std::count_if(results.begin(), results.end(),
                              [&](const VariantResult& one) { return one.status == status; });
     };
-    return line({{"event", "swept"},
-                 {"done", count(VariantStatus::done)},
-                 {"failed", count(VariantStatus::failed)},
-                 {"missing", count(VariantStatus::missing)},
-                 {"made", made},
-                 {"seconds", seconds}});
+    return event_line({{"event", "swept"},
+                       {"done", count(VariantStatus::done)},
+                       {"failed", count(VariantStatus::failed)},
+                       {"missing", count(VariantStatus::missing)},
+                       {"made", made},
+                       {"seconds", seconds}});
 }
 
 std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results) {
@@ -220,12 +217,11 @@ std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& res
         config::Diagnostic diagnostic;
         diagnostic.code = "E0406";
         diagnostic.message =
-            fmt::format("{} of {} {} {}: {}", count, results.size(),
-                        results.size() == 1 ? "variant" : "variants",
-                        status == VariantStatus::failed ? "failed" : "not there yet", names);
+            fmt::format("{} of {} failed: {}", count, plural(results.size(), "variant"), names);
         if (status == VariantStatus::missing) {
-            diagnostic.message = fmt::format("{} of {} variants {} not there yet: {}", count,
-                                             results.size(), count == 1 ? "is" : "are", names);
+            diagnostic.message =
+                fmt::format("{} of {} {} not baked yet: {}", count,
+                            plural(results.size(), "variant"), count == 1 ? "is" : "are", names);
         }
         diagnostics.push_back(std::move(diagnostic));
     }

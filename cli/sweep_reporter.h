@@ -52,10 +52,10 @@ class SweepReporter : public SweepObserver {
 // "12 variants, 6 in this shard, 2 up to date; 4 share shape (baked once)".
 std::string plan_note(const SweepJob& job, const std::vector<PlannedVariant>& plan);
 
-// "2 folders of an earlier sweep, left as they are: 0004_seed=5, 0005_seed=6"; empty for none.
+// "2 folders are no longer in the sweep; kept: 0004_seed=5, 0005_seed=6"; empty for none.
 std::string earlier_note(const std::vector<std::string>& folders);
 
-// One row a variant: its name, and why it is to be made.
+// One row per variant: its name, and why it is to be baked.
 std::string plan_table(const std::vector<PlannedVariant>& plan);
 
 // Events of --json; event_schema.json describes them.

@@ -27,7 +27,8 @@ std::string shell_word(std::string_view text);
 std::string task_command(const SweepScript& script, std::string_view task);
 std::string merge_command(const SweepScript& script);
 
-// One task a line, without the merge.
+// One task per line, without the merge: commands of a shell, quoted so that `sh`, GNU parallel and
+// `xargs -d '\n' -I{} sh -c '{}'` run them from any folder.
 std::string command_lines(const SweepScript& script);
 
 // A shell script that submits an array job and, after it, the merge. Its arguments go to sbatch.

@@ -1,18 +1,26 @@
-// skybake verify: proves that a folder's files are what its manifest says.
+// skybake verify: checks a folder's files against its manifest.
 #include "bakers/io/verify.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "bakers/io/spelling.h"
 #include "bakers/probe_check.h"
 #include "bakers/skipping_check.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
+#include "cli/parse_arguments.h"
+#include "config/key_path.h"
 
 namespace skybake::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string as_json(const VerifyReport& report) {
     using Json = nlohmann::ordered_json;
@@ -21,11 +29,11 @@ std::string as_json(const VerifyReport& report) {
         failures.push_back(
             {{"file", failure.file}, {"check", failure.check}, {"message", failure.message}});
     }
-    const Json json = {{"files", report.files},
+    return event_line({{"event", "verified"},
+                       {"files", report.files},
                        {"checks", report.checks},
                        {"passed", report.failures.empty()},
-                       {"failures", std::move(failures)}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+                       {"failures", std::move(failures)}});
 }
 
 std::string as_text(const VerifyReport& report) {
@@ -39,30 +47,45 @@ std::string as_text(const VerifyReport& report) {
                               report.files == 1 ? "" : "s", report.checks, verdict);
 }
 
+// A baked file in place of the folder that it lies in.
+std::vector<config::Diagnostic> check_path(const fs::path& path) {
+    const std::string extension = path.extension().string();
+    const bool is_baked = extension.size() > 1 && volume_format_of(extension.substr(1)).has_value();
+    std::error_code error;
+    if (!is_baked || !fs::is_regular_file(path, error)) return {};
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    return {usage_error(fmt::format("`{}` is one file of a bake; verify takes the folder",
+                                    config::printable(path.string())),
+                        fmt::format("skybake verify {}", config::printable(folder.string())))};
+}
+
 ExitCode run(const Invocation& invocation, Console& console) {
+    if (const ExitCode code = console.report(check_path(invocation.arguments()[0]));
+        code != ExitCode::done) {
+        return code;
+    }
     const std::array checks = {probe_check()};
     const std::array of_folder = {skipping_check()};
     const auto outcome = verify_bake(invocation.arguments()[0], checks, of_folder);
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
-    console.result(invocation.has("json") ? as_json(*outcome.value) : as_text(*outcome.value));
+    console.result(console.display().json ? as_json(*outcome.value) : as_text(*outcome.value));
     return outcome.value->failures.empty() ? ExitCode::done : ExitCode::differs;
 }
 
 }  // namespace
 
 Command verify_command() {
-    return {
-        .name = "verify",
-        .brief = "prove baked files",
-        .summary = "prove that baked files are what their manifest says",
-        .arguments = {{.name = "path",
-                       .help = "the output folder of a bake, or its manifest.json"}},
-        .options = {{.name = "json", .help = "the report as JSON"}},
-        .examples = {{"skybake verify out", "every failure of hash, metadata, values and probes"},
-                     {"skybake verify out --json", "the same for a program"}},
-        .exit_codes = {ExitCode::differs, ExitCode::io},
-        .run = run};
+    return {.name = "verify",
+            .brief = "check baked files",
+            .summary = "check baked files against their manifest",
+            .arguments = {{.name = "path",
+                           .help = "the output folder of a bake, or its manifest.json"}},
+            .examples = {{"skybake verify out",
+                          "lists every mismatch in hashes, metadata, values and probes"},
+                         {"skybake verify out --json", "tells a program"}},
+            .exit_codes = {ExitCode::differs, ExitCode::io},
+            .run = run};
 }
 
 }  // namespace skybake::cli

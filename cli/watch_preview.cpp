@@ -6,6 +6,7 @@
 #include <chrono>
 #include <mutex>
 #include <optional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "cli/bake_progress.h"
 #include "cli/bake_selection.h"
 #include "cli/console.h"
+#include "cli/event_line.h"
 #include "cli/interrupt.h"
 #include "cli/preview_output.h"
 #include "cli/watched_files.h"
@@ -203,7 +205,11 @@ class Watch {
         std::vector<std::string> paths;
         exit_code_ = write_preview(page, request_, console_, paths);
         if (exit_code_ != ExitCode::done) return false;
-        if (state_.revision == 0) console_.result(paths.back() + "\n");
+        if (state_.revision == 0) {
+            console_.result(console_.display().json
+                                ? event_line({{"event", "watching"}, {"page", paths.back()}})
+                                : paths.back() + "\n");
+        }
         state_.revision = page.watch_revision;
         request_.force = true;  // from now on the files are ours
         return true;

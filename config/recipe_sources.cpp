@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 4 << 20;
 constexpr std::size_t most_files = 256;
 
 // Gives every place of a tree that was parsed without a source the place of a --set.
@@ -71,7 +70,7 @@ class Loader {
     }
 
     void load_file(const fs::path& path, const Place& asked_at) {
-        auto text = read_text_file(path, most_bytes);
+        auto text = read_text_file(path, most_recipe_bytes);
         result_.inputs.push_back(path);
         if (const auto* error = std::get_if<FileError>(&text)) {
             report_unreadable(path, *error, asked_at);
@@ -239,7 +238,7 @@ class Loader {
         if (error.too_large) {
             diagnostics_.error("E0120", asked_at,
                                fmt::format("`{}` is too large for a recipe", name),
-                               fmt::format("at most {} MiB", most_bytes >> 20));
+                               fmt::format("at most {} MiB", most_recipe_bytes >> 20));
         } else {
             diagnostics_.error("E0300", asked_at,
                                fmt::format("cannot read `{}`: {}", name, error.reason));

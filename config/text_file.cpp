@@ -14,25 +14,33 @@ struct FileCloser {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-}  // namespace
-
-std::variant<std::string, FileError> read_text_file(const std::filesystem::path& path,
-                                                    std::size_t most_bytes) {
-    // Standard streams do not say why they failed.
-    const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
-    if (!file) return system_error();
+std::variant<std::string, FileError> read_text(std::FILE* file, std::size_t most_bytes) {
     std::string text;
     constexpr std::size_t block = 65536;
     while (text.size() <= most_bytes) {
         const std::size_t before = text.size();
         text.resize(before + block);
-        const std::size_t count = std::fread(text.data() + before, 1, block, file.get());
+        const std::size_t count = std::fread(text.data() + before, 1, block, file);
         text.resize(before + count);
         if (count == 0) break;
     }
-    if (std::ferror(file.get())) return system_error();
+    if (std::ferror(file)) return system_error();
     if (text.size() > most_bytes) return FileError{true, "File too large"};
     return without_byte_order_mark(std::move(text));
+}
+
+}  // namespace
+
+std::variant<std::string, FileError> read_text_file(const std::filesystem::path& path,
+                                                    std::size_t most_bytes) {
+    // Streams of the standard library do not say why they failed.
+    const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
+    if (!file) return system_error();
+    return read_text(file.get(), most_bytes);
+}
+
+std::variant<std::string, FileError> read_standard_input(std::size_t most_bytes) {
+    return read_text(stdin, most_bytes);
 }
 
 std::string without_byte_order_mark(std::string text) {

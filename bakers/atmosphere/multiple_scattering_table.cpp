@@ -186,7 +186,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     if (outcome.value && !twilight && outcome.value->image.width >= 8 &&
         outcome.value->certificate.lookup.max > 0.1) {
         outcome.value->certificate.advice =
-            "mapping = \"twilight\" spends its texels about the terminator";
+            "mapping = \"twilight\" puts more texels near sunrise and sunset";
     }
     return outcome;
 }

@@ -73,12 +73,12 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const BakedT
                                        table.name, place, value, model.lowest, model.highest));
         }
         return failure("E0402",
-                       fmt::format("`{}`: {} of {} values are beyond what {} holds; the first, "
-                                   "{:.6g}, at {}",
+                       fmt::format("`{}`: {} of {} values are beyond what {} holds; the first is "
+                                   "{:.6g} at {}",
                                    table.name, table.range.above_range, texels.texels.size(),
                                    table.pixel_type == config::PixelType::half ? "half" : "float",
                                    value, place),
-                       "bake it as float, or as transmittance");
+                       "bake it as float, or bake transmittance");
     }
     return std::nullopt;
 }
@@ -113,10 +113,10 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         if (!search.found) {
             outcome.diagnostics.push_back(failure(
                 "E0403",
-                fmt::format("`{}`: no table holds max_error {:.3g}; {}x{} texels reach {:.3g}",
+                fmt::format("`{}`: no size meets max_error = {:.3g}; the best, {}x{}, has {:.3g}",
                             table.name, *request.max_error, search.best.size[0],
                             search.best.size[1], search.best.max_error),
-                "ask for a larger max_error, another mapping or pixel_type = \"float\""));
+                "use a larger max_error, another mapping or pixel_type = \"float\""));
             return outcome;
         }
         size = search.found->size;
@@ -131,10 +131,10 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         if (!choice.level) {
             outcome.diagnostics.push_back(
                 failure("E0404",
-                        fmt::format("`{}`: max_texel_error {:.3g} is not reached; the "
-                                    "finest quadrature leaves {:.3g}",
+                        fmt::format("`{}`: no quadrature meets max_texel_error = {:.3g}; the "
+                                    "finest has {:.3g}",
                                     table.name, *request.max_texel_error, choice.best_error),
-                        "ask for a larger max_texel_error"));
+                        "use a larger max_texel_error"));
             return outcome;
         }
         level = *choice.level;
@@ -153,7 +153,7 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
     }
     if (table.range.below_normal > 0) {
         Diagnostic warning = failure(
-            "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses digits",
+            "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
                                  table.name, table.range.below_normal, values.texels.size(),
                                  smallest_normal(table.pixel_type),
                                  table.pixel_type == config::PixelType::half ? "half" : "float"));

@@ -1,4 +1,4 @@
-// A folder of ready-made assets by key, shared by recipes, processes and machines.
+// A cache of baked assets by key, shared by recipes, processes and machines.
 //
 //   FOLDER/CACHEDIR.TAG                 so that backup programs leave it out
 //   FOLDER/assets/ab/ab12.../           one asset: its files and a manifest.json of it alone

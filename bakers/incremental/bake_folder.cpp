@@ -14,6 +14,7 @@
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/io/file_names.h"
 #include "bakers/io/folder_lock.h"
+#include "bakers/io/stopwatch.h"
 #include "bakers/io/temporary_file.h"
 #include "bakers/io/vdb_volume.h"
 #include "bakers/registry.h"
@@ -48,7 +49,8 @@ class FolderMaker {
     }
 
     Outcome<BakedFolder> make() {
-        if (!has_modules() || !make_all() || !stage_all() || !stage_manifest() || !commit()) {
+        if (!has_modules() || !make_all() || !stage_all() || !stage_manifest() || !commit() ||
+            !prune()) {
             return {{}, std::move(diagnostics_)};
         }
         return {std::move(result_), std::move(diagnostics_)};
@@ -107,7 +109,9 @@ class FolderMaker {
         options.threads = bake_.threads;
         options.certification = bake_.certification;
         options.progress = &progress;
+        const Stopwatch stopwatch;
         auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
+        const double seconds = stopwatch.seconds();
         stop(std::move(baked.diagnostics));
         if (!baked.value) return false;
         auto prepared = prepare(std::move(*baked.value), bake_.threads);
@@ -116,6 +120,7 @@ class FolderMaker {
         if (auto changed = changed_input(planned)) return stop({std::move(*changed)});
         prepared_[i] = std::move(*prepared.value);
         sign(planned.identity, entry_of(*prepared_[i]));
+        result_.assets[i].certify_s = seconds - entry_of(*prepared_[i]).timing.bake_s;
         return true;
     }
 
@@ -125,8 +130,8 @@ class FolderMaker {
         const auto now = asset_identity(*bake_.recipe, *planned.bake, bake_.certification);
         if (!now.value) return now.diagnostics.front();
         if (now.value->key == planned.identity.key) return std::nullopt;
-        return file_error("E0300", planned.bake->name,
-                          fmt::format("a map of `bake.{}` changed while it was being baked: bake "
+        return file_error("E0300", "",
+                          fmt::format("a map of `bake.{}` changed while it was being baked; bake "
                                       "again",
                                       planned.bake->name));
     }
@@ -139,7 +144,7 @@ class FolderMaker {
             if (!staged.value) return stop(std::move(staged.diagnostics));
             if (staged.value->back() == WriteResult::interrupted) return stop_for_interruption();
             result_.assets[i] = {AssetState::baked, entry_of(*prepared_[i]),
-                                 std::move(*staged.value)};
+                                 std::move(*staged.value), result_.assets[i].certify_s};
         }
         return true;
     }
@@ -155,15 +160,43 @@ class FolderMaker {
             manifest = merge_manifests(*plan_.folder.previous, std::move(manifest));
             warn_of_other_values();
         }
-        if (plan_.folder.previous) manifest.retired = retired_files(manifest);
-        result_.retired = manifest.retired;
+        manifest.retired = plan_.retired;
+        result_.retired = plan_.retired;
+        manifest_ = std::move(manifest);
         const auto progress = observer_.begin(manifest_name);
-        const std::string text = manifest_json(manifest);
+        const std::string text = manifest_json(manifest_);
         const auto staged =
             files_.stage(bake_.folder / manifest_name, std::string_view(text), progress.get());
         if (!staged.value) return stop(staged.diagnostics);
         result_.manifest = *staged.value;
         return result_.manifest != WriteResult::interrupted || stop_for_interruption();
+    }
+
+    // Once all files have their names. Until a file is gone the manifest lists it, so that a later
+    // bake knows it even if this one is killed; a file that was changed in the meantime is kept.
+    bool prune() {
+        std::vector<Diagnostic> failures;
+        for (const RetiredFile& file : plan_.pruned) {
+            if (!is_as_written(bake_.folder, file)) continue;
+            std::error_code error;
+            if (fs::remove(bake_.folder / file.path, error)) {
+                result_.pruned.push_back(file);
+                std::erase_if(result_.retired, [&file](const RetiredFile& other) {
+                    return other.path == file.path;
+                });
+            } else if (error) {
+                const std::string path = (bake_.folder / file.path).string();
+                failures.push_back(file_error(
+                    "E0301", path, fmt::format("cannot remove `{}`: {}", path, error.message())));
+            }
+        }
+        if (!result_.pruned.empty()) {
+            manifest_.retired = result_.retired;
+            auto written =
+                write_file_atomically(bake_.folder / manifest_name, manifest_json(manifest_));
+            failures.insert(failures.end(), written.diagnostics.begin(), written.diagnostics.end());
+        }
+        return failures.empty() || stop(std::move(failures));
     }
 
     // The manifest states the recipe's values as they are now; what is not baked may be of others.
@@ -181,22 +214,12 @@ class FolderMaker {
             const auto reasons = differences(*identity.value, *entry);
             if (reasons.empty()) continue;
             Diagnostic warning =
-                file_error("W0303", section.name,
-                           fmt::format("`bake.{}` stays as it was baked before: {}", section.name,
-                                       fmt::join(reasons, "; ")));
+                file_error("W0303", "",
+                           fmt::format("`bake.{}` was kept, although it is out of date: {}",
+                                       section.name, fmt::join(reasons, "; ")));
             warning.severity = config::Severity::warning;
             diagnostics_.push_back(std::move(warning));
         }
-    }
-
-    // What is still there of earlier recipes.
-    std::vector<RetiredFile> retired_files(const Manifest& manifest) const {
-        auto files = files_no_longer_made(*plan_.folder.previous, manifest);
-        std::erase_if(files, [this](const RetiredFile& file) {
-            std::error_code error;
-            return !fs::exists(fs::symlink_status(bake_.folder / file.path, error));
-        });
-        return files;
     }
 
     bool commit() {
@@ -218,6 +241,7 @@ class FolderMaker {
     const FolderPlan& plan_;
     BakeObserver& observer_;
     BakedFolder result_;
+    Manifest manifest_;
     AtomicFiles files_;
     std::vector<std::optional<PreparedAsset>> prepared_;  // none: up to date, or copied
     std::vector<Diagnostic> diagnostics_;

@@ -40,18 +40,23 @@ struct FinishedAsset {
     AssetState state = AssetState::baked;
     ManifestAsset entry;
     std::vector<WriteResult> files;  // in the order of entry.files
+    // Wall time that choosing a size, certifying and probing took besides entry.timing.bake_s; 0
+    // where this run has not baked the asset.
+    double certify_s = 0;
 };
 
 struct BakedFolder {
     std::vector<FinishedAsset> assets;  // in the order of FolderBake::bakes
     WriteResult manifest = WriteResult::unchanged;
-    std::vector<RetiredFile> retired;  // still there, of earlier recipes
+    std::vector<RetiredFile> retired;  // of earlier recipes, and kept
+    std::vector<RetiredFile> pruned;   // of earlier recipes, and removed
 };
 
 // Diagnostics of plan_folder, of bakers (E0401 to E0405) and of writing (E0301), after which the
 // folder is as it was, but where a rename failed: then files that have their names keep them.
-// W0303: an entry that a bake of a part leaves is of other values. Warnings may accompany a value.
-// No value and no errors after an interruption.
+// E0301: a file could not be removed, all others are as they should be. W0303: an entry that a bake
+// of a part leaves is of other values. Warnings may accompany a value. No value and no errors after
+// an interruption.
 config::Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
 
 }  // namespace skybake

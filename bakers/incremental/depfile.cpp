@@ -1,7 +1,10 @@
 #include "bakers/incremental/depfile.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
+
+#include "bakers/io/load_module.h"
 
 namespace skybake {
 namespace {
@@ -25,12 +28,9 @@ std::string escaped(const fs::path& path) {
     return text;
 }
 
-// Without it where the system does not tell.
 std::vector<fs::path> with_program(std::span<const fs::path> inputs) {
     std::vector<fs::path> all(inputs.begin(), inputs.end());
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error) all.push_back(program);
+    for (fs::path& file : program_files()) all.push_back(std::move(file));
     return all;
 }
 

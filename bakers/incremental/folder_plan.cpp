@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "bakers/io/byte_size_text.h"
 #include "bakers/io/file_input.h"
 #include "bakers/io/file_names.h"
 #include "bakers/registry.h"
@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 using config::Bake;
 using config::Diagnostic;
 using config::Outcome;
+
+constexpr double bytes_per_mib = 1024.0 * 1024.0;
 
 std::vector<std::string> output_files(const FolderBake& bake) {
     std::vector<std::string> names;
@@ -73,19 +75,62 @@ const PlannedAsset* largest_asset(const FolderPlan& plan) {
     return largest;
 }
 
+// The manifest's list of files as this bake will leave it. What a bake of a part does not name
+// stays.
+Manifest files_after(const FolderBake& bake, const Manifest& previous) {
+    Manifest manifest;
+    for (const Bake& section : bake.bakes) {
+        ManifestAsset& asset = manifest.assets.emplace_back();
+        asset.name = section.name;
+        for (std::string& name : file_names(section)) {
+            asset.files.emplace_back().path = std::move(name);
+        }
+    }
+    const bool partial = bake.bakes.size() < bake.recipe->parameters.bakes.size();
+    return partial ? merge_manifests(previous, std::move(manifest)) : manifest;
+}
+
+std::vector<RetiredFile> retired_files(const FolderBake& bake, const Manifest& previous) {
+    auto files = files_no_longer_made(previous, files_after(bake, previous));
+    std::erase_if(files, [&bake](const RetiredFile& file) {
+        std::error_code error;
+        return !fs::exists(fs::symlink_status(bake.folder / file.path, error));
+    });
+    return files;
+}
+
+void plan_retired(const FolderBake& bake, FolderPlan& plan) {
+    if (!plan.folder.previous) return;
+    plan.retired = retired_files(bake, *plan.folder.previous);
+    if (!bake.prune) return;
+    for (const RetiredFile& file : plan.retired) {
+        if (is_as_written(bake.folder, file)) plan.pruned.push_back(file);
+    }
+}
+
 std::vector<Diagnostic> memory_excess(const FolderPlan& plan, std::optional<double> limit_mib) {
     if (!limit_mib || plan.memory_mib() <= *limit_mib) return {};
     Diagnostic diagnostic;
     diagnostic.code = "E0002";
     diagnostic.message = fmt::format(
-        "baking may take {:.0f} MiB of memory, most of it for `bake.{}`, and {:.4g} MiB are "
-        "allowed",
-        std::ceil(plan.memory_mib()), largest_asset(plan)->bake->name, *limit_mib);
-    diagnostic.label = "--max-memory allows more, --only bakes fewer assets at once";
+        "baking may need {} of memory, most of it for `bake.{}`; --max-memory allows {}",
+        byte_size_text(plan.memory_mib() * bytes_per_mib), largest_asset(plan)->bake->name,
+        byte_size_text(*limit_mib * bytes_per_mib));
+    diagnostic.label = "raise --max-memory, or bake fewer assets at once with --only";
     return {std::move(diagnostic)};
 }
 
 }  // namespace
+
+bool is_as_written(const fs::path& folder, const RetiredFile& file) {
+    const fs::path path = file.path;
+    std::error_code error;
+    const bool plain = !path.has_parent_path() && path != manifest_name &&
+                       fs::is_regular_file(fs::symlink_status(folder / path, error));
+    if (!plain) return false;
+    const auto print = fingerprint(folder / path);
+    return print.value && print.value->xxh3 == file.xxh3;
+}
 
 std::size_t FolderPlan::stale_count() const {
     return static_cast<std::size_t>(std::count_if(
@@ -121,6 +166,7 @@ Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
         compare_with_folder(plan.folder, planned);
         plan.assets.push_back(std::move(planned));
     }
+    plan_retired(bake, plan);
     if (plan.stale_count() > 0) {
         auto writable = inspect_output_folder(bake.folder, {}, true);
         if (!writable.value) return {{}, std::move(writable.diagnostics)};

@@ -24,7 +24,8 @@ struct FolderBake {
     int threads = 0;  // 0: as many as the machine has
     Certification certification = Certification::quick;
     bool force = false;                           // overwrite files that skybake did not write
-    std::optional<double> memory_limit_mib = {};  // refuse before work what may need more
+    bool prune = false;                           // remove what the recipe no longer asks for
+    std::optional<double> memory_limit_mib = {};  // stop before starting if more may be needed
     std::vector<AssetSource*> sources = {};       // asked in this order, each offered what is new
 };
 
@@ -41,11 +42,17 @@ struct PlannedAsset {
 struct FolderPlan {
     OutputFolder folder;
     std::vector<PlannedAsset> assets;  // in the order of FolderBake::bakes
+    std::vector<RetiredFile> retired;  // of earlier recipes, and still there
+    std::vector<RetiredFile> pruned;   // those of them that FolderBake::prune removes
 
     std::size_t stale_count() const;
     // The most memory that making what is stale may need at once: rough, as all estimates.
     double memory_mib() const;
 };
+
+// Whether a retired file is the one that skybake wrote: a plain file of the folder with the bytes
+// that its manifest says. Only such a file is pruned.
+bool is_as_written(const std::filesystem::path& folder, const RetiredFile& file);
 
 // Looks, and changes nothing. Files of the manifest are up to date if they hold the bytes that it
 // says, whatever their time stamps. E0002: more than memory_limit_mib; E0300 for inputs; E0302,

@@ -6,7 +6,7 @@ namespace skybake {
 namespace {
 
 LoadedImageCodec load() {
-    const ModuleSymbol symbol = load_module("skybake_images", image_codec_symbol);
+    const ModuleSymbol symbol = load_module(image_module_name, image_codec_symbol);
     if (symbol.address == nullptr) return {nullptr, symbol.reason};
     return {reinterpret_cast<ImageCodecFunction>(symbol.address)(), ""};
 }

@@ -26,10 +26,23 @@ fs::path find_module(const std::string& file_name) {
     return {};
 }
 
+std::string file_name_of(const std::string& module) { return module + ".so"; }
+
 }  // namespace
 
+std::vector<fs::path> program_files() {
+    std::error_code error;
+    std::vector<fs::path> files = {fs::read_symlink("/proc/self/exe", error)};
+    if (error) return {};
+    for (const char* module : {vdb_module_name, image_module_name}) {
+        const fs::path path = find_module(file_name_of(module));
+        if (!path.empty()) files.push_back(path);
+    }
+    return files;
+}
+
 ModuleSymbol load_module(const std::string& module, const char* symbol) {
-    const std::string file_name = module + ".so";
+    const std::string file_name = file_name_of(module);
     const fs::path path = find_module(file_name);
     if (path.empty()) {
         return {nullptr, fmt::format("the module `{}` is not in `{}` beside the program", file_name,

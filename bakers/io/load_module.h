@@ -1,9 +1,15 @@
 // Loads parts of the program that would cost too much at every start if they were linked to it.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace skybake {
+
+// OpenVDB, and the libraries that read maps.
+inline constexpr const char* vdb_module_name = "skybake_vdb";
+inline constexpr const char* image_module_name = "skybake_images";
 
 // What a module exports, or null with the reason.
 struct ModuleSymbol {
@@ -11,9 +17,13 @@ struct ModuleSymbol {
     std::string reason;
 };
 
-// Loads `module` ("skybake_vdb"), which stays, and finds what it exports as `symbol`. Modules are
-// looked for in lib/skybake of the folders above the program, which is where installed trees and
-// builds have them.
+// Loads `module`, one of the names above, which stays, and finds what it exports as `symbol`.
+// Modules are looked for in lib/skybake of the folders above the program, which is where installed
+// trees and builds have them.
 ModuleSymbol load_module(const std::string& module, const char* symbol);
+
+// The files of the program's code: the program and the modules that lie beside it. Empty where the
+// system does not tell where the program is.
+std::vector<std::filesystem::path> program_files();
 
 }  // namespace skybake

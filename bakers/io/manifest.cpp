@@ -1,8 +1,11 @@
 #include "bakers/io/manifest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 
+#include "bakers/io/file_diagnostic.h"
 #include "bakers/io/read_file.h"
 #include "bakers/io/release.h"
 
@@ -20,9 +23,23 @@ namespace {
 
 constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;
 
+// A folder without a manifest; none where the manifest is there, or the folder is not.
+std::optional<config::Diagnostic> holds_no_bake(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    std::error_code error;
+    const bool looks_like_none = file.filename() == manifest_name &&
+                                 std::filesystem::is_directory(folder, error) &&
+                                 !std::filesystem::exists(symlink_status(file, error));
+    if (!looks_like_none) return std::nullopt;
+    return file_error(
+        "E0300", folder.string(),
+        fmt::format("`{}` holds no bake: it has no {}", folder.string(), manifest_name));
+}
+
 }  // namespace
 
 config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) {
+    if (auto diagnostic = holds_no_bake(file)) return {{}, {std::move(*diagnostic)}};
     config::Outcome<std::string> text = read_file(file, largest_manifest);
     if (!text.value) return {{}, std::move(text.diagnostics)};
     return parse_manifest(*text.value, file.string());

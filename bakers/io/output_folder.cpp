@@ -59,9 +59,9 @@ void take_previous(std::optional<Manifest> manifest, OutputFolder& folder) {
 }
 
 config::Diagnostic foreign(const fs::path& file, const std::string& why) {
-    config::Diagnostic diagnostic =
-        file_error("E0303", file.string(), fmt::format("`{}` is there and {}", file.string(), why));
-    diagnostic.label = "--force overwrites it, -o chooses another folder";
+    config::Diagnostic diagnostic = file_error(
+        "E0303", file.string(), fmt::format("`{}` already exists and {}", file.string(), why));
+    diagnostic.label = "overwrite it with --force, or choose another folder with -o";
     return diagnostic;
 }
 
@@ -74,7 +74,7 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
 
     OutputFolder result{folder, std::nullopt, {}};
     std::error_code error;
-    std::string manifest_fault = "is not a manifest of skybake's";
+    std::string manifest_fault = "is no manifest of skybake";
     const bool has_manifest = fs::exists(fs::symlink_status(folder / manifest_name, error));
     if (has_manifest) {
         config::Outcome<Manifest> manifest = read_manifest(folder);
@@ -88,8 +88,8 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
         const fs::path path = folder / file;
         if (!fs::exists(fs::symlink_status(path, error))) continue;
         if (result.previous && claims(*result.previous, file)) continue;
-        diagnostics.push_back(foreign(
-            path, file == manifest_name ? manifest_fault : "no manifest of skybake's claims it"));
+        diagnostics.push_back(
+            foreign(path, file == manifest_name ? manifest_fault : "was not written by skybake"));
     }
     if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
     return {std::move(result), {}};

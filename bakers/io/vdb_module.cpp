@@ -6,7 +6,7 @@ namespace skybake {
 namespace {
 
 LoadedVdbCodec load() {
-    const ModuleSymbol symbol = load_module("skybake_vdb", vdb_codec_symbol);
+    const ModuleSymbol symbol = load_module(vdb_module_name, vdb_codec_symbol);
     if (symbol.address == nullptr) return {nullptr, symbol.reason};
     return {reinterpret_cast<VdbCodecFunction>(symbol.address)(), ""};
 }

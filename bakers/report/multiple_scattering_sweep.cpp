@@ -152,7 +152,8 @@ Sweep multiple_scattering_sweep(const Medium& medium, const MultipleScatteringBa
                                 int threads) {
     Sweep sweep;
     sweep.timing =
-        "processor time of the texels, one thread; tables of sunlight are ready made for all";
+        "processor time of the texels, one thread; all share tables of sunlight that were made "
+        "before";
     // As of --certify=quick, or the first rows of --certify=full.
     sweep.texels = quick ? PointCounts{8, 8} : PointCounts{64, 16};
     sweep.lookups = sweep.texels;

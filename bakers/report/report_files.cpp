@@ -63,8 +63,8 @@ std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
         if (!fs::is_regular_file(path, error) || is_report_text(name, beginning_of(path))) continue;
         config::Diagnostic diagnostic = file_error(
             "E0303", path.string(),
-            fmt::format("`{}` is there and is not a report of skybake's", path.string()));
-        diagnostic.label = "--force overwrites it, -o chooses another folder";
+            fmt::format("`{}` already exists and is no report of skybake", path.string()));
+        diagnostic.label = "overwrite it with --force, or choose another folder with -o";
         diagnostics.push_back(std::move(diagnostic));
     }
     return diagnostics;

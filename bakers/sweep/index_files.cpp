@@ -248,8 +248,8 @@ std::vector<Diagnostic> inspect_index(const fs::path& folder, bool force) {
         if (!fs::exists(fs::symlink_status(file, error))) continue;
         Diagnostic diagnostic = file_error(
             "E0303", file.string(),
-            fmt::format("`{}` is there and no sweep.json of skybake's claims it", file.string()));
-        diagnostic.label = "--force overwrites it, -o chooses another folder";
+            fmt::format("`{}` already exists and was not written by skybake", file.string()));
+        diagnostic.label = "overwrite it with --force, or choose another folder with -o";
         diagnostics.push_back(std::move(diagnostic));
     }
     return diagnostics;

@@ -54,7 +54,7 @@ void take_plan(const FolderPlan& plan, const config::Recipe& recipe, PlannedVari
 config::Diagnostic nothing_to_bake() {
     return {config::Severity::error,
             "E0124",
-            "the variant asks for nothing: it has no [bake.*]",
+            "the variant bakes nothing: it has no [bake.*]",
             {},
             "add [bake.transmittance]"};
 }

@@ -26,7 +26,7 @@ struct SweepJob {
     Certification certification = Certification::quick;
     bool force = false;                           // overwrite files that skybake did not write
     std::optional<double> memory_limit_mib = {};  // of all variants that are made at once
-    std::filesystem::path cache = {};             // a folder of ready-made assets; empty: none
+    std::filesystem::path cache = {};             // an asset cache; empty: none
 };
 
 // An asset that is to be made.

@@ -12,8 +12,8 @@ file(STRINGS ${FILES} made ENCODING UTF-8)
 foreach(output IN LISTS OUTPUTS)
     if(NOT output IN_LIST made)
         list(JOIN made "\n  " paths)
-        message(FATAL_ERROR "${WHO}: OUTPUTS names a file that the recipe does not make:\n"
-            "  ${output}\nIt makes:\n  ${paths}")
+        message(FATAL_ERROR "${WHO}: OUTPUTS names a file that the recipe does not bake:\n"
+            "  ${output}\nIt bakes:\n  ${paths}")
     endif()
 endforeach()
 

@@ -68,7 +68,7 @@ TEST_F(Bake, ACacheServesOtherFolders) {
     EXPECT_EQ(bake({"--cache-dir", cache}).code, 0);
     const std::string other = (folder_ / "other").string();
     const Result copied = run_program({"bake", recipe_, "-o", other, "--cache-dir", cache});
-    EXPECT_TRUE(contains(copied.error, "2 assets (2 ready-made)")) << copied.error;
+    EXPECT_TRUE(contains(copied.error, "2 assets (2 from the cache)")) << copied.error;
     EXPECT_EQ(read_bytes(other + "/transmittance.exr"), read_bytes(out_ + "/transmittance.exr"));
     const Result stats = run_program({"cache", "stats", "--cache-dir", cache, "--json"});
     EXPECT_TRUE(contains(stats.out, "\"assets\": 2")) << stats.out;
@@ -84,6 +84,7 @@ TEST_F(Bake, RefusesBeforeWorkWhatNeedsTooMuchMemory) {
     const Result result = bake({"--max-memory", "4KiB"});
     EXPECT_EQ(result.code, 2);
     EXPECT_TRUE(contains(result.error, "error[E0002]")) << result.error;
+    EXPECT_TRUE(contains(result.error, "--max-memory allows 4 KiB")) << result.error;
     EXPECT_FALSE(fs::exists(out_));
     EXPECT_EQ(bake({"--max-memory", "many"}).code, 2);
     EXPECT_EQ(bake({"--max-memory", "4GiB"}).code, 0);
@@ -105,6 +106,7 @@ TEST_F(Bake, PrintsPathsOnStdoutAndTheTableOnStderr) {
     EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_EQ(result.out, out_ + "/transmittance.exr\n" + out_ + "/multiple_scattering.exr\n" +
                               out_ + "/manifest.json\n");
+    EXPECT_TRUE(contains(result.error, "  bake  certify  ")) << result.error;
     EXPECT_TRUE(contains(result.error, "lookup error max / rms"));
     EXPECT_EQ(files(), all_);
     EXPECT_EQ(bake({"-q"}).error, "");
@@ -137,6 +139,57 @@ TEST_F(Bake, DryRunMakesNothing) {
     EXPECT_FALSE(fs::exists(out_));
 }
 
+TEST_F(Bake, PrunesWhatLeftTheRecipe) {
+    ASSERT_EQ(bake().code, 0);
+    write_bytes(out_ + "/mine.exr", "mine");
+    const std::string one = "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n";
+    write(one);
+    const Result kept = bake();
+    EXPECT_TRUE(contains(kept.error, "multiple_scattering.exr is no longer in the recipe; kept"))
+        << kept.error;
+    const Result plan = bake({"--prune", "--dry-run"});
+    EXPECT_EQ(plan.code, 0);
+    EXPECT_TRUE(contains(plan.out,
+                         "multiple_scattering.exr is no longer in the recipe and would "
+                         "be removed"))
+        << plan.out;
+    EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", "mine.exr",
+                                                 "multiple_scattering.exr", "transmittance.exr"}));
+    const Result pruned = bake({"--prune"});
+    EXPECT_EQ(pruned.code, 0) << pruned.error;
+    EXPECT_TRUE(contains(pruned.error, "no longer in the recipe; removed")) << pruned.error;
+    const std::vector<std::string> left = {"manifest.json", "mine.exr", "transmittance.exr"};
+    EXPECT_EQ(files(), left);
+    EXPECT_FALSE(contains(read_bytes(out_ + "/manifest.json"), "multiple_scattering.exr"));
+    EXPECT_FALSE(contains(bake({"--prune"}).error, "no longer in the recipe"));
+    EXPECT_EQ(files(), left);
+}
+
+TEST_F(Bake, RefusesTheFolderOfASweep) {
+    const std::string sweep = (folder_ / "sweep").string();
+    ASSERT_EQ(run_program({"sweep", recipe_, "--vary", "atmosphere.ground_albedo=0,1", "--certify",
+                           "off", "-o", sweep})
+                  .code,
+              0);
+    const Result result = run_program({"bake", recipe_, "-o", sweep});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "holds a sweep")) << result.error;
+    EXPECT_FALSE(fs::exists(sweep + "/manifest.json"));
+    EXPECT_EQ(run_program({"bake", recipe_, "-o", sweep, "--dry-run"}).code, 3);
+    EXPECT_EQ(run_program({"bake", recipe_, "-o", sweep, "--force"}).code, 0);
+}
+
+TEST_F(Bake, AFailureIsAnEvent) {
+    write("preset = \"earth\"\n[bake.transmittance]\nsise = [32, 8]\n");
+    const Result result = bake({"--json"});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(count_lines(result.out), 1);
+    EXPECT_TRUE(result.out.starts_with(
+        "{\"event\":\"failed\",\"command\":\"bake\",\"exit_code\":2,\"diagnostics\":[{"))
+        << result.out;
+    EXPECT_TRUE(contains(result.out, "\"code\":\"E0102\"")) << result.out;
+}
+
 TEST_F(Bake, JsonIsOneEventALine) {
     const Result result = bake({"--json"});
     EXPECT_EQ(result.code, 0);
@@ -164,7 +217,8 @@ TEST_F(Bake, OneFailureWritesNothing) {
     const Result result = bake();
     EXPECT_EQ(result.code, 4);
     EXPECT_TRUE(contains(result.error, "E0403"));
-    EXPECT_TRUE(contains(result.error, "2048x2048 texels reach"));
+    EXPECT_TRUE(contains(result.error, "no size meets max_error = 2e-07; the best, 2048x2048"))
+        << result.error;
     EXPECT_EQ(files(), std::vector<std::string>{});
 }
 

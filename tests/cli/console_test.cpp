@@ -97,12 +97,47 @@ TEST(Console, DiagnosticsMayBeTheResult) {
 }
 
 TEST(Console, ColourDependsOnWishTerminalAndEnvironment) {
-    EXPECT_TRUE(wants_color("always", false, "1"));
-    EXPECT_FALSE(wants_color("never", true, nullptr));
-    EXPECT_TRUE(wants_color("auto", true, nullptr));
-    EXPECT_TRUE(wants_color("auto", true, ""));
-    EXPECT_FALSE(wants_color("auto", true, "1"));
-    EXPECT_FALSE(wants_color("auto", false, nullptr));
+    EXPECT_TRUE(wants_color("always", false, {.no_color = "1"}));
+    EXPECT_FALSE(wants_color("never", true, {}));
+    EXPECT_FALSE(wants_color("never", true, {.clicolor_force = "1", .force_color = "1"}));
+    EXPECT_TRUE(wants_color("auto", true, {}));
+    EXPECT_TRUE(wants_color("auto", true, {.no_color = ""}));
+    EXPECT_FALSE(wants_color("auto", true, {.no_color = "1"}));
+    EXPECT_FALSE(wants_color("auto", false, {}));
+    EXPECT_TRUE(wants_color("auto", false, {.clicolor_force = "1"}));
+    EXPECT_TRUE(wants_color("auto", false, {.force_color = "3"}));
+    for (const char* nothing : {"", "0"}) {
+        EXPECT_FALSE(wants_color("auto", false, {.clicolor_force = nothing}));
+        EXPECT_FALSE(wants_color("auto", false, {.force_color = nothing}));
+    }
+    EXPECT_FALSE(wants_color("auto", false, {.no_color = "1", .force_color = "1"}));
+}
+
+TEST(Console, AFailureIsAnEvent) {
+    Capture capture;
+    Console console = capture.console({.json = true, .command = "bake"});
+    console.report(one("W0201"));
+    console.report(one("E0301"));
+    EXPECT_EQ(capture.out, "");
+    EXPECT_EQ(console.finish(ExitCode::io), ExitCode::io);
+    const auto event = nlohmann::json::parse(capture.out);
+    EXPECT_EQ(event["event"], "failed");
+    EXPECT_EQ(event["command"], "bake");
+    EXPECT_EQ(event["exit_code"], 3);
+    ASSERT_EQ(event["diagnostics"].size(), 2u);
+    EXPECT_EQ(event["diagnostics"][1]["code"], "E0301");
+    EXPECT_NE(capture.error, "");  // people read it, too
+}
+
+TEST(Console, WhatDiffersHasNotFailed) {
+    for (const ExitCode code : {ExitCode::done, ExitCode::differs}) {
+        Capture capture;
+        EXPECT_EQ(capture.console({.json = true}).finish(code), code);
+        EXPECT_EQ(capture.out, "");
+    }
+    Capture capture;
+    capture.console({.json = false}).finish(ExitCode::usage);
+    EXPECT_EQ(capture.out, "");
 }
 
 }  // namespace

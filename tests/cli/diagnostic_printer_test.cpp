@@ -141,6 +141,26 @@ TEST(DiagnosticPrinter, JsonIsOneObjectALine) {
     EXPECT_EQ(first["column"], 1);
     EXPECT_EQ(first["length"], 12);
     EXPECT_EQ(first["label"], "did you mean `scale_height`?");
+    const auto setting = nlohmann::json::parse(text.substr(text.rfind("{\"severity")));
+    EXPECT_EQ(setting["source"], "--set `clouds.cumulus.base_altitude=40deg`");
+    for (const char* key : {"file", "line", "column", "length"}) {
+        EXPECT_FALSE(setting.contains(key)) << setting;
+    }
+}
+
+// An editor cannot open an option, a preset or standard input; of the last it knows the lines.
+TEST(DiagnosticPrinter, OnlyFilesAreFiles) {
+    for (const char* source : {"--set `a=1`", "--vary `a=1,2`", "preset earth", "<stdin>"}) {
+        const Diagnostic diagnostic{Severity::error, "E0101", "m", {source, 3, 1, 2, "ab"}, "x"};
+        const auto json =
+            nlohmann::json::parse(print_diagnostics({&diagnostic, 1}, DiagnosticFormat::json));
+        EXPECT_FALSE(json.contains("file")) << source;
+        EXPECT_EQ(json["source"], source);
+        EXPECT_EQ(json.contains("line"), std::string(source) == "<stdin>") << source;
+        const std::string github = print_diagnostics({&diagnostic, 1}, DiagnosticFormat::github);
+        EXPECT_TRUE(github.starts_with("::error title=E0101::m (")) << github;
+        EXPECT_TRUE(contains(github, source)) << github;
+    }
 }
 
 TEST(DiagnosticPrinter, GitHubEscapesWhatEndsAProperty) {

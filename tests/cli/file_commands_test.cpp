@@ -56,7 +56,20 @@ TEST(InfoCommand, ShowsAFolder) {
     EXPECT_TRUE(contains(result.out, "second.exr"));
     EXPECT_EQ(run_words({"info", (folder / "manifest.json").string()}).out, result.out);
     const Result machine = run_words({"info", folder.path().string(), "--json"});
-    EXPECT_EQ(json::parse(machine.out)["assets"].size(), 2u);
+    EXPECT_EQ(json::parse(machine.out)["manifest"]["assets"].size(), 2u);
+    EXPECT_TRUE(json::parse(machine.out)["missing"].empty());
+}
+
+TEST(InfoCommand, TellsWhatIsMissing) {
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance", "second"});
+    EXPECT_FALSE(contains(run_words({"info", folder.path().string()}).out, "missing"));
+    std::filesystem::remove(folder / "second.exr");
+    const Result result = run_words({"info", folder.path().string()});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(contains(result.out, " missing ")) << result.out;
+    const json event = json::parse(run_words({"info", folder.path().string(), "--json"}).out);
+    EXPECT_EQ(event["missing"], json::parse(R"(["second.exr"])"));
 }
 
 TEST(InfoCommand, SaysWhatItCannotRead) {
@@ -189,7 +202,19 @@ TEST(VerifyCommand, NeedsAManifest) {
     const Result result = run_words({"verify", folder.path().string()});
     EXPECT_EQ(result.code, 3);
     EXPECT_TRUE(contains(result.error, "error[E0300]")) << result.error;
+    EXPECT_TRUE(contains(result.error, "holds no bake: it has no manifest.json")) << result.error;
     EXPECT_TRUE(result.out.empty());
+    EXPECT_TRUE(contains(run_words({"info", folder.path().string()}).error, "holds no bake"));
+    EXPECT_FALSE(contains(run_words({"verify", (folder / "absent").string()}).error, "no bake"));
+}
+
+TEST(VerifyCommand, TakesTheFolderOfAFile) {
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance"});
+    const Result result = run_words({"verify", (folder / "transmittance.exr").string()});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.error, "skybake verify " + folder.path().string() + "\n"))
+        << result.error;
 }
 
 }  // namespace

@@ -42,6 +42,18 @@ TEST(Help, GlobalHelpNamesEveryCommand) {
     EXPECT_EQ(run_words({"-h"}).out, result.out);
 }
 
+TEST(Help, IsACommandToo) {
+    EXPECT_EQ(run_words({"help"}).out, run_words({"--help"}).out);
+    EXPECT_EQ(run_words({"help"}).code, 0);
+    for (const Command& command : commands()) {
+        const std::string name(command.name);
+        EXPECT_EQ(run_words({"help", name}).out, run_words({name, "--help"}).out) << name;
+    }
+    const testing::Result slip = run_words({"help", "baek"});
+    EXPECT_EQ(slip.code, 2);
+    EXPECT_TRUE(contains(slip.error, "did you mean `bake`?")) << slip.error;
+}
+
 TEST(Help, TheProgramAloneSaysAtMostTwelveLines) {
     const testing::Result result = run_words({});
     EXPECT_EQ(result.code, 2);

@@ -99,7 +99,8 @@ TEST(ParseArguments, SuggestsTheNearestName) {
 }
 
 TEST(ParseArguments, SaysWhatIsMissingOrTooMuch) {
-    EXPECT_EQ(complaint({"bake"}), "`skybake bake` needs <recipe>; skybake bake earth.toml");
+    EXPECT_EQ(complaint({"bake"}),
+              "`skybake bake` needs <recipe>; for example skybake bake earth.toml");
     EXPECT_EQ(complaint({"bake", "a", "b", "c"}),
               "unexpected argument `c`; `skybake bake --help` shows what it takes");
     EXPECT_EQ(complaint({"verify", "x"}),
@@ -108,6 +109,25 @@ TEST(ParseArguments, SaysWhatIsMissingOrTooMuch) {
     EXPECT_EQ(complaint({"bake", "a", "--output", "--force"}),
               "`--output` needs a value: --output FOLDER; ");
     EXPECT_EQ(complaint({"bake", "a", "--force=3"}), "`--force` takes no value; ");
+}
+
+TEST(ParseArguments, OptionsOfACommandComeAfterIt) {
+    const std::string label = "; the options of a command come after it: skybake bake ";
+    EXPECT_EQ(complaint({"-o", "out", "bake", "a"}),
+              "`-o` stands before the command" + label + "-o FOLDER");
+    EXPECT_EQ(complaint({"-oout", "bake", "a"}),
+              "`-oout` stands before the command" + label + "-o FOLDER");
+    EXPECT_EQ(complaint({"--output=out", "bake", "a"}),
+              "`--output=out` stands before the command" + label + "--output FOLDER");
+    EXPECT_EQ(complaint({"-q", "--force", "bake", "a"}),
+              "`--force` stands before the command" + label + "--force");
+    EXPECT_EQ(complaint({"--completion", "bash"}),
+              "unknown option `--completion`; `skybake --help` lists the options");
+    EXPECT_EQ(complaint({"--colour", "never", "bake", "a"}),
+              "unknown option `--colour`; did you mean `--color`?");
+    EXPECT_EQ(complaint({"-qZ", "bake", "a"}),
+              "unknown option `-qZ`; `skybake --help` lists the options");
+    EXPECT_TRUE(parse({"-qv", "--color=never", "bake", "a"}).diagnostics.empty());
 }
 
 TEST(ParseArguments, HelpNeedsNothingElse) {

@@ -78,6 +78,18 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+TEST(PreviewCommand, TellsMachinesWhereThePageIs) {
+    const Scene scene;
+    write_bytes(scene.recipe, "preset = \"earth\"\n[bake.transmittance]\nsize = [16, 8]\n");
+    const Result result = scene.preview({scene.recipe, "--only", "transmittance", "--json", "-q"});
+    ASSERT_EQ(result.code, 0) << result.error;
+    const json event = json::parse(result.out);
+    EXPECT_EQ(event["event"], "previewed");
+    EXPECT_EQ(event["page"], scene.out + "/index.html");
+    ASSERT_FALSE(event["pictures"].empty());
+    for (const std::string path : event["pictures"]) EXPECT_TRUE(fs::exists(path)) << path;
+}
+
 TEST(PreviewCommand, PrintsThePathsItWroteAndNothingElse) {
     const Scene scene;
     const Result result = scene.preview({scene.recipe});

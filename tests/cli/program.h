@@ -36,7 +36,7 @@ inline Result run_words(const std::vector<std::string>& words) {
                     },
                     false};
     };
-    result.code = static_cast<int>(run(words, into(result.out), into(result.error), nullptr));
+    result.code = static_cast<int>(run(words, into(result.out), into(result.error)));
     return result;
 }
 

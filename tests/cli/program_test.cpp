@@ -1,6 +1,8 @@
 // The real program as a child process: what a shell sees.
 #include <chrono>
+#include <nlohmann/json.hpp>
 
+#include "cli/commands.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli {
@@ -26,6 +28,7 @@ TEST(Program, HelpAndVersionGoToStdout) {
     const Result version = run_program({"--version"});
     EXPECT_EQ(version.code, 0);
     EXPECT_EQ(version.out, std::string("skybake ") + SKYBAKE_VERSION + "\n");
+    EXPECT_EQ(run_program({"-V"}).out, version.out);
 }
 
 TEST(Program, SuggestsAndDumpsNothingElse) {
@@ -65,6 +68,47 @@ TEST(Program, AClosedStderrIsNone) {
     const auto closed = [] { ::close(STDERR_FILENO); };
     EXPECT_EQ(run_program({"--help"}, closed).code, 0);
     EXPECT_EQ(run_program({"bakee"}, closed).code, 2);
+}
+
+TEST(Program, HonoursTheColoursOfTheEnvironment) {
+    const auto colours = [](const char* name, const char* value) {
+        const Result result = run_program({"bakee"}, [&] {
+            for (const char* other : {"NO_COLOR", "CLICOLOR_FORCE", "FORCE_COLOR"}) {
+                ::unsetenv(other);
+            }
+            ::setenv(name, value, 1);
+        });
+        return contains(result.error, "\x1b[");
+    };
+    EXPECT_TRUE(colours("CLICOLOR_FORCE", "1"));
+    EXPECT_TRUE(colours("FORCE_COLOR", "1"));
+    EXPECT_FALSE(colours("FORCE_COLOR", "0"));
+    EXPECT_FALSE(colours("NO_COLOR", "1"));
+}
+
+// Whatever is wrong, a program that asked for JSON gets a line of it.
+TEST(Program, EveryFailureIsAnEvent) {
+    const auto event_of = [](const std::vector<std::string>& words) {
+        const Result result = testing::run_words(words);
+        EXPECT_GE(result.code, 2);
+        const std::size_t last = result.out.rfind("{\"event\"");
+        const auto event = nlohmann::json::parse(
+            result.out.substr(last == std::string::npos ? 0 : last), nullptr, false);
+        EXPECT_EQ(event.value("event", ""), "failed") << words[0] << ": " << result.out;
+        EXPECT_EQ(event.value("exit_code", 0), result.code) << words[0];
+        EXPECT_FALSE(event["diagnostics"].empty()) << words[0];
+        return event;
+    };
+    EXPECT_EQ(event_of({"bakee", "--json"})["command"], "");
+    EXPECT_EQ(event_of({"--json"})["command"], "");
+    EXPECT_EQ(event_of({"--json", "-o", "x", "bake"})["command"], "");
+    for (const Command& command : commands()) {
+        const std::string name(command.name);
+        EXPECT_EQ(event_of({name, "--no-such-option", "--json"})["command"], name);
+        // An argument too many, a file that is not there, or a name that means nothing.
+        EXPECT_EQ(event_of({name, "/absent/a", "/absent/b", "/absent/c", "--json"})["command"],
+                  name);
+    }
 }
 
 TEST(Program, VerifiesAFolder) {

@@ -82,7 +82,8 @@ TEST(InitCommand, ListsThePresetsOfEachKind) {
     const std::size_t titles = config::presets().size() + config::noise_presets().size() +
                                config::layer_presets().size() + config::cloud_presets().size() +
                                config::particle_presets().size();
-    EXPECT_EQ(count_lines(result.out), static_cast<long>(titles + 9));
+    // A heading for each kind, a blank line after each, and how to use them.
+    EXPECT_EQ(count_lines(result.out), static_cast<long>(titles + 11));
 }
 
 TEST(InitCommand, WritesARecipeOfANoise) {
@@ -117,10 +118,15 @@ TEST(InitCommand, WritesARecipeOfACloud) {
         EXPECT_EQ(check.code, 0) << check.error;
         EXPECT_TRUE(contains(check.error, "1 cloud, 2 assets to bake")) << check.error;
     }
-    // A name that only clouds have needs no prefix; one that noises have too is theirs.
+    // A name that only clouds have needs no prefix; one that noises have too does.
     EXPECT_TRUE(
         contains(run_words({"init", "-", "--preset", "stratus"}).out, "\n[clouds.stratus]\n"));
-    EXPECT_TRUE(contains(run_words({"init", "-", "--preset", "thesis"}).out, "\n[noise.thesis]\n"));
+    const Result ambiguous = run_words({"init", "-", "--preset", "thesis"});
+    EXPECT_EQ(ambiguous.code, 2);
+    EXPECT_TRUE(contains(ambiguous.error, "ask for noise.thesis or clouds.thesis"))
+        << ambiguous.error;
+    EXPECT_TRUE(
+        contains(run_words({"init", "-", "--preset", "noise.thesis"}).out, "\n[noise.thesis]\n"));
     EXPECT_TRUE(contains(run_words({"init", "-", "--preset", "clouds.thesis"}).out,
                          "\n# [clouds.thesis.towers.2]\n"));
     EXPECT_EQ(run_words({"init", "-", "--preset", "clouds.earth"}).code, 2);
@@ -139,9 +145,36 @@ TEST(InitCommand, TakesAPresetsNameForASlip) {
     EXPECT_TRUE(contains(result.error, "skybake init mars.toml --preset mars"));
 }
 
-TEST(InitCommand, AFolderThatDoesNotExistIsNotMade) {
+TEST(InitCommand, NamesThePresetsThatAreMeant) {
+    const auto error = [](const char* name) {
+        const Result result = run_words({"init", "-", "--preset", name});
+        EXPECT_EQ(result.code, 2) << name;
+        return result.error;
+    };
+    for (const char* kind : {"clouds"}) {
+        EXPECT_TRUE(contains(error(kind), "clouds: cumulus_congestus, cumulus_humilis")) << kind;
+    }
+    EXPECT_TRUE(contains(error("noises"), "noises: nubis_detail, ")) << error("noises");
+    const std::string piece = error("cumulus");
+    EXPECT_TRUE(contains(piece, "did you mean clouds.cumulus_congestus or clouds.cumulus_humilis"))
+        << piece;
+    EXPECT_TRUE(contains(error("qwertz"), "skybake init --list")) << error("qwertz");
+}
+
+TEST(InitCommand, SaysWhichPresetItTook) {
     const TemporaryFolder folder;
-    EXPECT_EQ(run_words({"init", (folder / "none" / "x.toml").string()}).code, 3);
+    const Result result = run_words({"init", (folder / "a.toml").string(), "--preset", "fog"});
+    EXPECT_EQ(result.code, 0) << result.error;
+    EXPECT_TRUE(contains(result.error, "particles.fog")) << result.error;
+}
+
+TEST(InitCommand, MakesTheFolderOfItsFile) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "none" / "below" / "x.toml").string();
+    EXPECT_EQ(run_words({"init", file}).code, 0);
+    EXPECT_EQ(run_words({"check", file}).code, 0);
+    write_bytes(folder / "plain", "a file");
+    EXPECT_EQ(run_words({"init", (folder / "plain" / "x.toml").string()}).code, 3);
 }
 
 // --- check --------------------------------------------------------------------------------------
@@ -175,6 +208,47 @@ TEST(CheckCommand, MachineFormatsAreResults) {
     EXPECT_EQ(result.code, 2);
     EXPECT_TRUE(contains(result.out, "E0102"));
     EXPECT_EQ(result.error, "");
+}
+
+TEST(CheckCommand, APresetIsNoFile) {
+    for (const char* command : {"check", "show", "bake", "sweep", "report", "preview"}) {
+        const Result result = run_words({command, "earth"});
+        EXPECT_EQ(result.code, 3) << command;
+        EXPECT_TRUE(contains(result.error, "`earth` is a preset and not a file")) << result.error;
+        EXPECT_TRUE(contains(result.error, "skybake init earth.toml --preset earth"))
+            << result.error;
+    }
+    EXPECT_TRUE(contains(run_words({"check", "thesis"}).error, "--preset noise.thesis"));
+}
+
+// The text of a pipe is checked as that of a file, and its paths are those of the current folder.
+TEST(CheckCommand, ReadsStandardInput) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "more.toml", "[atmosphere]\nground_albedo = 0.5\n");
+    const auto with_input = [&](const std::string& text, const std::vector<std::string>& words) {
+        write_bytes(folder / "input", text);
+        return run_program(words, [&] {
+            ::dup2(::open((folder / "input").c_str(), O_RDONLY), STDIN_FILENO);
+            if (::chdir(folder.path().c_str()) != 0) ::_exit(125);
+        });
+    };
+    const std::string text = "preset = \"earth\"\ninclude = [\"more.toml\"]\n";
+    const Result good = with_input(text + "[bake.transmittance]\nsize = [16, 8]\n", {"check", "-"});
+    EXPECT_EQ(good.code, 0) << good.error;
+    EXPECT_TRUE(contains(good.error, "<stdin>: no errors; 3 layers, 1 asset to bake"))
+        << good.error;
+    EXPECT_EQ(with_input(text, {"show", "-", "atmosphere.ground_albedo"}).out,
+              "ground_albedo = 0.5   # more.toml:2\n");
+    const Result bad = with_input(text + "fromat = 1\n", {"check", "-", "--diagnostics=short"});
+    EXPECT_EQ(bad.code, 2);
+    EXPECT_TRUE(contains(bad.error, "<stdin>:3:1: error[E0102]")) << bad.error;
+    EXPECT_EQ(with_input(text, {"sweep", "-", "--vary", "atmosphere.ground_albedo=0,1"}).code, 2);
+    EXPECT_EQ(with_input(text, {"preview", "-", "--watch"}).code, 2);
+    const Result baked = with_input(text + "[bake.transmittance]\nsize = [16, 8]\n",
+                                    {"bake", "-", "-o", "out", "--depfile", "out.d"});
+    EXPECT_EQ(baked.code, 0) << baked.error;
+    EXPECT_TRUE(contains(read_bytes(folder / "out.d"), "\n  more.toml"));
+    EXPECT_EQ(with_input(std::string(5 << 20, '#'), {"check", "-"}).code, 2);
 }
 
 TEST(CheckCommand, AMissingRecipeCannotBeRead) {
@@ -244,6 +318,8 @@ TEST_F(ShowCommand, ShowsOnePart) {
     const Result unknown = show({"atmosphere.layers.mei"});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_TRUE(contains(unknown.error, "did you mean `atmosphere.layers.mie`?"));
+    EXPECT_TRUE(contains(show({"mie"}).error, "did you mean `atmosphere.layers.mie`?"));
+    EXPECT_TRUE(contains(show({"mie.g"}).error, "did you mean `atmosphere.layers.mie.g`?"));
 }
 
 TEST(ShowNoise, NamesThePresetAndLeavesOutTheSky) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <sstream>
+
 #include "cli/text_width.h"
 
 namespace skybake::cli {
@@ -16,6 +19,39 @@ TEST(TablePrinter, AlignsColumns) {
               "  asset            bytes  error\n"
               "  transmittance       12\n"
               "  µ              1234567\n");
+}
+
+TEST(TablePrinter, FitsTheTerminal) {
+    TextTable table({Align::left, Align::right, Align::left, Align::right});
+    table.add_row({"asset", "size", "file", "write"});
+    table.add_row({"µ_transmittance", "256x64", "transmittance_of_air.exr", "12 ms"});
+    constexpr std::array<std::size_t, 1> expendable = {3};
+    constexpr std::array<std::size_t, 2> shrinkable = {0, 2};
+    const std::string whole = table.text();
+    EXPECT_EQ(table.text_within(0, expendable, shrinkable), whole);
+    EXPECT_EQ(table.text_within(58, expendable, shrinkable), whole);
+    EXPECT_EQ(table.text_within(57, expendable, shrinkable),
+              "  asset              size  file\n"
+              "  µ_transmittance  256x64  transmittance_of_air.exr\n");
+    for (const int columns : {50, 45, 40, 35, 30}) {
+        std::istringstream lines(table.text_within(columns, expendable, shrinkable));
+        for (std::string line; std::getline(lines, line);) {
+            EXPECT_LE(text_width(line), columns) << line;
+        }
+    }
+    EXPECT_EQ(table.text_within(36, expendable, shrinkable),
+              "  asset              size  file\n"
+              "  µ_transmittance  256x64  transmit…\n");
+}
+
+// A column that is dropped moves those behind it; figures stay whole even where they do not fit.
+TEST(TablePrinter, OnlyNamesAreShortened) {
+    TextTable table({Align::left, Align::right, Align::left, Align::left});
+    table.add_row({"abcdefghijkl", "1234567890123", "pqrstuvwxyzpqr", "0.25 / 0.125 / 0.0625"});
+    constexpr std::array<std::size_t, 1> expendable = {1};
+    constexpr std::array<std::size_t, 2> shrinkable = {0, 2};
+    EXPECT_EQ(table.text_within(10, expendable, shrinkable),
+              "  abcdefg…  pqrstuv…  0.25 / 0.125 / 0.0625\n");
 }
 
 TEST(TablePrinter, AnEmptyTableIsNoText) {

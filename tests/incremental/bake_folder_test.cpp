@@ -222,6 +222,94 @@ TEST(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
     EXPECT_TRUE(less.run().value->retired.empty());
 }
 
+// The noise leaves the recipe: shape.exr and shape.bin are nobody's.
+struct WithoutNoise {
+    TemporaryFolder folder;
+    TestBake less{recipe_of("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+                            "[bake.multiple_scattering]\nsize = [8, 8]\n"
+                            "max_texel_error = \"20 %\"\n"),
+                  folder / "out"};
+
+    WithoutNoise() {
+        TestBake(recipe_of(small_recipe), folder / "out").run();
+        less.bake.prune = true;
+    }
+    bool has(const char* name) const {
+        return fs::exists(fs::symlink_status(folder / "out" / name));
+    }
+};
+
+std::vector<std::string> paths_of(const std::vector<RetiredFile>& files) {
+    std::vector<std::string> paths;
+    for (const RetiredFile& file : files) paths.push_back(file.path);
+    return paths;
+}
+
+TEST(BakeFolder, PruningRemovesRetiredFiles) {
+    WithoutNoise scene;
+    const auto plan = plan_folder(scene.less.bake);
+    ASSERT_TRUE(plan.value.has_value());
+    EXPECT_EQ(paths_of(plan.value->pruned), (std::vector<std::string>{"shape.exr", "shape.bin"}));
+    EXPECT_TRUE(scene.has("shape.exr"));  // a plan changes nothing
+    const auto baked = scene.less.run();
+    ASSERT_TRUE(baked.value.has_value());
+    EXPECT_EQ(paths_of(baked.value->pruned), (std::vector<std::string>{"shape.exr", "shape.bin"}));
+    EXPECT_TRUE(baked.value->retired.empty());
+    EXPECT_FALSE(scene.has("shape.exr") || scene.has("shape.bin"));
+    EXPECT_TRUE(scene.has("transmittance.exr"));
+    EXPECT_TRUE(read_manifest(scene.folder / "out").value->retired.empty());
+}
+
+TEST(BakeFolder, PruningKeepsWhatWasChangedByHand) {
+    WithoutNoise scene;
+    write_bytes(scene.folder / "out/shape.bin", "painted over");
+    const std::string elsewhere = (scene.folder / "elsewhere.exr").string();
+    fs::rename(scene.folder / "out/shape.exr", elsewhere);
+    fs::create_symlink(elsewhere, scene.folder / "out/shape.exr");
+    write_bytes(scene.folder / "out/mine.bin", "mine");
+    const auto baked = scene.less.run();
+    ASSERT_TRUE(baked.value.has_value());
+    EXPECT_TRUE(baked.value->pruned.empty());
+    EXPECT_EQ(paths_of(baked.value->retired), (std::vector<std::string>{"shape.exr", "shape.bin"}));
+    EXPECT_TRUE(scene.has("shape.exr") && scene.has("shape.bin") && scene.has("mine.bin"));
+    EXPECT_TRUE(fs::exists(elsewhere));
+}
+
+// A bake of a part keeps the entries that it does not name, whether the recipe has them or not.
+TEST(BakeFolder, PruningAPartRemovesNothingElse) {
+    WithoutNoise scene;
+    scene.less.bake.bakes = {scene.less.recipe.parameters.bakes[0]};
+    const auto baked = scene.less.run();
+    ASSERT_TRUE(baked.value.has_value());
+    EXPECT_TRUE(baked.value->pruned.empty());
+    EXPECT_TRUE(scene.has("shape.exr") && scene.has("multiple_scattering.exr"));
+}
+
+// A bake leaves plain files alone: a manifest that names one in a folder was altered.
+TEST(BakeFolder, PruningStaysInTheFolder) {
+    WithoutNoise scene;
+    std::string manifest = read_bytes(scene.folder / "out/manifest.json");
+    fs::create_directory(scene.folder / "out/deeper");
+    fs::rename(scene.folder / "out/shape.bin", scene.folder / "out/deeper/shape.bin");
+    const std::size_t at = manifest.find("\"shape.bin\"");
+    ASSERT_NE(at, std::string::npos);
+    manifest.replace(at, 11, "\"deeper/shape.bin\"");
+    write_bytes(scene.folder / "out/manifest.json", manifest);
+    const auto baked = scene.less.run();
+    ASSERT_TRUE(baked.value.has_value());
+    EXPECT_TRUE(scene.has("deeper/shape.bin"));
+}
+
+TEST(BakeFolder, CountsTheTimeOfCertifying) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder / "out");
+    bake.bake.certification = Certification::full;
+    const auto baked = bake.run();
+    ASSERT_TRUE(baked.value.has_value());
+    for (const FinishedAsset& asset : baked.value->assets) EXPECT_GT(asset.certify_s, 0);
+    for (const FinishedAsset& asset : bake.run().value->assets) EXPECT_EQ(asset.certify_s, 0);
+}
+
 TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");

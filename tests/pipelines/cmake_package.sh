@@ -94,7 +94,7 @@ refuse "a missing include" 'weather.toml`: No such file'
 mv elsewhere.toml weather.toml
 expect "the include is back, as it was" 0
 sed -i 's/^    OUTPUTS/& clouds.vdb/' CMakeLists.txt
-refuse "an output that nothing makes" 'OUTPUTS names a file that the recipe does not make'
+refuse "an output that nothing makes" 'OUTPUTS names a file that the recipe does not bake'
 refuse "still" 'clouds.vdb'
 sed -i 's/OUTPUTS clouds.vdb/OUTPUTS/' CMakeLists.txt
 build || fail "the output corrected: the build fails"

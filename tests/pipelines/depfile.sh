@@ -8,6 +8,15 @@ command -v make >/dev/null || { echo "skipped: no make"; exit 77; }
 printf '%s' 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGNoAAAAggCBd81ytgAAAABJRU5ErkJggg==' |
     base64 -d >map.png
 
+# The program's modules, in lib/skybake of a folder above it.
+modules=()
+for folder in "$(dirname "$(readlink -f "$program")")"/{..,../..}/lib/skybake; do
+    for module in skybake_vdb skybake_images; do
+        [[ ! -e $folder/$module.so ]] || modules+=("$(readlink -f "$folder/$module.so")")
+    done
+done
+((${#modules[@]} == 2)) || fail "modules: ${modules[*]}"
+
 for name in plain 'with space' 'number#sign' 'dol$lar' 'co:lon' 'back\slash' 'both\ of' '#  $$::x' 'grün'; do
     mkdir "$name"
     cp map.png "$name/$name.png"
@@ -31,7 +40,7 @@ cloud = "puff"
 size = [16, 16, 16]
 TOML
     "$program" bake "$name/$name.toml" -o "$name/out" --certify off -q --depfile rules.d >/dev/null
-    inputs=("$name/$name.inc" "$name/$name.png" "$name/$name.toml" "$(readlink -f "$program")")
+    inputs=("$name/$name.inc" "$name/$name.png" "$name/$name.toml" "$(readlink -f "$program")" "${modules[@]}")
 
     # Ninja, with its log of dependencies: exactly these.
     rm -f .ninja_*

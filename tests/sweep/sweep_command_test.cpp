@@ -7,7 +7,9 @@
 
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
+#include <utility>
 
 #include "cli/sweep_scripts.h"
 #include "tests/cli/program.h"
@@ -47,7 +49,11 @@ TEST(SweepCommand, BakesAndWritesItsIndex) {
         folder.sweep({"--vary", "clouds.c.coverage=0.5:0.9:3", "--vary", "noise.n.seed=1,2"});
     EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_TRUE(contains(result.error, "6 variants; 6 share n (baked 2 times)\n")) << result.error;
-    EXPECT_EQ(count_lines(result.out), 9);
+    // Of each variant the files of both assets and the manifest, and the three files of the index.
+    EXPECT_EQ(count_lines(result.out), 6 * 3 + 3);
+    std::istringstream paths(result.out);
+    for (std::string path; std::getline(paths, path);) EXPECT_TRUE(fs::exists(path)) << path;
+    EXPECT_TRUE(contains(result.error, "6 variants baked, ")) << result.error;
     for (const char* name : {"index.csv", "index.jsonl", "sweep.json"}) {
         EXPECT_TRUE(contains(result.out, name)) << result.out;
         EXPECT_TRUE(fs::exists(fs::path(folder.out()) / name));
@@ -64,7 +70,7 @@ TEST(SweepCommand, ListsWithoutMaking) {
         {"--vary", "clouds.c.coverage=0.5,1.5", "--dry-run", "--diagnostics", "short"});
     EXPECT_EQ(result.code, 4);
     EXPECT_TRUE(contains(result.out, "0000_coverage=0.5  n: not baked yet; c: not baked yet\n"));
-    EXPECT_TRUE(contains(result.out, "0001_coverage=1.5  cannot be made, E0110: ")) << result.out;
+    EXPECT_TRUE(contains(result.out, "0001_coverage=1.5  cannot be baked: E0110: ")) << result.out;
     EXPECT_FALSE(fs::exists(folder.out()));
 }
 
@@ -74,7 +80,7 @@ TEST(SweepCommand, ListsWhatFailedLastTime) {
     EXPECT_EQ(folder.sweep(vary).code, 4);
     const Result list = folder.sweep({vary[0], vary[1], "--dry-run"});
     EXPECT_EQ(list.code, 0);
-    EXPECT_TRUE(contains(list.out, "; failed last time, E0402: ")) << list.out;
+    EXPECT_TRUE(contains(list.out, "; it failed last time: E0402: ")) << list.out;
     EXPECT_EQ(count_lines(list.out), 2);
 }
 
@@ -84,13 +90,13 @@ TEST(SweepCommand, MentionsFoldersOfEarlierValues) {
     fs::create_directories(folder.out("out/0009_mine"));
     const Strings fewer = {"--vary", "noise.n.seed=1,5"};
     const std::string note =
-        "2 folders of an earlier sweep, left as they are: 0001_seed=2, 0002_seed=3\n";
+        "2 folders are no longer in the sweep; kept: 0001_seed=2, 0002_seed=3\n";
     const Result swept = folder.sweep(fewer);
     EXPECT_TRUE(contains(swept.error, note)) << swept.error;
     const Result merged = folder.sweep({fewer[0], fewer[1], "--merge"});
     EXPECT_TRUE(contains(merged.error, note)) << merged.error;
     const Result all = folder.sweep({"--vary", "noise.n.seed=1,2,3"});
-    EXPECT_TRUE(contains(all.error, "1 folder of an earlier sweep, left as it is: 0001_seed=5\n"))
+    EXPECT_TRUE(contains(all.error, "1 folder is no longer in the sweep; kept: 0001_seed=5\n"))
         << all.error;
 }
 
@@ -168,7 +174,7 @@ TEST(SweepCommand, ShardsThenMerge) {
     EXPECT_FALSE(fs::exists(folder.out() + "/index.csv"));
     const Result early = with({"--merge"});
     EXPECT_EQ(early.code, 4);
-    EXPECT_TRUE(contains(early.error, "1 of 3 variants is not there yet: 0001_seed=2"));
+    EXPECT_TRUE(contains(early.error, "1 of 3 variants is not baked yet: 0001_seed=2"));
     EXPECT_EQ(with({"--shard", "2/2"}).code, 0);
     EXPECT_EQ(with({"--merge"}).code, 0);
 }
@@ -214,6 +220,45 @@ TEST(SweepScripts, CommandsAreTheSweep) {
     }
     EXPECT_EQ(run_words(with({"--merge"}, "it's parts")).code, 0);
     EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
+}
+
+// A farm starts its tasks in folders of its own, by one of these programs; the paths of the recipe
+// and the sweep were relative, with a quote and blanks in them.
+TEST(SweepScripts, CommandsRunFromAnyFolder) {
+    const Folder folder;
+    const auto in_folder = [&] {
+        if (::chdir(folder.folder.path().c_str()) != 0) ::_exit(125);
+    };
+    const Strings words = {"sweep", "r.toml", "--vary", "clouds.c.base_altitude=1 km,'2 km'"};
+    const auto with = [&](const std::string& out, Strings more) {
+        Strings all = words;
+        all.insert(all.end(), {"-o", out, "--cache-dir", "the cache"});
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
+    ASSERT_EQ(testing::run_program(with("whole", {}), in_folder).code, 0);
+    fs::create_directory(folder.folder / "elsewhere");
+    const std::string there = "cd " + shell_word(folder.out("elsewhere")) + " && ";
+    const std::pair<const char*, const char*> engines[] = {
+        {"it's sh", "sh"},
+        {"it's xargs", "xargs -d '\\n' -I{} sh -c '{}'"},
+        {"it's parallel", "parallel"},
+    };
+    for (const auto& [out, engine] : engines) {
+        const std::string name = std::string(engine).substr(0, std::string(engine).find(' '));
+        if (std::system(("command -v " + name + " >/dev/null").c_str()) != 0) continue;
+        const Result script = testing::run_program(with(out, {"--emit", "commands"}), in_folder);
+        ASSERT_EQ(script.code, 0) << script.error;
+        const std::string file = folder.out("commands.txt");
+        write_bytes(file, script.out);
+        const std::string run =
+            there + engine + " <" + shell_word(file) + " >/dev/null 2>" + shell_word(file + ".log");
+        EXPECT_EQ(std::system(run.c_str()), 0)
+            << engine << ": " << skybake::testing::read_bytes(file + ".log");
+        EXPECT_EQ(testing::run_program(with(out, {"--merge"}), in_folder).code, 0);
+        EXPECT_EQ(files_below(folder.out(out)), files_below(folder.out("whole"))) << engine;
+    }
+    EXPECT_TRUE(fs::is_empty(folder.folder / "elsewhere"));
 }
 
 TEST(SweepScripts, SlurmGetsAnArrayAndADependentMerge) {
