@@ -49,9 +49,10 @@ clean_up() {
 trap clean_up EXIT
 trap 'exit 130' INT TERM
 
-wait_for() {  # SECONDS WHAT COMMAND...
-    local end=$((SECONDS + $1)) what=$2
-    shift 2
+# wait_for WHAT COMMAND...: no test of how long it takes; the end comes where it never does
+wait_for() {
+    local end=$((SECONDS + 1800)) what=$1
+    shift
     until "$@" >/dev/null 2>&1; do
         if ((SECONDS >= end)); then
             echo "waited in vain: $what"
@@ -113,13 +114,13 @@ CONF
 munged --foreground --force --key-file="$farm/munge.key" --socket="$farm/munge.socket" \
     --pid-file="$farm/munged.pid" --log-file="$farm/munged.log" --seed-file="$farm/munge.seed" \
     >/dev/null 2>&1 &
-wait_for 20 "munge's socket" test -S "$farm/munge.socket"
+wait_for "munge's socket" test -S "$farm/munge.socket"
 slurmctld -D -c >/dev/null 2>&1 &
 slurmd -D -N n1 -c >/dev/null 2>&1 &
 slurmd -D -N n2 -c >/dev/null 2>&1 &
 second=$!
 nodes_are_idle() { [[ $(sinfo --noheader --Node --states=idle | wc -l) == 2 ]]; }
-wait_for 60 "two idle nodes" nodes_are_idle
+wait_for "two idle nodes" nodes_are_idle
 
 # --- The sweep ------------------------------------------------------------------------------------
 
@@ -140,9 +141,9 @@ cat jobs
 tasks=$(sed -n 's/^tasks //p' jobs)
 
 some_are_done() { [[ $(find farm -name manifest.json 2>/dev/null | wc -l) -ge 2 ]]; }
-wait_for 240 "the first variants" some_are_done
+wait_for "the first variants" some_are_done
 second_is_at_work() { [[ -n $(squeue --noheader --states=running --nodelist=n2) ]]; }
-wait_for 120 "a task on the second node" second_is_at_work
+wait_for "a task on the second node" second_is_at_work
 
 # The node dies: its daemon, the keepers of its tasks and the tasks, all at once, so that none is left
 # to tell the controller.
@@ -160,7 +161,7 @@ done
 echo "the second node died while it made task $dying"
 
 queue_is_empty() { [[ -z $(squeue --noheader) ]]; }
-wait_for 400 "the end of all jobs" queue_is_empty
+wait_for "the end of all jobs" queue_is_empty
 requeues=$(scontrol show job "$tasks" | grep -c 'Restarts=[1-9]' || true)
 echo "$requeues task requeued"
 [[ $requeues -ge 1 ]] || { echo "no task was lost with the node"; exit 1; }
