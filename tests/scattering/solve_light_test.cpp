@@ -121,6 +121,35 @@ TEST(SolvedLight, IsReciprocalOverFlatGround) {
     }
 }
 
+// Light of one wavelength knows nothing of the others: not of their air, and not of what the ground
+// reflects of them.
+TEST(SolvedLight, EachChannelIsThatOfItsWavelengthAlone) {
+    const config::Atmosphere all =
+        test::preset_atmosphere("earth", {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
+    const SolvedLight together = solve_light(make_sky_medium(all), coarse(), 0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        config::Atmosphere one = all;
+        one.ground_albedo = {all.ground_albedo[c]};
+        for (config::Layer& layer : one.layers) {
+            layer.scattering = {layer.scattering[c]};
+            layer.extinction = {layer.extinction[c]};
+        }
+        const SolvedLight alone = solve_light(make_sky_medium(one), coarse(), 0);
+        for (const double zenith : {10.0, 60.0, 80.0}) {
+            const double cosine = std::cos(zenith * test::kDegree);
+            for (const double altitude : {0.0, 1.0, 8.0, 30.0}) {
+                EXPECT_NEAR(together.mean_radiance_at(altitude, cosine)[c] /
+                                alone.mean_radiance_at(altitude, cosine)[0],
+                            1, 2e-3)
+                    << c << ' ' << zenith << ' ' << altitude;
+            }
+            EXPECT_NEAR(
+                together.sky_irradiance_at(cosine)[c] / alone.sky_irradiance_at(cosine)[0], 1, 2e-3)
+                << c << ' ' << zenith;
+        }
+    }
+}
+
 // Air that does next to nothing: the ground's light alone, half of all directions.
 TEST(SolvedLight, OfThinAirIsTheGrounds) {
     const SkyMedium medium =
