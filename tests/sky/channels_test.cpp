@@ -35,47 +35,49 @@ std::string atmosphere_of(const ChannelOrder& order) {
            order.of({"\"5.8e-6 /m\"", "\"1.35e-5 /m\"", "\"3.3e-5 /m\""}) +
            "\n[atmosphere.layers.mie]\nscattering = " +
            order.of({"\"4e-6 /m\"", "\"3e-6 /m\"", "\"6e-6 /m\""}) +
-           "\nextinction = " + order.of({"\"5e-6 /m\"", "\"4.4e-6 /m\"", "\"6e-6 /m\""}) + "\n";
+           "\nextinction = " + order.of({"\"5e-6 /m\"", "\"4.4e-6 /m\"", "\"6e-6 /m\""}) +
+           "\n[atmosphere.layers.ozone]\nabsorption = " +
+           order.of({"\"6.5e-7 /m\"", "\"1.9e-6 /m\"", "\"8.5e-8 /m\""}) + "\n";
 }
 
 // Assets small enough for a test; all that need solved light share one solution.
 const char* const kAssets = R"(
 [bake.transmittance]
-size = [8, 8]
+size = [4, 4]
 pixel_type = "float"
 [bake.scattered]
 asset = "multiple_scattering"
-size = [6, 6]
+size = [4, 4]
 pixel_type = "float"
 [bake.solved]
 asset = "multiple_scattering"
 method = "solved"
 mapping = "twilight"
-size = [6, 6]
+size = [4, 4]
 pixel_type = "float"
 [bake.view]
 asset = "sky_view"
-size = [6, 5]
-sun_elevations = ["30 deg", "-3 deg"]
+size = [4, 4]
+sun_elevations = ["20 deg"]
 pixel_type = "float"
 [bake.aerial]
 asset = "aerial_perspective"
 sun_elevation = "20 deg"
-size = [3, 3, 4]
+size = [2, 2, 2]
 pixel_type = "float"
 [bake.fallen]
 asset = "irradiance"
-size = [6, 3]
+size = [4, 2]
 pixel_type = "float"
 [bake.scattering]
 asset = "bruneton"
-size = [12, 6, 3]
+size = [8, 4, 2]
 nu_size = 2
 pixel_type = "float"
 [bake.ground]
 asset = "bruneton"
 table = "irradiance"
-size = [6, 3, 1]
+size = [4, 2, 1]
 pixel_type = "float"
 )";
 
