@@ -46,8 +46,12 @@ RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
 }
 
 TEST(SolvedLight, LosesNoEnergy) {
-    for (const char* name : {"earth", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
-        const SkyMedium medium = preset(name);
+    for (const std::string name :
+         {"earth", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
+        // All but one over ground of a colour, whose channels must not take each other's share.
+        const SkyMedium medium = name == "earth"
+                                     ? preset(name)
+                                     : preset(name, {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
         const EnergyBalance balance = energy_balance(medium, solve_light(medium, {}, 0));
         EXPECT_LT(balance.largest_error(), 0.01) << name;
         EXPECT_GT(balance.in[2], 0) << name;
@@ -143,11 +147,11 @@ TEST(SolvedLight, EachChannelIsThatOfItsWavelengthAlone) {
             for (const double altitude : {0.0, 1.0, 8.0, 30.0}) {
                 EXPECT_NEAR(of_three.mean_radiance_at(altitude, cosine)[c] /
                                 of_one.mean_radiance_at(altitude, cosine)[0],
-                            1, 2e-3)
+                            1, 5e-3)
                     << c << ' ' << zenith << ' ' << altitude;
             }
             EXPECT_NEAR(of_three.sky_irradiance_at(cosine)[c] / of_one.sky_irradiance_at(cosine)[0],
-                        1, 2e-3)
+                        1, 5e-3)
                 << c << ' ' << zenith;
         }
     }
