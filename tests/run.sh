@@ -1,20 +1,34 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and runs them all through CTest.
-#   tests/run.sh          everything but the tests labelled `slow`
-#   tests/run.sh --all    those too
+# Installs what the tests need, builds and runs them through CTest. At the end stands what each label
+# and folder took, and every test that was skipped or left out.
+#   tests/run.sh          everything but the tests labelled `slow`, with the programs that are there
+#   tests/run.sh --all    those too, and installs every program that a test uses
 #   tests/run.sh --hard   just the hard cases, and their table
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-examples/install_packages.sh --tests
+if [[ "${1:-}" == --all ]]; then
+    examples/install_packages.sh --all
+else
+    examples/install_packages.sh --tests
+fi
 # Without line numbers, which nobody reads here and which take a twentieth of the time.
 cmake --preset dev -DSKYBAKE_PRECOMPILED_HEADERS=ON \
     -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -DNDEBUG" >/dev/null
 cmake --build --preset dev
 jobs=$(nproc)
+
+# run OPTION...: of ctest; ends with its exit code
+run() {
+    local code=0
+    ctest --test-dir build/dev --output-on-failure -j "$jobs" --output-junit results.xml \
+        --test-output-size-passed 16384 "$@" || code=$?
+    tests/summary.py build/dev build/dev/results.xml
+    return "$code"
+}
 case "${1:-}" in
-    --all) ctest --test-dir build/dev --output-on-failure -j "$jobs" ;;
+    --all) run ;;
     --hard) ctest --test-dir build/dev --output-on-failure -j "$jobs" -L hard --verbose | grep -E '\[hard\]|tests passed|tests failed' ;;
-    "") ctest --test-dir build/dev --output-on-failure -j "$jobs" -LE slow ;;
+    "") run -LE slow ;;
     *) echo "tests/run.sh [--all|--hard]" >&2; exit 2 ;;
 esac

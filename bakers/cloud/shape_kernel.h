@@ -17,7 +17,7 @@ struct ColumnRow {
 };
 
 // values[i] = b of `count` voxels, from their base noise, which stands there before. Returns
-// whether any of them is above `level`; true, too, for a negative level.
+// whether any of them is above `level`, which is not negative.
 bool shape_base(const SliceShape& slice, const ColumnRow& columns, float level, std::size_t count,
                 float* values);
 

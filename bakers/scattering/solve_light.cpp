@@ -20,13 +20,13 @@ namespace {
 // Light that falls faster than this from column to column is taken as linear between them.
 constexpr double kSteepest = 4;
 
-// Where light falls too fast for cubics, at any level: a column's 1 stands for the stencil that
-// begins there.
-std::vector<double> steep_columns(const LightField& light) {
+// Where light of one of the channels falls too fast for cubics, at any level: a column's 1 stands
+// for the stencil that begins there.
+std::vector<double> steep_columns(const LightField& light, int channels) {
     std::vector<double> steep(static_cast<std::size_t>(light.suns));
     for (int level = 0; level < light.levels; ++level) {
         for (int sun = 0; sun + 3 < light.suns; ++sun) {
-            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
                 for (int j = 0; j < 3; ++j) {
                     const double low = light.at(level, sun + j)[c];
                     const double high = light.at(level, sun + j + 1)[c];
@@ -82,7 +82,7 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
         transports[static_cast<std::size_t>(level)] =
             make_level_transport(medium, fan, settings.degree);
     });
-    solved.steep = steep_columns(first);
+    solved.steep = steep_columns(first, solved.channels);
     const auto next = [&](const LightField& light, LightField& image) {
         parallel_for(levels, threads, [&](int level) {
             apply_transport(transports[static_cast<std::size_t>(level)], solved.suns, solved.steep,

@@ -10,6 +10,7 @@ const {pathToFileURL} = require('node:url');
 
 const [, , program, folder] = process.argv;
 const work = fs.mkdtempSync(path.join(folder, 'pages-'));
+const patience = 1800000;  // ms; nothing here is a test of time, this ends what hangs
 
 const noise = `
 [noise.shape]
@@ -56,6 +57,7 @@ function write(name, text) {
 async function open(browser, file, options = {}) {
     const context = await browser.newContext({viewport: {width: 1280, height: 900}, ...options});
     const page = await context.newPage();
+    page.setDefaultTimeout(patience);
     page.complaints = [];
     page.requests = [];
     page.on('console', (message) => {
@@ -237,13 +239,13 @@ const tests = {
         child.stderr.on('data', (text) => { said += text; });
         try {
             const file = path.join(out, 'index.html');
-            await until(() => fs.existsSync(path.join(out, 'preview_state.js')), 60);
+            await until(() => fs.existsSync(path.join(out, 'preview_state.js')));
             const page = await open(browser, file);
             const pictures = () => page.$$eval('figure img', (images) => images.map((image) => image.src)).catch(() => []);
             const changed = async (before) => until(async () => {
                 const now = await pictures();
                 return now.length > 0 && JSON.stringify(now) !== JSON.stringify(before);
-            }, 60);
+            });
             await page.waitForSelector('.watch');
             await page.evaluate(() => scrollTo(0, 500));
 
@@ -254,23 +256,23 @@ const tests = {
             fs.renameSync(`${watched}.new`, watched);
             await changed(good);
             console.log(`    a change was on screen after ${((Date.now() - start) / 1000).toFixed(2)} s`);
-            await until(() => page.evaluate(() => Math.abs(scrollY - 500) < 2), 10);
+            await until(() => page.evaluate(() => Math.abs(scrollY - 500) < 2));
 
             // A mistake: the diagnostics come, the pictures stay.
             const better = await pictures();
             fs.writeFileSync(watched, recipe.replace('seed = 7', 'sead = 9'));
-            await page.waitForSelector('#diagnostics .diagnostic', {timeout: 60000});
+            await page.waitForSelector('#diagnostics .diagnostic');
             assert.match(await page.innerText('#diagnostics'), /E0102[^]*sead[^]*did you mean/);
             assert.deepEqual(await pictures(), better);
             assert.match(said, /E0102/);
 
             fs.writeFileSync(watched, recipe.replace('seed = 7', 'seed = 9'));
             await changed(better);
-            await page.waitForSelector('#diagnostics:not(:has(*))', {state: 'attached', timeout: 60000});
+            await page.waitForSelector('#diagnostics:not(:has(*))', {state: 'attached'});
 
             child.kill('SIGINT');
             assert.equal(await ended, 130);
-            await page.waitForSelector('.watch.ended', {timeout: 60000});
+            await page.waitForSelector('.watch.ended');
             assert.deepEqual(page.complaints, []);
         } finally {
             child.kill('SIGKILL');
@@ -278,10 +280,10 @@ const tests = {
     },
 };
 
-async function until(holds, seconds) {
-    const end = Date.now() + seconds * 1000;
+async function until(holds) {
+    const end = Date.now() + patience;
     while (!(await holds())) {
-        if (Date.now() > end) throw new Error(`waited for ${seconds} s in vain`);
+        if (Date.now() > end) throw new Error('waited in vain');
         await new Promise((resolve) => setTimeout(resolve, 10));
     }
 }
@@ -292,6 +294,7 @@ async function until(holds, seconds) {
     const profile = path.join(work, 'profile');
     const browser = await chromium.launch({
         executablePath: '/usr/bin/chromium',
+        timeout: patience,
         env: {...process.env, HOME: work, XDG_CONFIG_HOME: profile, XDG_CACHE_HOME: profile},
         args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
                '--disable-background-networking', '--disable-component-update', '--disable-sync'],

@@ -12,6 +12,7 @@ const {all_pixels, errors_of, gathered_section, look_up_sky_view, meets_ground, 
 
 const [, , program, folder] = process.argv;
 const work = fs.mkdtempSync(path.join(folder, 'takram-'));
+const patience = 1800000;  // ms; nothing here is a test of time, this ends what hangs
 const site = 'http://skybake.test/';  // answered from the disk; no network is asked
 const tables = (name) => ({folder: `${site}tables/${name}`});
 // Mie scattering from a table of its own. Higher orders apart serve shafts of light, of which there are none.
@@ -59,6 +60,7 @@ function bake_all() {
 // A page that has what is in these folders, and nothing else in the world.
 async function open(browser) {
     const page = await browser.newPage();
+    page.setDefaultTimeout(patience);
     page.complaints = [];
     page.on('console', (message) => {
         if (message.type() === 'error') page.complaints.push(message.text());
@@ -85,7 +87,7 @@ async function open(browser) {
         return route.fulfill({path: path.join(folders[top], ...rest)});
     });
     await page.goto(site);
-    await page.waitForFunction(() => window.render_views, undefined, {timeout: 30000}).catch((error) => {
+    await page.waitForFunction(() => window.render_views).catch((error) => {
         throw new Error([error.message, ...page.complaints].join('\n'));
     });
     return page;
@@ -225,6 +227,7 @@ const tests = {
     const profile = path.join(work, 'profile');
     const browser = await chromium.launch({
         executablePath: '/usr/bin/chromium',
+        timeout: patience,
         env: {...process.env, HOME: work, XDG_CONFIG_HOME: profile, XDG_CACHE_HOME: profile},
         args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
                '--disable-quic', '--no-first-run', '--disable-background-networking',

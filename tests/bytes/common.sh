@@ -6,15 +6,16 @@ work=$2
 rm -rf "$work"
 mkdir -p "$work"
 
-recipes=(earth tiny_planet dense_earth)
+presets=(earth tiny_planet dense_earth)
+recipes=("${presets[@]}" noise clouds sky particles)
 
 # bake FOLDER COMMAND...: all recipes, small tables and volumes, into FOLDER/RECIPE
 bake() {
     local folder=$1 recipe
     shift
-    for recipe in "${recipes[@]}" noise clouds sky particles; do
+    for recipe in "${recipes[@]}"; do
         mkdir -p "$folder"
-        if [[ " ${recipes[*]} " != *" $recipe "* ]]; then
+        if [[ " ${presets[*]} " != *" $recipe "* ]]; then
             "${recipe}_recipe" >"$folder/$recipe.toml"
         else
             printf 'preset = "%s"\n[bake.transmittance]\nsize = [64, 16]\n[bake.depth]\nasset = "transmittance"\ncontent = "optical_depth"\nsize = [33, 9]\n[bake.multiple_scattering]\nsize = [16, 8]\nmapping = "twilight"\nmax_texel_error = "2 %%"\n' \
@@ -214,7 +215,7 @@ TOML
 # same A B: every file equal, wall times in the manifest and the hashes over them aside
 same() {
     local recipe file
-    for recipe in "${recipes[@]}" noise clouds sky; do
+    for recipe in "${recipes[@]}"; do
         diff <(cd "$1/$recipe" && ls) <(cd "$2/$recipe" && ls)
         for file in "$1/$recipe"/*; do
             [[ $file == */manifest.json ]] || cmp "$file" "$2/$recipe/${file##*/}"

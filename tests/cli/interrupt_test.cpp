@@ -1,7 +1,6 @@
 #include "cli/interrupt.h"
 
 #include <csignal>
-#include <thread>
 
 #include "bakers/io/atomic_file.h"
 #include "tests/cli/program.h"
@@ -17,32 +16,46 @@ class UntilInterrupted : public Progress {
     bool cancelled() const override { return interrupted(); }
 };
 
-// Writes large files until it is stopped; -1 where it was killed.
-int stop_a_writer(const TemporaryFolder& folder, int signal, int times, bool obeys) {
-    int ready[2] = {-1, -1};
-    EXPECT_EQ(::pipe(ready), 0);
-    const pid_t child = ::fork();
-    if (child == 0) {
-        install_signal_handlers();
-        ::close(ready[0]);
-        ::close(ready[1]);  // the parent waits for this: a signal any earlier would kill
-        const UntilInterrupted progress;
-        const std::string texts[2] = {std::string(3000000, 'a'), std::string(3000000, 'b')};
-        for (int i = 0; !obeys || !interrupted(); ++i) {
-            write_file_atomically(folder / "a", texts[i % 2], obeys ? &progress : nullptr);
+// Writes large files until it is stopped; says so when its handlers are there and again after each
+// signal that it has heard.
+[[noreturn]] void write_until_stopped(const TemporaryFolder& folder, int says, bool obeys) {
+    install_signal_handlers();
+    bool heard = false;
+    ssize_t told = ::write(says, "r", 1);
+    const UntilInterrupted progress;
+    const std::string texts[2] = {std::string(3000000, 'a'), std::string(3000000, 'b')};
+    for (int i = 0; told == 1 && !(obeys && interrupted()); ++i) {
+        write_file_atomically(folder / "a", texts[i % 2], obeys ? &progress : nullptr);
+        if (interrupted() && !heard) {
+            heard = true;
+            told = ::write(says, "h", 1);
         }
-        ::_exit(static_cast<int>(ExitCode::interrupted));
     }
-    ::close(ready[1]);
-    char byte = 0;
-    EXPECT_EQ(::read(ready[0], &byte, 1), 0);
-    ::close(ready[0]);
+    ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
+bool is_writing(const TemporaryFolder& folder) {
+    const std::vector<std::string> names = folder.names();
+    return std::any_of(names.begin(), names.end(),
+                       [](const std::string& name) { return testing::contains(name, ".tmp"); });
+}
+
+// The exit code of a writer that gets `times` signals while it writes; -1 where one killed it.
+int stop_a_writer(const TemporaryFolder& folder, int signal, int times, bool obeys) {
+    int ends[2] = {-1, -1};
+    EXPECT_EQ(::pipe(ends), 0);
+    const pid_t child = ::fork();
+    if (child == 0) write_until_stopped(folder, ends[1], obeys);
+    ::close(ends[1]);
     for (int i = 0; i < times; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        char byte = 0;
+        EXPECT_EQ(::read(ends[0], &byte, 1), 1);
+        while (!is_writing(folder)) ::usleep(100);
         ::kill(child, signal);
     }
     int status = 0;
     ::waitpid(child, &status, 0);
+    ::close(ends[0]);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

@@ -4,9 +4,13 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -61,6 +65,88 @@ inline Result run_program(
     int status = 0;
     ::waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(out), read_bytes(error)};
+}
+
+// The real program at work, to be stopped at some point of it. Points are told by what it says and
+// by the processor time that it has used, never by the clock on the wall: on a busy machine they
+// are the same ones. Killed with its handle.
+class RunningProgram {
+  public:
+    explicit RunningProgram(std::vector<std::string> words) {
+        words.insert(words.begin(), SKYBAKE_PROGRAM);
+        std::vector<char*> arguments;
+        for (std::string& word : words) arguments.push_back(word.data());
+        arguments.push_back(nullptr);
+        int ends[2] = {-1, -1};
+        EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+        child_ = ::fork();
+        if (child_ == 0) {
+            ::dup2(ends[1], STDOUT_FILENO);
+            ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
+            ::execv(SKYBAKE_PROGRAM, arguments.data());
+            ::_exit(126);
+        }
+        ::close(ends[1]);
+        out_ = ends[0];
+    }
+    ~RunningProgram() {
+        signal(SIGKILL);
+        wait();
+        ::close(out_);
+    }
+    RunningProgram(const RunningProgram&) = delete;
+    RunningProgram& operator=(const RunningProgram&) = delete;
+
+    // The next line of its stdout, without its end; empty where it ends before.
+    std::string read_line() const {
+        std::string line;
+        for (char letter = 0; ::read(out_, &letter, 1) == 1 && letter != '\n';) line += letter;
+        return line;
+    }
+    // Until it has used so much more processor time; false where it ends before.
+    bool works_for(int milliseconds) const {
+        for (const double start = seconds_used(); seconds_used() - start < 1e-3 * milliseconds;) {
+            if (has_ended()) return false;
+            ::usleep(200);  // between two looks
+        }
+        return true;
+    }
+    void signal(int number) const {
+        if (child_ > 0) ::kill(child_, number);
+    }
+    // Its exit code; -1 where a signal killed it.
+    int wait() {
+        if (child_ <= 0) return code_;
+        int status = 0;
+        ::waitpid(child_, &status, 0);
+        child_ = -1;
+        return code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+
+  private:
+    bool has_ended() const {
+        siginfo_t info{};
+        ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT);
+        return info.si_pid != 0;
+    }
+    double seconds_used() const {
+        clockid_t clock = 0;
+        timespec used{};
+        if (::clock_getcpuclockid(child_, &clock) != 0 || ::clock_gettime(clock, &used) != 0)
+            return 0;
+        return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+    }
+
+    pid_t child_ = -1;
+    int out_ = -1;
+    int code_ = -1;
+};
+
+// Sets a file's time of writing a day back, so that it tells whether the file is written again.
+inline std::filesystem::file_time_type made_yesterday(const std::filesystem::path& file) {
+    const auto yesterday = std::filesystem::file_time_type::clock::now() - std::chrono::hours(24);
+    std::filesystem::last_write_time(file, yesterday);
+    return std::filesystem::last_write_time(file);
 }
 
 inline long count_lines(const std::string& text) {

@@ -1,6 +1,6 @@
 // The real program as a child process: what a shell sees.
-#include <chrono>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/commands.h"
 #include "tests/cli/program.h"
@@ -39,15 +39,55 @@ TEST(Program, SuggestsAndDumpsNothingElse) {
     EXPECT_LE(testing::count_lines(result.error), 2);
 }
 
-TEST(Program, HelpIsFast) {
-    double best = 1e9;
-    for (int round = 0; round < 5; ++round) {
-        const auto start = std::chrono::steady_clock::now();
-        run_program({"--help"});
-        best = std::min(
-            best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+// What a start of the program costs, counted by glibc's loader.
+struct Loaded {
+    int libraries = 0;
+    long relocations = 0;  // names that were looked up
+};
+
+Loaded loaded_by(const std::vector<std::string>& words) {
+    const TemporaryFolder folder;
+    const std::string log = (folder / "log").string();
+    EXPECT_EQ(run_program(words,
+                          [&] {
+                              ::setenv("LD_DEBUG", "files,statistics", 1);
+                              ::setenv("LD_DEBUG_OUTPUT", log.c_str(), 1);
+                          })
+                  .code,
+              0);
+    Loaded loaded;
+    for (const std::string& name : folder.names()) {
+        std::istringstream lines(testing::read_bytes(folder / name));
+        for (std::string line; std::getline(lines, line);) {
+            if (contains(line, "calling init: ")) ++loaded.libraries;
+            const std::string total = "final number of relocations: ";
+            if (contains(line, total)) {
+                loaded.relocations = std::stol(line.substr(line.find(total) + total.size()));
+            }
+        }
     }
-    EXPECT_LT(best, 0.05);
+    return loaded;
+}
+
+// Whoever asks for help waits for the loader alone: no module is loaded, and of libraries only
+// those that every command needs. OpenVDB brings ten, and ten times as many relocations.
+TEST(Program, HelpLoadsLittle) {
+    const Loaded help = loaded_by({"--help"});
+    if (help.libraries == 0) GTEST_SKIP() << "the loader here is not glibc's and counts nothing";
+    EXPECT_LE(help.libraries, 18);
+    EXPECT_LE(help.relocations, 10000);
+    EXPECT_GT(help.relocations, 100);
+
+    const TemporaryFolder folder;
+    const std::string recipe = (folder / "recipe.toml").string();
+    testing::write_bytes(
+        recipe,
+        "[noise.n.channels.Y]\ntype = \"constant\"\nvalue = 1\n[bake.v]\nasset = "
+        "\"noise_volume\"\nnoise = \"n\"\nsize = [8, 8, 8]\nformats = [\"vdb\"]\n");
+    const Loaded bake =
+        loaded_by({"bake", recipe, "-o", (folder / "out").string(), "--certify", "off"});
+    EXPECT_GT(bake.libraries, 18) << "a module that is loaded counts";
+    EXPECT_GT(bake.relocations, 10000);
 }
 
 TEST(Program, AFullOrClosedStdoutIsAnError) {

@@ -21,16 +21,12 @@ farm=$(mktemp -d "${TMPDIR:-/tmp}/skybake-farm-XXXXXX")
 export SKYBAKE_FARM=$farm SLURM_CONF=$farm/slurm.conf
 unset SKYBAKE_CACHE_DIR
 
-# The processes that this test has started, by what they inherit: daemons leave their parents.
-farm_processes() {
-    local environment process
-    for environment in /proc/[0-9]*/environ; do
-        process=${environment#/proc/}
-        process=${process%/environ}
-        [[ $process != "$$" && $process != "$BASHPID" ]] || continue
-        if grep -qz "^SKYBAKE_FARM=$farm\$" "$environment" 2>/dev/null; then echo "$process"; fi
-    done
+# processes WORD: those that have WORD, NAME=VALUE, in their environment, but for this script
+processes() {
+    grep -lzsxF -- "$1" /proc/[0-9]*/environ | tr -dc '0-9\n' | grep -vx -e "$$" -e "$BASHPID" || true
 }
+# The processes that this test has started, by what they inherit: daemons leave their parents.
+farm_processes() { processes "SKYBAKE_FARM=$farm"; }
 
 clean_up() {
     local code=$? process
@@ -49,9 +45,10 @@ clean_up() {
 trap clean_up EXIT
 trap 'exit 130' INT TERM
 
-wait_for() {  # SECONDS WHAT COMMAND...
-    local end=$((SECONDS + $1)) what=$2
-    shift 2
+# wait_for WHAT COMMAND...: no test of how long it takes; the end comes where it never does
+wait_for() {
+    local end=$((SECONDS + 1800)) what=$1
+    shift
     until "$@" >/dev/null 2>&1; do
         if ((SECONDS >= end)); then
             echo "waited in vain: $what"
@@ -113,13 +110,13 @@ CONF
 munged --foreground --force --key-file="$farm/munge.key" --socket="$farm/munge.socket" \
     --pid-file="$farm/munged.pid" --log-file="$farm/munged.log" --seed-file="$farm/munge.seed" \
     >/dev/null 2>&1 &
-wait_for 20 "munge's socket" test -S "$farm/munge.socket"
+wait_for "munge's socket" test -S "$farm/munge.socket"
 slurmctld -D -c >/dev/null 2>&1 &
 slurmd -D -N n1 -c >/dev/null 2>&1 &
 slurmd -D -N n2 -c >/dev/null 2>&1 &
 second=$!
 nodes_are_idle() { [[ $(sinfo --noheader --Node --states=idle | wc -l) == 2 ]]; }
-wait_for 60 "two idle nodes" nodes_are_idle
+wait_for "two idle nodes" nodes_are_idle
 
 # --- The sweep ------------------------------------------------------------------------------------
 
@@ -140,27 +137,42 @@ cat jobs
 tasks=$(sed -n 's/^tasks //p' jobs)
 
 some_are_done() { [[ $(find farm -name manifest.json 2>/dev/null | wc -l) -ge 2 ]]; }
-wait_for 240 "the first variants" some_are_done
-second_is_at_work() { [[ -n $(squeue --noheader --states=running --nodelist=n2) ]]; }
-wait_for 120 "a task on the second node" second_is_at_work
-
+wait_for "the first variants" some_are_done
 # The node dies: its daemon, the keepers of its tasks and the tasks, all at once, so that none is left
-# to tell the controller.
-dying=$(squeue --noheader --states=running --nodelist=n2 --format=%i | head -n 1)
-victims=$second
-for process in $(farm_processes); do
-    grep -qz '^SLURMD_NODENAME=n2$' "/proc/$process/environ" 2>/dev/null || continue
-    keeper=$(sed -n 's/^PPid:\t//p' "/proc/$process/status" 2>/dev/null || true)
-    if grep -q slurmstepd "/proc/${keeper:-0}/comm" 2>/dev/null; then victims="$victims $keeper"; fi
-    victims="$victims $process"
+# to tell the controller. They are stopped first. Where the program is not among them the task has
+# ended in the meantime: then the node goes on, and dies with the next one.
+second_is_at_work() { [[ -n $(squeue --noheader --states=running --nodelist=n2) ]]; }
+queue_is_empty() { [[ -z $(squeue --noheader) ]]; }
+at_work_or_at_the_end() { second_is_at_work || queue_is_empty; }
+signal_second() {
+    local process
+    for process in $victims; do kill -"$1" "$process" 2>/dev/null || true; done
+}
+stop_second() {
+    local process keeper
+    victims=$second programs=0
+    dying=$(squeue --noheader --states=running --nodelist=n2 --format=%i | head -n 1)
+    for process in $(processes SLURMD_NODENAME=n2); do
+        keeper=$(sed -n 's/^PPid:\t//p' "/proc/$process/status" 2>/dev/null || true)
+        if grep -q slurmstepd "/proc/${keeper:-0}/comm" 2>/dev/null; then victims="$victims $keeper"; fi
+        victims="$victims $process"
+    done
+    signal_second STOP
+    for process in $victims; do
+        [[ ! "/proc/$process/exe" -ef "$skybake" ]] || programs=$((programs + 1))
+    done
+    ((programs > 0))
+}
+wait_for "a task on the second node" at_work_or_at_the_end
+until stop_second; do
+    signal_second CONT
+    wait_for "another task on the second node" at_work_or_at_the_end
+    second_is_at_work || { echo "no task was caught at work"; exit 1; }
 done
-for signal in STOP KILL; do
-    for process in $victims; do kill -"$signal" "$process" 2>/dev/null || true; done
-done
+signal_second KILL
 echo "the second node died while it made task $dying"
 
-queue_is_empty() { [[ -z $(squeue --noheader) ]]; }
-wait_for 400 "the end of all jobs" queue_is_empty
+wait_for "the end of all jobs" queue_is_empty
 requeues=$(scontrol show job "$tasks" | grep -c 'Restarts=[1-9]' || true)
 echo "$requeues task requeued"
 [[ $requeues -ge 1 ]] || { echo "no task was lost with the node"; exit 1; }

@@ -1,8 +1,8 @@
 #include "bakers/incremental/bake_folder.h"
 
-#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <map>
 #include <thread>
 
@@ -401,13 +401,21 @@ TEST(BakeFolder, TakesWhatACacheHasAndBakesWhatIsDamagedThere) {
     EXPECT_EQ(cache_entries(folder / "other").value->size(), 3U);
 }
 
+// Says when it waits.
+class WaitingObserver : public testing::RememberingObserver {
+  public:
+    void waits() override { told.set_value(); }
+    std::promise<void> told;
+};
+
 TEST(BakeFolder, WaitsForAnotherOneInTheFolder) {
     const TemporaryFolder folder;
     auto lock = FolderLock::acquire(
         folder.path(), [] {}, [] { return false; });
     TestBake bake(recipe_of(small_recipe), folder.path());
-    std::thread other([&] { EXPECT_TRUE(bake.run().value.has_value()); });
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    WaitingObserver observer;
+    std::thread other([&] { EXPECT_TRUE(bake_folder(bake.bake, observer).value.has_value()); });
+    observer.told.get_future().wait();
     EXPECT_EQ(folder.names(), std::vector<std::string>{});
     lock.value.reset();
     other.join();

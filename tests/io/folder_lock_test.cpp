@@ -1,7 +1,6 @@
 #include "bakers/io/folder_lock.h"
 
 #include <atomic>
-#include <chrono>
 #include <thread>
 
 #include "tests/io/files.h"
@@ -14,22 +13,30 @@ using namespace skybake::testing;
 constexpr auto never = [] { return false; };
 constexpr auto nothing = [] {};
 
+// The first that gets it keeps it until all others have said that they wait.
 TEST(FolderLock, IsHeldByOneAtATime) {
+    constexpr int kThreads = 4;
     const TemporaryFolder folder;
+    std::atomic<int> entered{0};
+    std::atomic<int> waiting{0};
     std::atomic<int> inside{0};
     std::atomic<int> most{0};
     std::vector<std::thread> threads;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < kThreads; ++i) {
         threads.emplace_back([&] {
-            const auto lock = FolderLock::acquire(folder.path(), nothing, never);
+            const auto lock = FolderLock::acquire(
+                folder.path(), [&] { ++waiting; }, never);
             ASSERT_TRUE(lock.value.has_value());
             most = std::max(most.load(), ++inside);
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            if (++entered == 1) {
+                while (waiting < kThreads - 1) std::this_thread::yield();
+            }
             --inside;
         });
     }
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(most, 1);
+    EXPECT_EQ(entered, kThreads);
 }
 
 TEST(FolderLock, WaitingEndsWithAnInterruption) {

@@ -161,7 +161,8 @@ TEST(PathTracer, OrdersAddUp) {
 TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
     const char* scattering[] = {"2.901e-4 /m", "6.779e-4 /m", "1.655e-3 /m"};
     const char* absorption[] = {"0.65e-6 /m", "1.881e-6 /m", "0.085e-6 /m"};
-    const SkyMedium all = sky_medium("dense_earth");
+    const char* albedo[] = {"0.05", "0.9", "0.4"};
+    const SkyMedium all = sky_medium("dense_earth", {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
     test::Agreement agreement;
     for (const auto& [sun, zenith] : {std::pair{30.0, 60.0}, {85.0, 20.0}, {60.0, 120.0}}) {
         const test::View view = view_at(5, sun, zenith, 70);
@@ -169,7 +170,7 @@ TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
         for (std::size_t c = 0; c < 3; ++c) {
             const SkyMedium single = sky_medium(
                 "dense_earth",
-                {"wavelengths=[\"550 nm\"]",
+                {"wavelengths=[\"550 nm\"]", std::string("atmosphere.ground_albedo=") + albedo[c],
                  std::string("atmosphere.layers.rayleigh.scattering=\"") + scattering[c] + "\"",
                  std::string("atmosphere.layers.ozone.absorption=\"") + absorption[c] + "\""});
             ASSERT_EQ(single.air.channels, 1);

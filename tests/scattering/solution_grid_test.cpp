@@ -63,5 +63,27 @@ RC_GTEST_PROP(SunAxis, StencilsAreExactForCubics, ()) {
     }
 }
 
+// Between the two columns around, up to the first and the last; beyond them the nearest one.
+RC_GTEST_PROP(SunAxis, LinearStencilsAreExactForLinesUpToTheEnds, ()) {
+    const SunAxis axis = make_sun_axis({6360, 100}, 24);
+    const double cosine =
+        *rc::gen::inRange(0, 4) == 0
+            ? axis.cosines[static_cast<std::size_t>(*rc::gen::inRange(0, axis.count()))]
+            : test::uniform(axis.darkest, 1);
+    const SunStencil stencil = linear_stencil(axis, cosine, sun_stencil(axis, cosine).column);
+    const double u = std::clamp(axis.position(cosine), 0.0, axis.count() - 1.0);
+    double sum = 0;
+    double first = 0;
+    for (int j = 0; j < 4; ++j) {
+        RC_ASSERT(stencil.weights[j] >= 0);
+        // Nothing from columns that are a step away or further.
+        if (std::fabs(stencil.column + j - u) >= 1) RC_ASSERT(stencil.weights[j] < 1e-12);
+        sum += stencil.weights[j];
+        first += stencil.weights[j] * (stencil.column + j);
+    }
+    RC_ASSERT(std::fabs(sum - 1) < 1e-12);
+    RC_ASSERT(std::fabs(first - u) < 1e-12);
+}
+
 }  // namespace
 }  // namespace skybake

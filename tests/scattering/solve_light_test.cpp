@@ -46,8 +46,12 @@ RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
 }
 
 TEST(SolvedLight, LosesNoEnergy) {
-    for (const char* name : {"earth", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
-        const SkyMedium medium = preset(name);
+    for (const std::string name :
+         {"earth", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
+        // All but one over ground of a colour, whose channels must not take each other's share.
+        const SkyMedium medium = name == "earth"
+                                     ? preset(name)
+                                     : preset(name, {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
         const EnergyBalance balance = energy_balance(medium, solve_light(medium, {}, 0));
         EXPECT_LT(balance.largest_error(), 0.01) << name;
         EXPECT_GT(balance.in[2], 0) << name;
@@ -117,6 +121,38 @@ TEST(SolvedLight, IsReciprocalOverFlatGround) {
             for (std::size_t c = 0; c < 3; ++c) {
                 EXPECT_NEAR(there[c] / back[c], 1, 0.01) << a << ' ' << b << ' ' << azimuth;
             }
+        }
+    }
+}
+
+// Over ground that is nearly black in red and nearly white in green each channel is the light that
+// it is by itself. The air is the same in all, and so are the grids of both solutions.
+TEST(SolvedLight, EachChannelIsThatOfItsWavelengthAlone) {
+    config::Atmosphere together = test::preset_atmosphere("earth");
+    together.ground_albedo = {0.05, 0.9, 0.4};
+    config::Atmosphere alone = together;
+    for (std::size_t i = 0; i < together.layers.size(); ++i) {
+        const config::Layer green = together.layers[i];
+        together.layers[i].scattering.assign(3, green.scattering[1]);
+        together.layers[i].extinction.assign(3, green.extinction[1]);
+        alone.layers[i].scattering = {green.scattering[1]};
+        alone.layers[i].extinction = {green.extinction[1]};
+    }
+    const SolvedLight of_three = solve_light(make_sky_medium(together), coarse(), 0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        alone.ground_albedo = {together.ground_albedo[c]};
+        const SolvedLight of_one = solve_light(make_sky_medium(alone), coarse(), 0);
+        for (const double zenith : {10.0, 60.0, 80.0}) {
+            const double cosine = std::cos(zenith * test::kDegree);
+            for (const double altitude : {0.0, 1.0, 8.0, 30.0}) {
+                EXPECT_NEAR(of_three.mean_radiance_at(altitude, cosine)[c] /
+                                of_one.mean_radiance_at(altitude, cosine)[0],
+                            1, 5e-3)
+                    << c << ' ' << zenith << ' ' << altitude;
+            }
+            EXPECT_NEAR(of_three.sky_irradiance_at(cosine)[c] / of_one.sky_irradiance_at(cosine)[0],
+                        1, 5e-3)
+                << c << ' ' << zenith;
         }
     }
 }

@@ -1,0 +1,252 @@
+// The kernel of one more order of scattering against its formulas, written down sun by sun.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "bakers/scattering/transport.h"
+#include "tests/noise/every_target.h"
+
+namespace skybake {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kLevels = 3;
+
+class Dice {
+  public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+    }
+
+  private:
+    std::mt19937 engine_;
+};
+
+// What a level's transport works on: light without any order from sun to sun, and rays to it.
+struct TransportCase {
+    SunAxis suns;
+    LightField light;
+    LevelTransport transport;
+    std::vector<double> steep;
+
+    TransportCase(const Shell& shell, int sun_count, int degree, unsigned seed)
+        : suns(make_sun_axis(shell, sun_count)),
+          light(kLevels, sun_count, degree),
+          steep(static_cast<std::size_t>(sun_count), 0.0) {
+        Dice dice(seed);
+        for (double& value : light.moments) value = dice.between(0.1, 2);
+        for (double& value : light.sky_irradiance) value = dice.between(0.1, 2);
+        for (int i = 0; i < 4; ++i) add_ray(dice);
+    }
+
+    int orders() const { return light.degree + 1; }
+
+  private:
+    void add_ray(Dice& dice) {
+        TransportRay ray;
+        ray.mu = dice.between(-1, 1);
+        ray.weight = dice.between(0, 0.3);
+        for (const bool ground : {false, false, false, true}) {
+            TransportNode node;
+            node.ground = ground;
+            node.level = static_cast<int>(dice.between(0, kLevels));
+            node.fraction = node.level + 1 < kLevels ? dice.between(0, 1) : 0;
+            const double turn = dice.between(0, 0.7);
+            node.turn_cosine = std::cos(turn);
+            node.turn_sine = std::sin(turn);
+            node.azimuths = std::max(4, orders()) << (dice.between(0, 2) < 1 ? 0 : 1);
+            node.weights = transport.weights.size();
+            const int groups = ground ? 1 : moment_count(light.degree);
+            for (std::size_t i = 0; i < static_cast<std::size_t>(groups) * kChannelSlots; ++i) {
+                transport.weights.push_back(dice.between(-1, 1));
+            }
+            ray.nodes.push_back(node);
+        }
+        transport.rays.push_back(ray);
+    }
+};
+
+// Lagrange's polynomial through `count` columns from `first` on; where `u` leaves them and there
+// are but two, the nearer one.
+std::vector<double> weights_of_columns(double u, int first, int count) {
+    if (count == 2) u = std::clamp<double>(u, first, first + 1);
+    std::vector<double> weights;
+    for (int i = 0; i < count; ++i) {
+        double weight = 1;
+        for (int j = 0; j < count; ++j) {
+            if (j != i) weight *= (u - (first + j)) / (i - j);
+        }
+        weights.push_back(weight);
+    }
+    return weights;
+}
+
+// Light of one azimuthal order at a node, for the sun of a column.
+double light_of_column(const TransportCase& any, const TransportNode& node, int column, int m,
+                       std::size_t channel) {
+    const double* weights = any.transport.weights.data() + node.weights + channel;
+    if (node.ground) {
+        const auto at = static_cast<std::size_t>(column) * kChannelSlots;
+        return m == 0 ? weights[0] * any.light.sky_irradiance[at + channel] : 0;
+    }
+    double sum = 0;
+    for (int l = m; l <= any.light.degree; ++l) {
+        const std::size_t lm = static_cast<std::size_t>(moment_index(l, m)) * kChannelSlots;
+        const double low = any.light.at(node.level, column)[lm + channel];
+        const double high =
+            node.fraction > 0 ? any.light.at(node.level + 1, column)[lm + channel] : 0;
+        sum += weights[lm] * ((1 - node.fraction) * low + node.fraction * high);
+    }
+    return sum;
+}
+
+// sin^m theta cos(m phi) from its cosine of theta and sin theta cos phi, which may be just beyond
+// sin theta where the sun is taken for the darkest.
+double power_of_sine(double cosine, double along, int m) {
+    const std::complex<double> root =
+        std::sqrt(std::complex<double>(along * along - (1 - cosine) * (1 + cosine)));
+    return 0.5 * (std::pow(along + root, m) + std::pow(along - root, m)).real();
+}
+
+// Light that a node sends along its ray, for a sun and a ray that is `azimuth` from it.
+double light_of_node(const TransportCase& any, const TransportNode& node, int sun, double azimuth,
+                     std::size_t channel) {
+    const double cosine = any.suns.cosines[static_cast<std::size_t>(sun)];
+    const double sine = std::sqrt((1 - cosine) * (1 + cosine));
+    const double turned = node.turn_cosine * cosine + node.turn_sine * sine * std::cos(azimuth);
+    const double there = std::clamp(turned, any.suns.darkest, 1.0);
+    const double along = node.turn_cosine * sine * std::cos(azimuth) - node.turn_sine * cosine;
+    const double u = any.suns.position(there);
+    const int last = any.suns.count() - 1;
+    const int stencil = std::clamp(static_cast<int>(std::floor(u)) - 1, 0, last - 3);
+    const bool flat = any.steep[static_cast<std::size_t>(stencil)] > 0;
+    const int first = flat ? std::clamp(static_cast<int>(std::floor(u)), 0, last - 1) : stencil;
+    const std::vector<double> weights = weights_of_columns(u, first, flat ? 2 : 4);
+    double sum = 0;
+    for (int m = 0; m < any.orders(); ++m) {
+        double order = 0;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            const int column = first + static_cast<int>(i);
+            order += weights[i] * light_of_column(any, node, column, m, channel);
+        }
+        sum += power_of_sine(there, along, m) * order;
+    }
+    return sum;
+}
+
+struct Applied {
+    std::vector<double> moments;
+    std::vector<double> sky_irradiance;
+};
+
+// The moments of what comes along the rays; each node has its own number of azimuths.
+Applied expected(const TransportCase& any) {
+    Applied sum{std::vector<double>(any.light.level_size()),
+                std::vector<double>(any.light.sky_irradiance.size())};
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(any.light.degree)));
+    for (const TransportRay& ray : any.transport.rays) {
+        zenith_harmonics(any.light.degree, ray.mu, harmonics.data());
+        for (const TransportNode& node : ray.nodes) {
+            for (int sun = 0; sun < any.suns.count(); ++sun) {
+                const double cosine = any.suns.cosines[static_cast<std::size_t>(sun)];
+                for (int j = 0; j < node.azimuths; ++j) {
+                    const double azimuth = kPi * (j + 0.5) / node.azimuths;
+                    const double share = 4 * kPi * ray.weight / node.azimuths;
+                    for (std::size_t c = 0; c < kChannelSlots; ++c) {
+                        const double value = share * light_of_node(any, node, sun, azimuth, c);
+                        for (int l = 0; l <= any.light.degree; ++l) {
+                            for (int m = 0; m <= l; ++m) {
+                                const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                                sum.moments[static_cast<std::size_t>(sun) * any.light.sun_size() +
+                                            lm * kChannelSlots + c] +=
+                                    value * std::cos(m * azimuth) * harmonics[lm] /
+                                    std::pow(std::sqrt((1 - cosine) * (1 + cosine)), m);
+                            }
+                        }
+                        if (ray.mu <= 0) continue;
+                        sum.sky_irradiance[static_cast<std::size_t>(sun) * kChannelSlots + c] +=
+                            value * ray.mu;
+                    }
+                }
+            }
+        }
+    }
+    return sum;
+}
+
+Applied applied(const TransportCase& any) {
+    Applied made{std::vector<double>(any.light.level_size(), -1),
+                 std::vector<double>(any.light.sky_irradiance.size(), -1)};
+    apply_transport(any.transport, any.suns, any.steep, any.light, made.moments.data(),
+                    made.sky_irradiance.data());
+    return made;
+}
+
+void expect_near(const std::vector<double>& made, const std::vector<double>& wanted,
+                 const char* target) {
+    ASSERT_EQ(made.size(), wanted.size());
+    double scale = 0;
+    for (const double value : wanted) scale = std::max(scale, std::fabs(value));
+    int wrong = 0;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        if (!(std::fabs(made[i] - wanted[i]) <= 1e-12 * scale)) {
+            if (++wrong == 1)
+                ADD_FAILURE() << target << ": " << i << ": " << made[i] << " for " << wanted[i];
+        }
+    }
+    EXPECT_EQ(wrong, 0) << target;
+}
+
+void expect_right(const TransportCase& any) {
+    const Applied wanted = expected(any);
+    const Applied best = applied(any);
+    test::on_every_target([&](const char* target) {
+        const Applied made = applied(any);
+        expect_near(made.moments, wanted.moments, target);
+        expect_near(made.sky_irradiance, wanted.sky_irradiance, target);
+        EXPECT_EQ(made.moments, best.moments) << target;
+        EXPECT_EQ(made.sky_irradiance, best.sky_irradiance) << target;
+    });
+}
+
+const Shell kEarth = {6360, 100};
+const Shell kHighAir = {100, 80};
+
+TEST(TransportKernel, InterpolatesByCubics) {
+    for (const Shell& shell : {kEarth, kHighAir}) {
+        expect_right(TransportCase(shell, 16, 2, 1));
+        expect_right(TransportCase(shell, 24, 5, 2));
+    }
+}
+
+// To the last column on both sides, where cubics lean on a stencil that does not surround the sun.
+TEST(TransportKernel, SteepStencilsAreLinearUpToTheEnds) {
+    for (const Shell& shell : {kEarth, kHighAir}) {
+        TransportCase any(shell, 16, 4, 3);
+        std::fill(any.steep.begin(), any.steep.end(), 1.0);
+        expect_right(any);
+    }
+}
+
+TEST(TransportKernel, SteepStencilsLeaveTheirNeighboursCubic) {
+    TransportCase any(kEarth, 32, 2, 4);
+    for (std::size_t i = 0; i < any.steep.size(); i += 3) any.steep[i] = 1;
+    expect_right(any);
+}
+
+TEST(TransportKernel, TheSkyOverOtherLevelsIsNotAskedFor) {
+    const TransportCase any(kEarth, 8, 2, 5);
+    std::vector<double> alone(any.light.level_size());
+    apply_transport(any.transport, any.suns, any.steep, any.light, alone.data(), nullptr);
+    EXPECT_EQ(alone, applied(any).moments);
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,153 @@
+// Channels do not see each other: where the atmosphere's values of red, green and blue change
+// places, so do those of every asset, and nothing else changes. Air, aerosol, absorption and ground
+// each have another value for each channel, so that a value taken from the wrong one is told.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bakers/registry.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake {
+namespace {
+
+// What three channels have, and the places of the wavelengths for which it is.
+struct ChannelOrder {
+    std::array<std::size_t, 3> places{};
+
+    std::string of(const std::array<std::string, 3>& values) const {
+        return "[" + values[places[0]] + ", " + values[places[1]] + ", " + values[places[2]] + "]";
+    }
+};
+
+constexpr ChannelOrder kStraight = {{0, 1, 2}};
+constexpr ChannelOrder kTurned = {{2, 0, 1}};
+
+std::string atmosphere_of(const ChannelOrder& order) {
+    return "preset = \"earth\"\nwavelengths = " +
+           order.of({"\"680 nm\"", "\"550 nm\"", "\"440 nm\""}) +
+           "\n[atmosphere]\nground_albedo = " + order.of({"0.05", "0.9", "0.4"}) +
+           "\n[atmosphere.layers.rayleigh]\nscattering = " +
+           order.of({"\"5.8e-6 /m\"", "\"1.35e-5 /m\"", "\"3.3e-5 /m\""}) +
+           "\n[atmosphere.layers.mie]\nscattering = " +
+           order.of({"\"4e-6 /m\"", "\"3e-6 /m\"", "\"6e-6 /m\""}) +
+           "\nextinction = " + order.of({"\"5e-6 /m\"", "\"4.4e-6 /m\"", "\"6e-6 /m\""}) +
+           "\n[atmosphere.layers.ozone]\nabsorption = " +
+           order.of({"\"6.5e-7 /m\"", "\"1.9e-6 /m\"", "\"8.5e-8 /m\""}) + "\n";
+}
+
+// Assets small enough for a test; all that need solved light share one solution.
+const char* const kAssets = R"(
+[bake.transmittance]
+size = [4, 4]
+pixel_type = "float"
+[bake.scattered]
+asset = "multiple_scattering"
+size = [4, 4]
+pixel_type = "float"
+[bake.solved]
+asset = "multiple_scattering"
+method = "solved"
+mapping = "twilight"
+size = [4, 4]
+pixel_type = "float"
+[bake.view]
+asset = "sky_view"
+size = [4, 4]
+sun_elevations = ["20 deg"]
+pixel_type = "float"
+[bake.aerial]
+asset = "aerial_perspective"
+sun_elevation = "20 deg"
+size = [2, 2, 2]
+pixel_type = "float"
+[bake.fallen]
+asset = "irradiance"
+size = [4, 2]
+pixel_type = "float"
+[bake.scattering]
+asset = "bruneton"
+size = [8, 4, 2]
+nu_size = 2
+pixel_type = "float"
+[bake.ground]
+asset = "bruneton"
+table = "irradiance"
+size = [4, 2, 1]
+pixel_type = "float"
+)";
+
+struct Values {
+    std::vector<std::string> names;
+    std::vector<std::vector<double>> channels;
+};
+
+Values values_of(const BakedTable& table) {
+    Values values{table.channel_names, {}};
+    values.channels.resize(table.channel_names.size());
+    for (std::size_t i = 0; i < table.image.texels.size(); ++i) {
+        values.channels[i % values.channels.size()].push_back(table.image.texels[i]);
+    }
+    return values;
+}
+
+Values values_of(const BakedVolume& volume) {
+    const VoxelBox whole{{}, volume.levels.at(0).size};
+    Values values{volume.channel_names, {}};
+    std::vector<std::vector<float>> planes(
+        volume.channel_names.size(), std::vector<float>(static_cast<std::size_t>(whole.count())));
+    std::vector<float*> targets;
+    for (std::vector<float>& plane : planes) targets.push_back(plane.data());
+    volume.levels.at(0).voxels->fill(whole, targets);
+    for (const std::vector<float>& plane : planes) {
+        values.channels.emplace_back(plane.begin(), plane.end());
+    }
+    return values;
+}
+
+Values baked(const config::Recipe& recipe, const config::Bake& bake) {
+    const auto outcome = bake_asset(recipe, bake, {.certification = Certification::off});
+    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
+        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
+    }
+    if (!outcome.value) return {};
+    return std::visit([](const auto& asset) { return values_of(asset); }, *outcome.value);
+}
+
+// Where the values of channel c of the straight order stand in the turned one.
+std::size_t place_in_turned(const Values& values, std::size_t c) {
+    const std::string letters = "RGB";
+    const std::size_t at = letters.find(values.names[c]);
+    if (at == std::string::npos) return c;  // of no wavelength
+    const auto place = std::find(kTurned.places.begin(), kTurned.places.end(), at);
+    const std::string name(1, letters[static_cast<std::size_t>(place - kTurned.places.begin())]);
+    return static_cast<std::size_t>(std::find(values.names.begin(), values.names.end(), name) -
+                                    values.names.begin());
+}
+
+TEST(Channels, ChangePlacesWithTheirValues) {
+    const config::Recipe straight = test::recipe_of(atmosphere_of(kStraight) + kAssets);
+    const config::Recipe turned = test::recipe_of(atmosphere_of(kTurned) + kAssets);
+    ASSERT_EQ(straight.parameters.bakes.size(), 8U);
+    for (std::size_t i = 0; i < straight.parameters.bakes.size(); ++i) {
+        const Values before = baked(straight, straight.parameters.bakes[i]);
+        const Values after = baked(turned, turned.parameters.bakes[i]);
+        ASSERT_GE(before.channels.size(), 3U);
+        for (std::size_t c = 0; c < before.channels.size(); ++c) {
+            const std::vector<double>& a = before.channels[c];
+            const std::vector<double>& b = after.channels[place_in_turned(before, c)];
+            const double largest = *std::max_element(a.begin(), a.end());
+            EXPECT_GT(largest, 0);
+            double off = 0;
+            for (std::size_t k = 0; k < a.size(); ++k) off = std::max(off, std::fabs(a[k] - b[k]));
+            EXPECT_LE(off, 1e-6 * largest) << "section " << i << ", channel " << before.names[c];
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""What a run of the tests took, and what it did not test.
+
+    ctest --test-dir BUILD ... --output-junit RESULTS
+    tests/summary.py BUILD RESULTS
+
+Prints the time of each label and of each folder of tests/, the slowest tests, and last, so that
+nobody overlooks it, every test that was skipped or left out, with the reason that it gave.
+"""
+
+import json
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+from collections import defaultdict
+from pathlib import Path
+
+SLOWEST = 20
+# What tests say of what they leave out: scripts of all or of a part, GoogleTest in the next line.
+REASON = re.compile(r"^(.*(?:skipped: |not tested).*|(?<=: Skipped\n).*)$", re.M)
+
+
+class Test:
+    """A test as CTest knows it."""
+
+    def __init__(self, name, properties):
+        self.name = name
+        self.labels = properties.get("LABELS", [])
+        folders = Path(properties.get("WORKING_DIRECTORY", "")).parts
+        self.room = folders[folders.index("tests") + 1] if "tests" in folders[:-1] else "tests"
+
+
+def known_tests(build):
+    text = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"],
+                          stdout=subprocess.PIPE, text=True, check=True).stdout
+    tests = {}
+    for entry in json.loads(text)["tests"]:
+        properties = {p["name"]: p["value"] for p in entry.get("properties", [])}
+        tests[entry["name"]] = Test(entry["name"], properties)
+    return tests
+
+
+class Result:
+    """What became of a test in the run."""
+
+    def __init__(self, case):
+        self.name = case.get("name")
+        self.seconds = float(case.get("time"))
+        self.skipped = case.get("status") in ("notrun", "disabled")
+        output = case.findtext("system-out") or ""
+        self.reasons = [reason.strip() for reason in REASON.findall(output)]
+        if self.skipped and not self.reasons:
+            skipped = case.find("skipped")
+            self.reasons = [case.get("status") if skipped is None else skipped.get("message")]
+
+
+def table(title, rows):
+    """Rows of a name, a number of tests and seconds, the longest first."""
+    lines = [f"\n{title:<24}{'tests':>8}{'seconds':>10}"]
+    for name, (count, seconds) in sorted(rows.items(), key=lambda row: -row[1][1]):
+        lines.append(f"{name:<24}{count:>8}{seconds:>10.1f}")
+    return lines
+
+
+def times(tests, results):
+    labels, rooms = defaultdict(lambda: (0, 0.0)), defaultdict(lambda: (0, 0.0))
+    for result in results:
+        test = tests.get(result.name) or Test(result.name, {})
+        for rows, names in ((labels, test.labels or ["(no label)"]), (rooms, [test.room])):
+            for name in names:
+                rows[name] = (rows[name][0] + 1, rows[name][1] + result.seconds)
+    return table("label", labels) + table("folder", rooms)
+
+
+def slowest(results):
+    lines = ["\nthe slowest tests, in seconds"]
+    for result in sorted(results, key=lambda r: -r.seconds)[:SLOWEST]:
+        lines.append(f"{result.seconds:>8.1f}  {result.name}")
+    return lines
+
+
+def not_tested(tests, results):
+    lines = []
+    for result in results:
+        what = "skipped" if result.skipped else "left out in part"
+        lines += [f"  {what}: {result.name}: {reason}" for reason in result.reasons]
+    run = {result.name for result in results}
+    left_out = defaultdict(list)
+    for test in tests.values():
+        if test.name not in run:
+            left_out[" and ".join(test.labels) or "no label"].append(test.name)
+    for label, names in sorted(left_out.items()):
+        lines.append(f"  left out, with the label {label}: {len(names)} tests")
+        lines += [f"    {name}" for name in sorted(names)]
+    if not lines:
+        return ["\nEvery test was run, and none was skipped."]
+    return ["\n" + "=" * 100, "THIS RUN DID NOT TEST EVERYTHING:", *lines, "=" * 100]
+
+
+def summary(tests, results):
+    return "\n".join(times(tests, results) + slowest(results) + not_tested(tests, results))
+
+
+def main():
+    build, path = sys.argv[1:]
+    results = [Result(case) for case in xml.parse(path).getroot().iter("testcase")]
+    print(summary(known_tests(build), results))
+
+
+if __name__ == "__main__":
+    main()
