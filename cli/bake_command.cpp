@@ -78,7 +78,7 @@ Outcome<WriteResult> write_depfile(const fs::path& path, const FolderBake& bake,
     return write_file_atomically(path, depfile_text(targets, bake.recipe->inputs));
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_bake(const Invocation& invocation, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
@@ -144,7 +144,7 @@ Command bake_command() {
                      {"skybake bake earth.toml --only transmittance --certify full",
                       "one table, its error measured at every texel"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
-        .run = run};
+        .run = run_bake};
 }
 
 }  // namespace skybake::cli

@@ -11,7 +11,7 @@ std::string line(const Json& event) {
     return event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string_view spell(AssetState state) {
+std::string_view state_name(AssetState state) {
     switch (state) {
         case AssetState::up_to_date:
             return "up_to_date";
@@ -30,7 +30,7 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
                   {"name", entry.name},
                   {"kind", entry.kind},
                   {"path", (folder / file.path).string()},
-                  {"state", spell(asset.state)},
+                  {"state", state_name(asset.state)},
                   {"changed", asset.files[i] == WriteResult::written},
                   {"size", entry.size},
                   {"bake_s", entry.timing.bake_s},

@@ -30,7 +30,7 @@ std::string contents(const config::Parameters& parameters) {
     return text + count(parameters.bakes.size(), "asset") + " to bake";
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_check(const Invocation& invocation, Console& console) {
     const std::string& file = invocation.arguments()[0];
     const auto outcome = config::load_recipe(file, invocation.values("set"));
     const ExitCode code = console.report_results(outcome.diagnostics);
@@ -52,7 +52,7 @@ Command check_command() {
             .examples = {{"skybake check earth.toml", "every error with its line and a remedy"},
                          {"skybake check earth.toml --diagnostics json", "the same for an editor"}},
             .exit_codes = {ExitCode::io},
-            .run = run};
+            .run = run_check};
 }
 
 }  // namespace skybake::cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bakers/io/release.h"
+#include "cli/diagnostic_printer.h"
 #include "config/diagnostic_codes.h"
 
 namespace skybake::cli {
@@ -18,10 +19,6 @@ using Json = nlohmann::ordered_json;
 // Sources may hold anything: bytes that are not UTF-8 become U+FFFD.
 std::string text_of(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string_view severity_word(const config::Diagnostic& diagnostic) {
-    return diagnostic.severity == config::Severity::error ? "error" : "warning";
 }
 
 // "--set `a.b=c`", "--vary `a.b=1,2`" and "preset earth" are places, but no files.

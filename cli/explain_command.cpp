@@ -24,7 +24,7 @@ config::Diagnostic unknown_name(const std::string& name) {
                        label);
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_explain(const Invocation& invocation, Console& console) {
     if (invocation.arguments().empty()) {
         console.result(config::explain_all_keys());
         return ExitCode::done;
@@ -50,7 +50,7 @@ Command explain_command() {
                      {"skybake explain scale_height", "the same by the key alone"},
                      {"skybake explain noise.shape.channels", "the keys of a noise's channels"},
                      {"skybake explain E0102", "an error, and how to put it right"}},
-        .run = run};
+        .run = run_explain};
 }
 
 }  // namespace skybake::cli

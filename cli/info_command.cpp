@@ -66,7 +66,7 @@ Json attributes_json(const Attributes& attributes) {
     return json;
 }
 
-std::string text_of(const Json& json) {
+std::string json_text(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -77,12 +77,12 @@ std::string image_json(const ExrRows& image, const std::vector<ValueRange>& rang
                                             {"max", ranges[i].largest},
                                             {"not_finite", ranges[i].not_finite}};
     }
-    return text_of({{"size", {image.width(), image.height()}},
-                    {"channels", image.channel_names()},
-                    {"pixel_type", spell(image.pixel_type())},
-                    {"compression", spell(image.compression())},
-                    {"values", std::move(values)},
-                    {"attributes", attributes_json(image.attributes())}});
+    return json_text({{"size", {image.width(), image.height()}},
+                      {"channels", image.channel_names()},
+                      {"pixel_type", spell(image.pixel_type())},
+                      {"compression", spell(image.compression())},
+                      {"values", std::move(values)},
+                      {"attributes", attributes_json(image.attributes())}});
 }
 
 // Texts of several lines stand below their name, the others beside it.
@@ -152,10 +152,10 @@ std::string vdb_json(const VdbFile& file) {
                          {"active_voxels", grid.active_voxels},
                          {"metadata", attributes_json(grid.metadata)}});
     }
-    return text_of({{"uuid", file.uuid},
-                    {"library", file.library},
-                    {"grids", std::move(grids)},
-                    {"attributes", attributes_json(file.attributes)}});
+    return json_text({{"uuid", file.uuid},
+                      {"library", file.library},
+                      {"grids", std::move(grids)},
+                      {"attributes", attributes_json(file.attributes)}});
 }
 
 std::string vdb_text(const std::string& name, const VdbFile& file) {
@@ -233,7 +233,7 @@ ExitCode show_manifest(const config::Outcome<Manifest>& manifest, bool json, Con
     return ExitCode::done;
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_info(const Invocation& invocation, Console& console) {
     const fs::path path = invocation.arguments()[0];
     const bool json = invocation.has("json");
     std::error_code error;
@@ -262,7 +262,7 @@ Command info_command() {
                          {"skybake info out/transmittance.exr",
                           "mapping, units, parameters of a file"}},
             .exit_codes = {ExitCode::io},
-            .run = run};
+            .run = run_info};
 }
 
 }  // namespace skybake::cli

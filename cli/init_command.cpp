@@ -105,7 +105,7 @@ ExitCode write_recipe(const std::string& file, const std::string& text, bool for
     return ExitCode::done;
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_init(const Invocation& invocation, Console& console) {
     if (invocation.has("list")) {
         console.result(preset_list());
         return ExitCode::done;
@@ -149,7 +149,7 @@ Command init_command() {
                          {"skybake init fog.toml --preset fog", "the droplets of fog"},
                          {"skybake init --list", "the presets, a line each"}},
             .exit_codes = {ExitCode::io},
-            .run = run};
+            .run = run_init};
 }
 
 }  // namespace skybake::cli

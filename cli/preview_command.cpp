@@ -84,7 +84,7 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
     return ExitCode::done;
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_preview(const Invocation& invocation, Console& console) {
     const auto request = preview_request(invocation);
     if (const ExitCode code = console.report(request.diagnostics); !request.value) return code;
     if (const ExitCode code = check_output(*request.value, console); code != ExitCode::done) {
@@ -115,7 +115,7 @@ Command preview_command() {
                          {"skybake preview cumulus.toml --watch",
                           "a page that follows the recipe while you write it"}},
             .exit_codes = {ExitCode::io, ExitCode::checks},
-            .run = run};
+            .run = run_preview};
 }
 
 }  // namespace skybake::cli

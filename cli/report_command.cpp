@@ -26,7 +26,7 @@ namespace {
 using config::Bake;
 using config::Outcome;
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_report(const Invocation& invocation, Console& console) {
     if (invocation.has("json") && invocation.has("csv")) {
         return console.report(std::array{
             usage_error("--json and --csv exclude each other", "the folder will hold both")});
@@ -100,7 +100,7 @@ Command report_command() {
                       "one asset, in seconds, for a spreadsheet"},
                      {"skybake report --truth earth.toml", "how wrong is the sky? truth is kept"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
-        .run = run};
+        .run = run_report};
 }
 
 }  // namespace skybake::cli

@@ -19,7 +19,7 @@ std::string bytes_text(std::uint64_t bytes) {
 }
 
 // Three significant digits without an exponent, so that columns compare at a glance.
-std::string time_text(double milliseconds) {
+std::string duration_text(double milliseconds) {
     const int decimals = milliseconds < 10 ? 2 : milliseconds < 100 ? 1 : 0;
     return fmt::format("{:.{}f} ms", milliseconds, decimals);
 }
@@ -55,9 +55,9 @@ constexpr std::array<Column, 10> kColumns = {{
     {"size", Align::right, [](const ReportRow& row) { return size_text(row.size); }},
     {"type", Align::left, [](const ReportRow& row) { return std::string(spell(row.pixel_type)); }},
     {"file", Align::right, [](const ReportRow& row) { return bytes_text(row.file_bytes); }},
-    {"time", Align::right, [](const ReportRow& row) { return time_text(row.time_ms); }},
+    {"time", Align::right, [](const ReportRow& row) { return duration_text(row.time_ms); }},
     {"write", Align::right,
-     [](const ReportRow& row) { return time_text(row.volume_file->write_ms); }, true},
+     [](const ReportRow& row) { return duration_text(row.volume_file->write_ms); }, true},
     {"texel error max / rms", Align::right,
      [](const ReportRow& row) { return error_text(row.texel); }},
     {"lookup error max / rms", Align::right,
@@ -117,7 +117,7 @@ std::string skipping_text(const AssetReport& asset) {
                        fmt::format("{} of {}", row.lost_samples, row.samples),
                        fmt::format("{}", row.changed_rays), fmt::format("{:.1f}", row.fetches[0]),
                        fmt::format("{:.1f}", row.fetches[1]), fmt::format("{:.1f}", row.fetches[2]),
-                       bytes_text(row.structure_bytes), time_text(row.time_ms)});
+                       bytes_text(row.structure_bytes), duration_text(row.time_ms)});
     }
     return fmt::format(
         "{} ({})\n"

@@ -151,7 +151,7 @@ config::Diagnostic unknown_path(const config::Recipe& recipe, const std::string&
                        config::did_you_mean(asked, names));
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_show(const Invocation& invocation, Console& console) {
     const auto outcome = config::load_recipe(invocation.arguments()[0], invocation.values("set"));
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
@@ -189,7 +189,7 @@ Command show_command() {
                      {"skybake show clouds.toml noise.shape", "a noise with its preset's values"},
                      {"skybake show earth.toml --set preset=mars", "what another preset would do"}},
         .exit_codes = {ExitCode::io},
-        .run = run};
+        .run = run_show};
 }
 
 }  // namespace skybake::cli

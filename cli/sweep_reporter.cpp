@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 using std::chrono::duration;
 using std::chrono::steady_clock;
 
-std::string line(const Json& event) {
+std::string event_line(const Json& event) {
     return event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -114,12 +114,12 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
     if (made && !failed) ++made_;
     if (json_) {
         const std::string_view state = failed ? "failed" : made ? "made" : "up_to_date";
-        console_.result(line({{"event", "variant"},
-                              {"index", variant.index},
-                              {"name", variant.name},
-                              {"path", folder_of(job_, variant)},
-                              {"state", state},
-                              {"seconds", seconds}}));
+        console_.result(event_line({{"event", "variant"},
+                                    {"index", variant.index},
+                                    {"name", variant.name},
+                                    {"path", folder_of(job_, variant)},
+                                    {"state", state},
+                                    {"seconds", seconds}}));
     }
     if (console_.error_is_terminal()) {
         show(count_text());
@@ -179,24 +179,24 @@ std::string sweep_event(const SweepJob& job, const std::vector<PlannedVariant>& 
         shared.push_back(
             {{"name", asset.name}, {"variants", asset.variants}, {"bakes", asset.bakes}});
     }
-    return line({{"event", "sweep"},
-                 {"variants", config::variant_count(job.sweep)},
-                 {"in_shard", plan.size()},
-                 {"up_to_date", up_to_date_count(plan)},
-                 {"shared", std::move(shared)}});
+    return event_line({{"event", "sweep"},
+                       {"variants", config::variant_count(job.sweep)},
+                       {"in_shard", plan.size()},
+                       {"up_to_date", up_to_date_count(plan)},
+                       {"shared", std::move(shared)}});
 }
 
 std::string planned_variant_events(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
     std::string text;
     for (const PlannedVariant& variant : plan) {
-        text += line({{"event", "planned_variant"},
-                      {"index", variant.result.index},
-                      {"name", variant.result.name},
-                      {"path", folder_of(job, variant.result)},
-                      {"state", spell_planned(variant.result.status)},
-                      {"why", reasons_text(variant)},
-                      {"seconds", variant.seconds},
-                      {"memory_mib", variant.memory_mib}});
+        text += event_line({{"event", "planned_variant"},
+                            {"index", variant.result.index},
+                            {"name", variant.result.name},
+                            {"path", folder_of(job, variant.result)},
+                            {"state", spell_planned(variant.result.status)},
+                            {"why", reasons_text(variant)},
+                            {"seconds", variant.seconds},
+                            {"memory_mib", variant.memory_mib}});
     }
     return text;
 }
@@ -206,12 +206,12 @@ std::string swept_event(const std::vector<VariantResult>& results, int made, dou
         return std::count_if(results.begin(), results.end(),
                              [&](const VariantResult& one) { return one.status == status; });
     };
-    return line({{"event", "swept"},
-                 {"done", count(VariantStatus::done)},
-                 {"failed", count(VariantStatus::failed)},
-                 {"missing", count(VariantStatus::missing)},
-                 {"made", made},
-                 {"seconds", seconds}});
+    return event_line({{"event", "swept"},
+                       {"done", count(VariantStatus::done)},
+                       {"failed", count(VariantStatus::failed)},
+                       {"missing", count(VariantStatus::missing)},
+                       {"made", made},
+                       {"seconds", seconds}});
 }
 
 std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results) {

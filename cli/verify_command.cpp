@@ -39,7 +39,7 @@ std::string as_text(const VerifyReport& report) {
                               report.files == 1 ? "" : "s", report.checks, verdict);
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_verify(const Invocation& invocation, Console& console) {
     const std::array checks = {probe_check()};
     const std::array of_folder = {skipping_check()};
     const auto outcome = verify_bake(invocation.arguments()[0], checks, of_folder);
@@ -62,7 +62,7 @@ Command verify_command() {
         .examples = {{"skybake verify out", "every failure of hash, metadata, values and probes"},
                      {"skybake verify out --json", "the same for a program"}},
         .exit_codes = {ExitCode::differs, ExitCode::io},
-        .run = run};
+        .run = run_verify};
 }
 
 }  // namespace skybake::cli

@@ -15,7 +15,7 @@ namespace {
 
 using Frequency = std::array<int, 3>;
 
-std::string spell_frequency(const Frequency& frequency) {
+std::string frequency_text(const Frequency& frequency) {
     const bool isotropic = frequency[0] == frequency[1] && frequency[1] == frequency[2];
     return isotropic ? fmt::format("{}", frequency[0]) : fmt::format("{}", frequency);
 }
@@ -48,8 +48,8 @@ struct ChannelCheck {
         const bool is_scaled = grid.scale != Frequency{1, 1, 1};
         return fmt::format("octave {} of channel {} of noise `{}` ({}frequency {}{})", octave + 1,
                            channel.name, noise.name, cellular ? "Worley, " : "",
-                           spell_frequency(frequency),
-                           is_scaled ? " times " + spell_frequency(grid.scale) : "");
+                           frequency_text(frequency),
+                           is_scaled ? " times " + frequency_text(grid.scale) : "");
     }
 
     // False if an octave is nothing, which is reported. The derivatives that curl noise is made of

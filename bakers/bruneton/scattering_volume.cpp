@@ -25,7 +25,7 @@ using config::BrunetonTable;
 
 namespace {
 
-constexpr const char* kConvention = "end points on texel centres; clamps";
+constexpr const char* kScatteringConvention = "end points on texel centres; clamps";
 
 std::string content_text(const BrunetonBake& bake, const ScatteringContent& content) {
     const std::string single = "single scattering by all other layers";
@@ -56,15 +56,15 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content, double
                       "each x = (1 - a / A) / (1 + a), a = (D - D(1)) / (D(0) - D(1)), D(mu_s) the "
                       "distance from the ground to the top, A = a({:.9g})",
                       bake.nu_size, bake.sun_cos_zenith_min),
-          kConvention, bake.sun_cos_zenith_min, 1},
+          kScatteringConvention, bake.sun_cos_zenith_min, 1},
          {"view_distance_km",
           "lower half: rays to the ground, x = 1 - (d - d_min) / (d_max - d_min), d_min = r - "
           "R_ground, d_max = rho; upper half: rays to the top, x = (d - d_min) / (d_max - d_min), "
           "d_min = R_top - r, d_max = rho + H",
-          kConvention, 0, 1},
+          kScatteringConvention, 0, 1},
          {"altitude_km",
-          "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)", kConvention,
-          0, thickness_km}}};
+          "x = rho / H, rho = sqrt(r^2 - R_ground^2), H = sqrt(R_top^2 - R_ground^2)",
+          kScatteringConvention, 0, thickness_km}}};
     for (std::size_t c = 0; c < bake.solar_irradiance.size(); ++c) {
         volume.details.emplace_back(fmt::format("solar_irradiance_{}", volume.channel_names[c]),
                                     fmt::format("{:.9g}", bake.solar_irradiance[c]));

@@ -14,7 +14,7 @@ namespace skybake {
 
 namespace {
 
-using Place = std::array<double, 3>;
+using Coordinates = std::array<double, 3>;
 
 // A level's voxels as a file holds them.
 class StoredVoxels {
@@ -57,7 +57,7 @@ class StoredVoxels {
 };
 
 std::vector<double> look_up(const StoredVoxels& voxels, const VolumeLevel& level,
-                            const Place& uvw) {
+                            const Coordinates& uvw) {
     const std::array<VoxelTap, 8> taps = trilinear_taps(level.size, uvw, level.repeats);
     const std::vector<float> values = voxels.at(taps);
     std::vector<double> result(voxels.channels(), 0.0);
@@ -82,7 +82,7 @@ std::vector<double> shares_of_range(const VolumeLevel& level, const std::vector<
 
 // Compares lookups with the reference at places, in tiles.
 VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
-                     const VolumeReference& reference, const std::vector<Place>& places,
+                     const VolumeReference& reference, const std::vector<Coordinates>& places,
                      const VolumeComparison& comparison, const BakeOptions& options) {
     const StoredVoxels voxels(level, type);
     std::vector<std::vector<double>> errors(places.size());
@@ -121,9 +121,9 @@ std::vector<double> look_up(const VolumeLevel& level, config::PixelType type,
 VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options, const VolumeComparison& comparison) {
-    std::vector<Place> places;
+    std::vector<Coordinates> places;
     for (int i = 0; i < count; ++i) {
-        Place place = low_discrepancy_point(i);
+        Coordinates place = low_discrepancy_point(i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             // Along an axis of one voxel there is nothing to look up between.
             if (level.size[axis] == 1) place[axis] = 0.5;
@@ -136,9 +136,9 @@ VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
 VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
                             const VolumeReference& reference, int count, const BakeOptions& options,
                             const VolumeComparison& comparison) {
-    std::vector<Place> places;
+    std::vector<Coordinates> places;
     for (int i = 0; i < count; ++i) {
-        Place place = low_discrepancy_point(i);
+        Coordinates place = low_discrepancy_point(i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             place[axis] = (std::floor(place[axis] * level.size[axis]) + 0.5) / level.size[axis];
         }
@@ -149,14 +149,14 @@ VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
 
 std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::PixelType type) {
     // In voxels: centres are at halves. Negative ones count from the far end.
-    static const std::vector<Place> kPlaces = {
+    static const std::vector<Coordinates> kPlaces = {
         {0.5, 0.5, 0.5},    {-0.5, 0.5, 0.5}, {0.5, -0.5, 0.5},      {0.5, 0.5, -0.5},
         {-0.5, -0.5, -0.5}, {2.5, 1.5, 0.5},  {1.5, 3.5, 2.5},       {0.25, 0.5, 0.5},
         {0.5, 0.25, 0.5},   {0.5, 0.5, 0.25}, {-0.25, -0.25, -0.25}, {0.125, -0.125, 4.375},
         {3.25, 0.0, 1.75},  {1.0, 1.0, 1.0},  {5.3125, 2.75, 7.125}, {0.0, 0.0, 0.0}};
     const StoredVoxels voxels(level, type);
     std::vector<VolumeProbe> probes;
-    const auto add = [&](const Place& uvw) {
+    const auto add = [&](const Coordinates& uvw) {
         VolumeProbe probe;
         probe.uvw = uvw;
         probe.value = look_up(voxels, level, uvw);
@@ -164,7 +164,7 @@ std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::Pi
         // Weights that are multiples of 1/256, rounded or truncated, move the lookup by less than a
         // step along each axis.
         for (int step = 0; step < 8; ++step) {
-            Place moved = uvw;
+            Coordinates moved = uvw;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const double sign = (step >> axis) % 2 == 0 ? -1 : 1;
                 moved[axis] += sign / 256 / level.size[axis];
@@ -181,8 +181,8 @@ std::vector<VolumeProbe> make_volume_probes(const VolumeLevel& level, config::Pi
         }
         probes.push_back(std::move(probe));
     };
-    for (const Place& place : kPlaces) {
-        Place uvw;
+    for (const Coordinates& place : kPlaces) {
+        Coordinates uvw;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double position = place[axis] / level.size[axis];
             uvw[axis] = position - std::floor(position);

@@ -16,10 +16,6 @@ namespace skybake {
 
 namespace {
 
-bool cancelled(const BakeOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
-
 std::string place_text(const std::array<double, 3>& uvw) {
     return fmt::format("u {:.6g}, v {:.6g}, w {:.6g}", uvw[0], uvw[1], uvw[2]);
 }
@@ -65,7 +61,7 @@ void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume) 
     // Levels of no more floats than this are kept, so that those below need not make them again.
     constexpr std::int64_t kKeptFloats = 1 << 23;
     const auto channels = static_cast<int>(volume.channel_names.size());
-    while (static_cast<int>(volume.levels.size()) < count && !cancelled(options)) {
+    while (static_cast<int>(volume.levels.size()) < count && !options.cancelled()) {
         const VolumeLevel& finer = volume.levels.back();
         VolumeLevel level;
         level.size = next_mip_size(finer.size);
@@ -84,13 +80,13 @@ config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinis
                                            const BakeOptions& options) {
     config::Outcome<BakedVolume> outcome;
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
-        if (cancelled(options)) return outcome;
+        if (options.cancelled()) return outcome;
         const auto start = std::chrono::steady_clock::now();
         outcome.diagnostics =
             survey_level(volume, static_cast<int>(i), finish.histogram_ranges, options);
         volume.bake_seconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
+        if (!outcome.diagnostics.empty() || options.cancelled()) return outcome;
         volume.levels[i].probes = make_volume_probes(volume.levels[i], volume.pixel_type);
     }
     if (options.certification != Certification::off) {
@@ -101,7 +97,7 @@ config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinis
             certify(finish, options, volume);
         }
     }
-    if (cancelled(options)) return outcome;
+    if (options.cancelled()) return outcome;
     outcome.value = std::move(volume);
     return outcome;
 }

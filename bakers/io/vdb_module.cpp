@@ -5,7 +5,7 @@
 namespace skybake {
 namespace {
 
-LoadedVdbCodec load() {
+LoadedVdbCodec load_codec() {
     const ModuleSymbol symbol = load_module("skybake_vdb", vdb_codec_symbol);
     if (symbol.address == nullptr) return {nullptr, symbol.reason};
     return {reinterpret_cast<VdbCodecFunction>(symbol.address)(), ""};
@@ -14,7 +14,7 @@ LoadedVdbCodec load() {
 }  // namespace
 
 const LoadedVdbCodec& vdb_codec() {
-    static const LoadedVdbCodec loaded = load();
+    static const LoadedVdbCodec loaded = load_codec();
     return loaded;
 }
 
