@@ -97,7 +97,7 @@ Outcome<WriteResult> write_depfile(const fs::path& path, const FolderBake& bake,
     return write_file_atomically(path, depfile_text(targets, bake.recipe->inputs));
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_bake(const Invocation& invocation, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
@@ -173,7 +173,7 @@ Command bake_command() {
                      {"generate | skybake bake - -o out",
                       "reads a recipe whose paths are relative to the current folder"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
-        .run = run};
+        .run = run_bake};
 }
 
 }  // namespace skybake::cli

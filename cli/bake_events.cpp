@@ -29,7 +29,7 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
                   {"name", entry.name},
                   {"kind", entry.kind},
                   {"path", (folder / file.path).string()},
-                  {"state", spell(asset.state)},
+                  {"state", state_name(asset.state)},
                   {"changed", asset.files[i] == WriteResult::written},
                   {"size", entry.size},
                   {"bake_s", entry.timing.bake_s},

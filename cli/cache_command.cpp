@@ -111,7 +111,7 @@ ExitCode verify(const std::string& folder, bool json, Console& console) {
     return damaged.empty() ? ExitCode::done : ExitCode::differs;
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_cache(const Invocation& invocation, Console& console) {
     const std::string& what = invocation.arguments()[0];
     const std::string folder = cache_folder(invocation);
     if (folder.empty()) {
@@ -151,7 +151,7 @@ Command cache_command() {
                          {"skybake cache gc --cache-dir ~/.cache/skybake --max-size 10GiB",
                           "keeps at most 10 GiB"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},
-            .run = run};
+            .run = run_cache};
 }
 
 }  // namespace skybake::cli

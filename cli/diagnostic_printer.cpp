@@ -18,10 +18,6 @@ using config::Severity;
 
 // --- Words that the formats share ---------------------------------------------------------------
 
-std::string_view severity_word(const Diagnostic& diagnostic) {
-    return diagnostic.severity == Severity::error ? "error" : "warning";
-}
-
 // "earth.toml:14:1", as far as it is known.
 std::string place(const config::SourceRange& where) {
     if (where.line == 0) return where.source;
@@ -237,6 +233,10 @@ constexpr std::array<FormatName, 5> format_names = {{
 }};
 
 }  // namespace
+
+std::string_view severity_word(const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error ? "error" : "warning";
+}
 
 std::optional<DiagnosticFormat> diagnostic_format(std::string_view name) {
     for (const FormatName& entry : format_names) {

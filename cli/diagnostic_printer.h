@@ -21,6 +21,9 @@ enum class DiagnosticFormat {
 // "human", "short", "json", "github", "sarif".
 std::optional<DiagnosticFormat> diagnostic_format(std::string_view name);
 
+// "error" or "warning".
+std::string_view severity_word(const config::Diagnostic& diagnostic);
+
 // The text, ending in a newline, empty for no diagnostics (SARIF: a document without results).
 // `color` matters to `human` alone.
 std::string print_diagnostics(std::span<const config::Diagnostic> diagnostics,

@@ -265,7 +265,7 @@ std::optional<double> tolerance_of(const std::string& text) {
     return value;
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_diff(const Invocation& invocation, Console& console) {
     const std::string text = invocation.value("tolerance");
     const auto tolerance = tolerance_of(text);
     if (!tolerance) {
@@ -299,7 +299,7 @@ Command diff_command() {
             .examples = {{"skybake diff old new", "compares all files of two folders"},
                          {"skybake diff a.exr b.exr --tolerance 1e-6", "allows for rounding"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},
-            .run = run};
+            .run = run_diff};
 }
 
 }  // namespace skybake::cli

@@ -266,7 +266,7 @@ ExitCode show_manifest(const fs::path& folder, bool json, Console& console) {
     return ExitCode::done;
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_info(const Invocation& invocation, Console& console) {
     const fs::path path = invocation.arguments()[0];
     const bool json = console.display().json;
     std::error_code error;
@@ -294,7 +294,7 @@ Command info_command() {
                          {"skybake info out/transmittance.exr",
                           "shows the mapping, units and parameters of a file"}},
             .exit_codes = {ExitCode::io},
-            .run = run};
+            .run = run_info};
 }
 
 }  // namespace skybake::cli

@@ -109,7 +109,7 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
     return ExitCode::done;
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_preview(const Invocation& invocation, Console& console) {
     const auto request = preview_request(invocation);
     if (const ExitCode code = console.report(request.diagnostics); !request.value) return code;
     if (const ExitCode code = check_output(*request.value, console); code != ExitCode::done) {

@@ -27,7 +27,7 @@ namespace {
 using config::Bake;
 using config::Outcome;
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_report(const Invocation& invocation, Console& console) {
     if (invocation.has("json") && invocation.has("csv")) {
         return console.report(std::array{
             usage_error("--json and --csv exclude each other", "the folder holds both anyway")});
@@ -101,7 +101,7 @@ Command report_command() {
                      {"skybake report --truth earth.toml",
                       "measures the error of the sky and keeps the traced reference"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
-        .run = run};
+        .run = run_report};
 }
 
 }  // namespace skybake::cli

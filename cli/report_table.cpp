@@ -15,7 +15,7 @@ namespace skybake::cli {
 namespace {
 
 // Three significant digits without an exponent, so that columns compare at a glance.
-std::string time_text(double milliseconds) {
+std::string duration_text(double milliseconds) {
     const int decimals = milliseconds < 10 ? 2 : milliseconds < 100 ? 1 : 0;
     return fmt::format("{:.{}f} ms", milliseconds, decimals);
 }
@@ -54,7 +54,7 @@ constexpr std::array<Column, 10> kColumns = {{
      [](const ReportRow& row) { return byte_size_text(static_cast<double>(row.file_bytes)); }},
     {"time", Align::right, [](const ReportRow& row) { return time_text(row.time_ms); }},
     {"write", Align::right,
-     [](const ReportRow& row) { return time_text(row.volume_file->write_ms); }, true},
+     [](const ReportRow& row) { return duration_text(row.volume_file->write_ms); }, true},
     {"texel error max / rms", Align::right,
      [](const ReportRow& row) { return error_text(row.texel); }},
     {"lookup error max / rms", Align::right,

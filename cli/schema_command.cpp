@@ -29,7 +29,7 @@ constexpr std::array schemas = {
     Schema{"events", [] { return std::string(event_schema()); }},
 };
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_schema(const Invocation& invocation, Console& console) {
     const auto& arguments = invocation.arguments();
     const std::string name = arguments.empty() ? std::string(schemas[0].name) : arguments[0];
     std::vector<std::string_view> names;

@@ -236,7 +236,7 @@ Command show_command() {
                      {"skybake show clouds.toml noise.shape", "shows a noise and its preset"},
                      {"skybake show earth.toml --set preset=mars", "tries another preset"}},
         .exit_codes = {ExitCode::io},
-        .run = run};
+        .run = run_show};
 }
 
 }  // namespace skybake::cli

@@ -16,7 +16,7 @@ std::string percent(double share) {
     return fmt::format("{:.{}f}", value, value < 10 ? 2 : value < 100 ? 1 : 0);
 }
 
-std::string time_text(const SkyErrorRow& row) {
+std::string method_time_text(const SkyErrorRow& row) {
     if (!row.method.takes_time()) return "-";
     return fmt::format("{:.{}f} ms", row.time_ms, row.time_ms < 10 ? 2 : row.time_ms < 100 ? 1 : 0);
 }
@@ -42,7 +42,8 @@ std::string sky_truth_table(const SkyErrorReport& report) {
     std::string family;
     for (const SkyErrorRow& row : report.rows) {
         std::vector<std::string> cells = {
-            row.method.family == family ? "" : row.method.family, row.method.name, time_text(row),
+            row.method.family == family ? "" : row.method.family, row.method.name,
+            method_time_text(row),
             row.method.takes_time() ? fmt::format("{:.1f}", row.time_ratio) : "-"};
         add_figures(row.error, report.channels, cells);
         std::string remark = row.on_front ? "front" : "";

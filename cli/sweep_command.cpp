@@ -368,7 +368,7 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
     return report_unfinished(results, console);
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_sweep(const Invocation& invocation, Console& console) {
     if (const ExitCode code = console.report(contradictions(invocation)); code != ExitCode::done) {
         return code;
     }
@@ -434,7 +434,7 @@ Command sweep_command() {
                      {"skybake sweep sky.toml --emit slurm > sweep.sh",
                       "writes a script; bash sweep.sh submits it"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
-        .run = run};
+        .run = run_sweep};
 }
 
 }  // namespace skybake::cli

@@ -1,10 +1,10 @@
 // The field tables of clouds; field_tables.cpp says how such tables work.
 #include "config/fields.h"
+#include "config/shared_ranges.h"
 
 namespace skybake::config {
 namespace {
 
-constexpr Range unit_range{0, 1};
 constexpr Range scale_range{1, 1024};
 constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would divide by 0
 constexpr Range extent_range{1e-3, 1e8};
@@ -12,19 +12,15 @@ constexpr Range altitude_range{-1e8, 1e8};
 constexpr Range density_range{0, 1e6};
 constexpr Range full_range{1e-6, 1e6};
 constexpr Range softness_range{.minimum = 1e-6, .maximum = 1e6, .or_zero = true};
-constexpr Range coefficient_range{0, 1e6};
 constexpr Range sharpness_range{0, 1e6};
 constexpr Range center_range{-16, 16};  // tiles
 constexpr Range sigma_range{1e-6, 16};  // tiles
 constexpr Range scatter_sigma_range{1e-6, 1};
 constexpr Range angle_range{-1e3, 1e3};
 constexpr Range correlation_range{-0.999999, 0.999999};
-constexpr Range count_range{0, 100000};
-constexpr Range aspect_range{1, 10};
+constexpr Range tower_count_range{0, 100000};
+constexpr Range tower_aspect_range{1, 10};
 
-constexpr std::string_view olajos_2016 = "Olajos 2016, Real-Time Rendering of Volumetric Clouds";
-constexpr std::string_view schneider_2015 =
-    "Schneider and Vos 2015, The Real-Time Volumetric Cloudscapes of Horizon: Zero Dawn";
 constexpr std::string_view schneider_2017 =
     "Schneider 2017, Nubis: Authoring Real-Time Volumetric Cloudscapes with the Decima Engine";
 
@@ -37,7 +33,7 @@ constexpr std::array channels_choices = {
     Choice{"density", "one channel, the density"},
     Choice{"noise", "as many as the noise has: R and G shaped, B and A plain"},
 };
-constexpr std::array profile_choices = {
+constexpr std::array height_profile_choices = {
     Choice{"thesis", "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
     Choice{"cumulus", "full above a flat base, thinning towards the top"},
     Choice{"stratus", "a thin sheet near the base"},
@@ -62,7 +58,7 @@ constexpr std::array color_space_choices = {
 constexpr std::string_view at_bake[] = {"bake"};
 constexpr std::string_view thesis[] = {"thesis"};
 constexpr std::string_view blended[] = {"blended"};
-constexpr std::string_view tabulated[] = {"tabulated"};
+constexpr std::string_view tabulated_height[] = {"tabulated"};
 
 const std::array cloud_table = {
     CloudField{
@@ -121,7 +117,7 @@ const std::array cloud_table = {
                &Cloud::extent},
     CloudField{{.key = "base_altitude",
                 .kind = Kind::length,
-                .range = altitude_range,
+                .range = base_altitude_range,
                 .fallback = R"("0 m")",
                 .documentation = "altitude of the cloud's base above the ground",
                 .hint = "cumulus 0.5 to 2 km"},
@@ -187,7 +183,7 @@ const std::array cloud_table = {
 const std::array height_profile_table = {
     HeightProfileField{{.key = "type",
                         .kind = Kind::choice,
-                        .choices = profile_choices,
+                        .choices = height_profile_choices,
                         .fallback = R"("cumulus")",
                         .documentation = "how full the cloud is at height h, 0 base and 1 top",
                         .citation = schneider_2015},
@@ -225,7 +221,7 @@ const std::array height_profile_table = {
                         .required = true,
                         .documentation = "pairs [height, value], heights increasing within [0, 1]",
                         .selector = "type",
-                        .selected_by = tabulated},
+                        .selected_by = tabulated_height},
                        &HeightProfile::table},
 };
 
@@ -311,7 +307,7 @@ const std::array tower_table = {
 const std::array tower_scatter_table = {
     TowerScatterField{{.key = "count",
                        .kind = Kind::integer,
-                       .range = count_range,
+                       .range = tower_count_range,
                        .fallback = "0",
                        .documentation = "number of towers"},
                       &TowerScatter::count},
@@ -329,7 +325,7 @@ const std::array tower_scatter_table = {
                       &TowerScatter::sigma},
     TowerScatterField{{.key = "aspect",
                        .kind = Kind::bounds,
-                       .range = aspect_range,
+                       .range = tower_aspect_range,
                        .fallback = "[1, 2]",
                        .documentation = "the greater axis over the smaller one: from, to"},
                       &TowerScatter::aspect},

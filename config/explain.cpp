@@ -12,7 +12,7 @@
 namespace skybake::config {
 namespace {
 
-constexpr std::size_t text_width = 88;
+constexpr std::size_t explanation_width = 88;
 
 using Names = std::vector<std::string>;
 
@@ -68,7 +68,7 @@ bool section_fits(const Names& asked, const Section& section) {
 
 std::string line(std::string_view title, std::string_view text) {
     constexpr std::size_t indent = 12;
-    std::string wrapped = wrap(text, std::string(indent, ' '), text_width);
+    std::string wrapped = wrap(text, std::string(indent, ' '), explanation_width);
     wrapped.replace(2, title.size(), title);
     return wrapped;
 }
@@ -103,7 +103,7 @@ std::string explain_choices(const Field& field) {
 
 std::string explain_field(const Section& section, const Field& field) {
     std::string text = field_path(section, field) + '\n';
-    text += wrap(field.documentation, "  ", text_width) + '\n';
+    text += wrap(field.documentation, "  ", explanation_width) + '\n';
     text += field.choices.empty() ? line("takes", describe_kind(field.kind))
                                   : line("choices", explain_choices(field));
     const std::string range = with_hint(describe_range(field), field.hint);
@@ -143,7 +143,7 @@ std::string indented(std::string_view text) { return wrap(text, "    ", std::str
 
 std::string explain_code(const DiagnosticCode& code) {
     std::string text = fmt::format("{}: {}\n\n", code.code, code.title);
-    text += wrap(code.explanation, "", text_width);
+    text += wrap(code.explanation, "", explanation_width);
     if (!code.wrong.empty()) {
         text += "\nwrong:\n" + indented(code.wrong) + "right:\n" + indented(code.right);
     }

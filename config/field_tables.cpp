@@ -4,6 +4,7 @@
 // name in parameters.h; everything else follows.
 #include "config/fields.h"
 #include "config/shared_fields.h"
+#include "config/shared_ranges.h"
 #include "config/sky_fields.h"
 
 namespace skybake::config {
@@ -15,21 +16,13 @@ constexpr Range radius_range{1, 1e12};
 constexpr Range altitude_range{-1e9, 1e12};
 constexpr Range thickness_range{1e-3, 1e9};
 constexpr Range wavelength_range{1e-8, 1e-3};
-constexpr Range coefficient_range{0, 1e6};
 constexpr Range number_density_range{1e-12, 1e30};
-constexpr Range unit_range{0, 1};
 constexpr Range albedo_of_scattering_range{1e-6, 1};
 constexpr Range asymmetry_range{-1, 1, true, true};
-constexpr Range texel_range{1, 16384};
-constexpr Range density_range{0, 1e6};
-constexpr Range lookup_error_range{1e-7, 1};
-constexpr Range texel_error_range{1e-5, 1};
 constexpr Range degree_range{2, 8};
 
 constexpr std::string_view bruneton_2008 =
     "Bruneton and Neyret 2008, Precomputed Atmospheric Scattering";
-constexpr std::string_view bruneton_2017 =
-    "Bruneton 2017, Precomputed Atmospheric Scattering: a New Implementation";
 constexpr std::string_view henyey_1941 = "Henyey and Greenstein 1941; Cornette and Shanks 1992";
 
 // Choices, each in the order of its enumeration in parameters.h.
@@ -46,7 +39,7 @@ constexpr std::array phase_choices = {
     Choice{"cornette_shanks", "Henyey-Greenstein with a Rayleigh-like back; Rayleigh at g = 0"},
     Choice{"mie", "spheres: that of [particles.NAME], and with it scattering and extinction"},
 };
-constexpr std::array content_choices = {
+constexpr std::array transmittance_content_choices = {
     Choice{"transmittance", "the share of light that passes, in [0, 1]"},
     Choice{"optical_depth", "-ln of it: holds its digits where transmittance underflows"},
 };
@@ -294,7 +287,7 @@ const std::array transmittance_table = {
     TransmittanceField{max_error_field, &TransmittanceBake::max_error},
     TransmittanceField{{.key = "content",
                         .kind = Kind::choice,
-                        .choices = content_choices,
+                        .choices = transmittance_content_choices,
                         .fallback = R"("transmittance")",
                         .documentation = "what the texels hold"},
                        &TransmittanceBake::content},

@@ -18,9 +18,9 @@
 namespace skybake::config {
 namespace {
 
-constexpr std::size_t text_width = 98;
+constexpr std::size_t comment_width = 98;
 
-std::string comment(std::string_view text) { return wrap(text, "# ", text_width); }
+std::string comment(std::string_view text) { return wrap(text, "# ", comment_width); }
 
 // The comment lines at the head of the preset's text.
 std::string head_comment(std::string_view text) {

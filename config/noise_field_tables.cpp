@@ -1,5 +1,6 @@
 // The field tables of noises; field_tables.cpp says how such tables work.
 #include "config/fields.h"
+#include "config/shared_ranges.h"
 
 namespace skybake::config {
 namespace {
@@ -16,8 +17,6 @@ constexpr Range bias_range{0.001, 0.999};  // beyond, single precision divides b
 constexpr std::string_view perlin_and_worley =
     "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function";
 constexpr std::string_view worley_1996 = "Worley 1996, A Cellular Texture Basis Function";
-constexpr std::string_view schneider_2015 =
-    "Schneider and Vos 2015, The Real-Time Volumetric Cloudscapes of Horizon: Zero Dawn";
 constexpr std::string_view musgrave_1994 =
     "Musgrave, in Ebert et al. 1994, Texturing and Modeling: A Procedural Approach";
 constexpr std::string_view bridson_2007 =
@@ -68,7 +67,7 @@ constexpr std::array component_choices = {
     Choice{"z", "d/dx of potential y - d/dy of potential x"},
 };
 // For which types a key has a meaning.
-constexpr std::string_view constant[] = {"constant"};
+constexpr std::string_view constant_noise[] = {"constant"};
 constexpr std::string_view noises[] = {"perlin", "worley", "perlin_worley", "curl"};
 constexpr std::string_view with_perlin[] = {"perlin", "perlin_worley"};
 constexpr std::string_view with_worley[] = {"worley", "perlin_worley"};
@@ -131,7 +130,7 @@ const std::array channel_table = {
                        .required = true,
                        .documentation = "the value everywhere",
                        .selector = "type",
-                       .selected_by = constant},
+                       .selected_by = constant_noise},
                       &NoiseChannel::value},
     NoiseChannelField{{.key = "frequency",
                        .kind = Kind::frequency,

@@ -2,21 +2,21 @@
 // how such tables work.
 #include "config/fields.h"
 #include "config/shared_fields.h"
+#include "config/shared_ranges.h"
 #include "config/sky_fields.h"
 
 namespace skybake::config {
 namespace {
 
-constexpr Range radius_range{1e-10, 0.1};
+constexpr Range sphere_radius_range{1e-10, 0.1};
 constexpr Range refractive_range{0.01, 100};
 constexpr Range absorption_range{0, 100};
 constexpr Range deviation_range{1, 10, true};
 constexpr Range variance_range{0, 0.5, true, true};
 constexpr Range exponent_range{-0.9, 100};
 constexpr Range decay_range{0.1, 10};
-constexpr Range texel_range{2, 16384};
-constexpr Range lookup_error_range{1e-7, 1};
-constexpr Range degree_range{1, 256};
+constexpr Range phase_texel_range{2, 16384};
+constexpr Range phase_degree_range{1, 256};
 
 constexpr std::string_view hansen_1974 =
     "Hansen and Travis 1974, Light Scattering in Planetary "
@@ -35,7 +35,7 @@ constexpr std::array sizes_choices = {
     Choice{"gamma", "by effective radius and variance, as clouds are described"},
     Choice{"modified_gamma", "r^alpha exp(-(r / radius)^gamma); rain: alpha = 0, gamma = 1"},
 };
-constexpr std::array content_choices = {
+constexpr std::array phase_content_choices = {
     Choice{"phase", "the phase function, 1/sr"},
     Choice{"inverse_cumulative", "1 - cosine of the angle below which a share u of light goes"},
 };
@@ -46,7 +46,7 @@ constexpr std::array spacing_choices = {
     Choice{"peaks", "closer together towards 0 and 180 deg"},
 };
 
-constexpr std::string_view constant[] = {"constant"};
+constexpr std::string_view constant_index[] = {"constant"};
 constexpr std::string_view with_radius[] = {"monodisperse", "log_normal", "modified_gamma"};
 constexpr std::string_view log_normal[] = {"log_normal"};
 constexpr std::string_view gamma[] = {"gamma"};
@@ -72,7 +72,7 @@ const std::array particles_table = {
                     .documentation = "real part, relative to air",
                     .hint = "ammonium sulfate 1.52, mineral dust 1.5 to 1.6, ice 1.31",
                     .selector = "material",
-                    .selected_by = constant},
+                    .selected_by = constant_index},
                    &Particles::refractive_index},
     ParticlesField{{.key = "absorption_index",
                     .kind = Kind::number,
@@ -81,7 +81,7 @@ const std::array particles_table = {
                     .documentation = "imaginary part: positive absorbs",
                     .hint = "mineral dust 0.001 to 0.008, soot 0.4 to 0.8",
                     .selector = "material",
-                    .selected_by = constant},
+                    .selected_by = constant_index},
                    &Particles::absorption_index},
     ParticlesField{{.key = "sizes",
                     .kind = Kind::choice,
@@ -92,7 +92,7 @@ const std::array particles_table = {
                    &Particles::sizes},
     ParticlesField{{.key = "radius",
                     .kind = Kind::length,
-                    .range = radius_range,
+                    .range = sphere_radius_range,
                     .required = true,
                     .documentation = "of all; the median (log_normal); the scale (modified_gamma)",
                     .hint = "haze 0.05 to 0.5 um",
@@ -110,7 +110,7 @@ const std::array particles_table = {
                    &Particles::geometric_deviation},
     ParticlesField{{.key = "effective_radius",
                     .kind = Kind::length,
-                    .range = radius_range,
+                    .range = sphere_radius_range,
                     .required = true,
                     .documentation = "mean radius, each weighted with its cross-section",
                     .hint = "cloud droplets 5 to 15 um",
@@ -162,7 +162,7 @@ const std::array phase_table = {
                &PhaseBake::layer},
     PhaseField{{.key = "size",
                 .kind = Kind::integer,
-                .range = texel_range,
+                .range = phase_texel_range,
                 .fallback = "1024",
                 .documentation = "texels",
                 .exclusive_group = "size"},
@@ -177,7 +177,7 @@ const std::array phase_table = {
                &PhaseBake::max_error},
     PhaseField{{.key = "content",
                 .kind = Kind::choice,
-                .choices = content_choices,
+                .choices = phase_content_choices,
                 .fallback = R"("phase")",
                 .documentation = "what the texels hold"},
                &PhaseBake::content},
@@ -191,7 +191,7 @@ const std::array phase_table = {
                &PhaseBake::spacing},
     PhaseField{{.key = "degree",
                 .kind = Kind::integer,
-                .range = degree_range,
+                .range = phase_degree_range,
                 .fallback = "16",
                 .documentation = "Legendre moments up to this degree go into the manifest"},
                &PhaseBake::degree},

@@ -1,6 +1,7 @@
 // The field tables of the precomputed tables of other models: Bruneton's scattering, the columns of
 // Ai et al.; field_tables.cpp says how such tables work.
 #include "config/fields.h"
+#include "config/shared_ranges.h"
 #include "config/volume_fields.h"
 
 namespace skybake::config {
@@ -11,10 +12,8 @@ constexpr Range orders_range{1, 1000};
 constexpr Range sun_cosine_range{-1, 0, false, true};
 constexpr Range solar_range{0, 1e6, true};
 constexpr Range shells_range{1, 4096};
-constexpr Range altitude_range{1, 1e9};
+constexpr Range shell_altitude_range{1, 1e9};
 
-constexpr std::string_view bruneton_2017 =
-    "Bruneton 2017, Precomputed Atmospheric Scattering: a New Implementation";
 constexpr std::string_view ai_2014 = "Ai et al. 2014";
 
 // Choices, each in the order of its enumeration in parameters.h.
@@ -193,7 +192,7 @@ const std::array optical_depth_table = {
                       &OpticalDepthBake::shells},
     OpticalDepthField{{.key = "max_altitude",
                        .kind = Kind::length,
-                       .range = altitude_range,
+                       .range = shell_altitude_range,
                        .fallback = R"("35 km")",
                        .documentation = "altitude of the highest shell; the air above is left out",
                        .citation = ai_2014,

@@ -4,13 +4,11 @@
 
 #include "config/fields.h"
 #include "config/shared_fields.h"
+#include "config/shared_ranges.h"
 #include "config/sky_fields.h"
 
 namespace skybake::config {
 namespace {
-
-constexpr Range texel_range{1, 16384};
-constexpr Range texel_error_range{1e-5, 1};
 
 constexpr std::array irradiance_content_choices = {
     Choice{"direct", "by the sun alone"},

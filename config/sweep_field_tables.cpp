@@ -5,7 +5,7 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range count_range{2, most_variants};
+constexpr Range value_count_range{2, most_variants};
 constexpr Range points_range{1, most_variants};
 
 constexpr std::array scale_choices = {
@@ -37,7 +37,7 @@ constexpr std::array range_table = {
           .documentation = "the last value; Sobol points stay below it"},
     Field{.key = "count",
           .kind = Kind::integer,
-          .range = count_range,
+          .range = value_count_range,
           .documentation = "how many values, both ends among them; left out: `sobol` says"},
     Field{.key = "scale",
           .kind = Kind::choice,

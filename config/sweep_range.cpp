@@ -144,7 +144,7 @@ double root_power(double base, double exponent) {
     return power;
 }
 
-double between(const SweptRange& range, double share) {
+double value_between(const SweptRange& range, double share) {
     if (range.log) {
         const double value = range.from * root_power(range.to / range.from, share);
         return round_to_digits(value, value);
@@ -155,7 +155,7 @@ double between(const SweptRange& range, double share) {
 
 double evenly_spaced(const SweptRange& range, int index, int count) {
     const int last = count - 1;
-    if (range.log) return between(range, double(index) / last);
+    if (range.log) return value_between(range, double(index) / last);
     // Not by shares: the products are exact for short decimals more often.
     const double value = (range.from * (last - index) + range.to * index) / last;
     return round_to_digits(value, std::max(std::fabs(range.from), std::fabs(range.to)));
@@ -279,7 +279,7 @@ std::optional<std::vector<SweepValue>> range_values(const SweptRange& range,
 }
 
 SweepValue value_at_share(const SweptRange& range, double share) {
-    if (!range.whole) return share == 0 ? range.first : spelled(range, between(range, share));
+    if (!range.whole) return share == 0 ? range.first : spelled(range, value_between(range, share));
     // One more than the greatest, for its share of the way.
     const double low = std::min(range.from, range.to);
     const double high = std::max(range.from, range.to);

@@ -7,7 +7,7 @@
 namespace skybake::config {
 namespace {
 
-bool scatters(const Layer& layer) {
+bool is_scattering(const Layer& layer) {
     return std::any_of(layer.scattering.begin(), layer.scattering.end(),
                        [](InverseLength value) { return value.per_meter > 0; });
 }
@@ -24,7 +24,7 @@ bool absorbs(const Layer& layer) {
 const Layer* TakramLayers::*kind_of(const Layer& layer) {
     const bool exponential = layer.profile == Profile::exponential;
     if (layer.phase == Phase::mie) return nullptr;  // of particles: its phase function is a table
-    if (layer.profile == Profile::tent && !scatters(layer)) return &TakramLayers::absorption;
+    if (layer.profile == Profile::tent && !is_scattering(layer)) return &TakramLayers::absorption;
     if (exponential && layer.phase == Phase::rayleigh && !absorbs(layer)) {
         return &TakramLayers::rayleigh;
     }

@@ -1,4 +1,5 @@
 #include "config/units.h"
+#include "config/setting_text.h"
 
 #include <fmt/format.h>
 
@@ -52,14 +53,6 @@ constexpr std::array units = {
 };
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-std::string_view trim(std::string_view text) {
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 std::size_t skip_digits(std::string_view text, std::size_t at) {
     while (at < text.size() && is_digit(text[at])) ++at;

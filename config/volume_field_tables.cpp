@@ -1,6 +1,7 @@
 // The field tables of bakes that make volumes; field_tables.cpp says how such tables work.
 #include "config/fields.h"
 #include "config/shared_fields.h"
+#include "config/shared_ranges.h"
 #include "config/sky_fields.h"
 #include "config/volume_fields.h"
 
@@ -10,8 +11,6 @@ namespace {
 constexpr Range voxel_size_range{1e-3, 1e8};
 constexpr Range cloud_extent_range{1e-3, 1e8};
 constexpr Range cell_range{1, 16};
-
-constexpr std::string_view olajos_2016 = "Olajos 2016, Real-Time Rendering of Volumetric Clouds";
 
 // Choices, each in the order of its enumeration in parameters.h.
 constexpr std::array filter_choices = {
@@ -23,7 +22,7 @@ constexpr std::array rule_choices = {
     Choice{"exact", "a cell is empty only where no filtered sample in it is above 0"},
     Choice{"thesis", "8 of 64 voxels of a cell, then a ring around; loses thin wisps"},
 };
-constexpr std::array content_choices = {
+constexpr std::array occupancy_content_choices = {
     Choice{"occupied", "1, or 0 where the cell is empty"},
     Choice{"leap", "cells to the nearest occupied one, by the greatest of the three axes"},
     Choice{"minimum", "no filtered sample in the cell is below"},
@@ -42,7 +41,7 @@ constexpr std::array slices_choices = {
 
 constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 constexpr Range fov_range{0, std::numbers::pi, true, true};
-constexpr Range aspect_range{1e-3, 1e3};
+constexpr Range picture_aspect_range{1e-3, 1e3};
 
 const std::array noise_volume_table = {
     NoiseVolumeField{asset_field, {}},
@@ -132,7 +131,7 @@ const std::array occupancy_table = {
                    &OccupancyBake::rule},
     OccupancyField{{.key = "contents",
                     .kind = Kind::choice_list,
-                    .choices = content_choices,
+                    .choices = occupancy_content_choices,
                     .fallback = R"(["occupied", "leap", "minimum", "maximum"])",
                     .documentation = "what the channels hold, in this order: one, three or four"},
                    &OccupancyBake::contents},
@@ -181,7 +180,7 @@ const std::array aerial_perspective_table = {
                            &AerialPerspectiveBake::fov},
     AerialPerspectiveField{{.key = "aspect",
                             .kind = Kind::number,
-                            .range = aspect_range,
+                            .range = picture_aspect_range,
                             .fallback = "1.7777777777777777",
                             .documentation = "width of the picture over its height"},
                            &AerialPerspectiveBake::aspect},

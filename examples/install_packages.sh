@@ -44,5 +44,7 @@ if ((EUID != 0)); then
 fi
 echo "installing: ${missing[*]}" >&2
 export DEBIAN_FRONTEND=noninteractive
-"${as_root[@]}" apt-get update -qq
-"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+# debconf remarks on packages that it would use to ask questions, of which there are none.
+quietly() { "${as_root[@]}" "$@" >/dev/null 2> >(grep -v '^debconf: ' >&2); }
+quietly apt-get update -qq
+quietly apt-get install -y -qq --no-install-recommends "${missing[@]}"

@@ -17,7 +17,7 @@ namespace {
 
 // As in sky_row.cpp, in radii of the planet: about a degree, so that sunlight is smooth over it.
 constexpr double kLongestPiece = 1.0 / 48;
-constexpr std::size_t kNodes = kFanNodes;
+constexpr std::size_t kRayNodes = kFanNodes;
 constexpr std::array<std::size_t, 3> kCoarse = {0, 2, 4};
 
 // Lagrange's polynomial of `node` among `nodes` at x.
@@ -32,14 +32,14 @@ double lagrange(const Nodes& nodes, std::size_t node, double x) {
     return value;
 }
 
-constexpr std::array<std::size_t, kNodes> kAll = {0, 1, 2, 3, 4};
+constexpr std::array<std::size_t, kRayNodes> kAll = {0, 1, 2, 3, 4};
 
 // [coarse node][node]: the integral of what a node sends times a parabola through coarse nodes.
-const std::array<std::array<double, kNodes>, 3>& coarse_rule() {
+const std::array<std::array<double, kRayNodes>, 3>& coarse_rule() {
     static const auto rule = [] {
-        std::array<std::array<double, kNodes>, 3> shares{};
+        std::array<std::array<double, kRayNodes>, 3> shares{};
         for (std::size_t j = 0; j < kCoarse.size(); ++j) {
-            for (std::size_t i = 0; i < kNodes; ++i) {
+            for (std::size_t i = 0; i < kRayNodes; ++i) {
                 shares[j][i] = lagrange(kCoarse, kCoarse[j], gauss_rule().nodes[i]);
             }
         }
@@ -90,7 +90,7 @@ class FanRayMaker {
         result.from_km = from_km;
         result.to_km = to_km;
         const double width = to_km - from_km;
-        for (std::size_t i = 0; i < kNodes; ++i) {
+        for (std::size_t i = 0; i < kRayNodes; ++i) {
             FanNode& node = result.nodes[i];
             node.distance_km = from_km + width * gauss_rule().nodes[i];
             node.altitude_km = std::clamp(
@@ -114,7 +114,7 @@ class FanRayMaker {
         for (std::size_t j = 0; j < kCoarse.size(); ++j) {
             std::vector<Spectrum>& weights = result.nodes[kCoarse[j]].coarse_weights;
             weights.resize(medium_.layers.size());
-            for (std::size_t i = 0; i < kNodes; ++i) {
+            for (std::size_t i = 0; i < kRayNodes; ++i) {
                 for (std::size_t k = 0; k < weights.size(); ++k) {
                     for (std::size_t c = 0; c < channels(); ++c) {
                         weights[k][c] += coarse_rule()[j][i] * result.nodes[i].weights[k][c];
@@ -151,7 +151,7 @@ std::vector<FanPiece> make_fan_ray(const SkyMedium& medium,
 
 std::array<double, kFanNodes> node_shares(double share) {
     std::array<double, kFanNodes> shares{};
-    for (std::size_t i = 0; i < kNodes; ++i) shares[i] = lagrange(kAll, i, share);
+    for (std::size_t i = 0; i < kRayNodes; ++i) shares[i] = lagrange(kAll, i, share);
     return shares;
 }
 

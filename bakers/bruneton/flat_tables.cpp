@@ -23,12 +23,12 @@ namespace skybake {
 
 namespace {
 
-constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+constexpr auto kFlatConvention = TexelConvention::end_points_on_texel_centres;
 constexpr const char* kConventionText = "end points on texel centres; clamps";
 
 // Directions that sky irradiance is integrated over: those of `asset = "irradiance"` with an error
 // of texels below 1e-3 on Earth, and of its reference.
-constexpr IrradianceNodes kNodes = {8};
+constexpr IrradianceNodes kFlatNodes = {8};
 constexpr IrradianceNodes kReferenceNodes = {28, 12, 6};
 // Of a sun axis that is made for its ends alone.
 constexpr int kFewestColumns = 8;
@@ -93,10 +93,10 @@ HeldVoxels flat_texels(const FlatTable& table, const std::array<int, 3>& size, s
                        const BakeOptions& options) {
     HeldVoxels texels(size, channels);
     std::vector<double> x;
-    for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kConvention, u, size[0]));
+    for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kFlatConvention, u, size[0]));
     for_each_tile(size[1], options, "texels", [&](int v) {
         std::vector<double> values(x.size() * table.colours);
-        table.row(texel_coordinate(kConvention, v, size[1]), x, values.data());
+        table.row(texel_coordinate(kFlatConvention, v, size[1]), x, values.data());
         for (std::size_t c = 0; c < channels; ++c) {
             float* to = texels.channel(c).data() + texels.offset(0, v, 0);
             for (std::size_t u = 0; u < x.size(); ++u) {
@@ -154,7 +154,7 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
             }
         };
     };
-    return {row_of(kNodes), row_of(kReferenceNodes), colours};
+    return {row_of(kFlatNodes), row_of(kReferenceNodes), colours};
 }
 
 config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,

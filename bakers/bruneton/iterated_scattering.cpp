@@ -18,7 +18,6 @@ namespace skybake {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kDirections = 16;            // zenith angles, and twice as many azimuths
 constexpr int kIrradianceDirections = 32;  // the same, half of them above the horizon
 constexpr int kSteps = 50;
@@ -182,7 +181,7 @@ class Iteration {
             view_at(view.altitude_km, from_cosine, meets_ground(view.altitude_km, from_cosine));
         const Spectrum to_ground =
             from.meets_ground ? transmittance(from, from.length_km) : Spectrum{};
-        const double solid_angle = kPi / kDirections * (kPi / kDirections) * from_sine;
+        const double solid_angle = std::numbers::pi / kDirections * (std::numbers::pi / kDirections) * from_sine;
         std::vector<Spectrum> scattering;
         for (const SkyLayer& layer : medium_.layers) {
             scattering.push_back(layer.scatters ? scattering_at(layer.alone, view.altitude_km)
@@ -196,7 +195,7 @@ class Iteration {
                 sun_x, std::sqrt(std::max(1 - sun_x * sun_x - sun * sun, 0.0)), sun};
             ScatteringCoordinates x = mapping_.coordinates(from, sun, 0);
             for (int m = 0; m < 2 * kDirections; ++m) {
-                const SineCosine azimuth = sine_and_cosine(kPi * (m + 0.5) / kDirections);
+                const SineCosine azimuth = sine_and_cosine(std::numbers::pi * (m + 0.5) / kDirections);
                 const Vector3d omega = {azimuth.cosine * from_sine, azimuth.sine * from_sine,
                                         from_cosine};
                 const double from_nu = std::clamp(dot(omega, sun_vector), -1.0, 1.0);
@@ -223,7 +222,7 @@ class Iteration {
             1.0);
         const Spectrum irradiance = ground_irradiance(there);
         for (std::size_t c = 0; c < light.size(); ++c) {
-            light[c] += passing[c] * medium_.air.ground_albedo[c] / kPi * irradiance[c];
+            light[c] += passing[c] * medium_.air.ground_albedo[c] / std::numbers::pi * irradiance[c];
         }
     }
 
@@ -240,10 +239,10 @@ class Iteration {
                 const double sine = std::sqrt((1 - mu) * (1 + mu));
                 ScatteringCoordinates x = mapping_.coordinates(view_at(0, mu, false), sun, 0);
                 const double weight =
-                    kPi / kIrradianceDirections * (kPi / kIrradianceDirections) * sine * mu;
+                    std::numbers::pi / kIrradianceDirections * (std::numbers::pi / kIrradianceDirections) * sine * mu;
                 for (int m = 0; m < 2 * kIrradianceDirections; ++m) {
                     const double along =
-                        sine_and_cosine(kPi * (m + 0.5) / kIrradianceDirections).cosine;
+                        sine_and_cosine(std::numbers::pi * (m + 0.5) / kIrradianceDirections).cosine;
                     const double nu = std::clamp(mu * sun + sine * sun_sine * along, -1.0, 1.0);
                     x.x_nu = 0.5 * (nu + 1);
                     add(weight, incident(order, x, nu), result[static_cast<std::size_t>(i)]);

@@ -27,7 +27,7 @@ using config::BrunetonTable;
 
 namespace {
 
-constexpr const char* kConvention = "end points on texel centres; clamps";
+constexpr const char* kScatteringConvention = "end points on texel centres; clamps";
 
 std::string content_text(const BrunetonBake& bake, const ScatteringContent& content) {
     const std::string single = "single scattering by all other layers";
@@ -69,12 +69,12 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content,
                       "each x = (1 - a / A) / (1 + a), a = (D - D(1)) / (D(0) - D(1)), D(mu_s) the "
                       "distance from the ground to the top, A = a({:.9g})",
                       bake.nu_size, bake.sun_cos_zenith_min),
-          kConvention, bake.sun_cos_zenith_min, 1},
+          kScatteringConvention, bake.sun_cos_zenith_min, 1},
          {"view_distance_km",
           "lower half: rays to the ground, x = 1 - (d - d_min) / (d_max - d_min), d_min = h, "
           "d_max = rho; upper half: rays to the top, x = (d - d_min) / (d_max - d_min), "
           "d_min = R_top - r, d_max = rho + H",
-          kConvention, 0, 1},
+          kScatteringConvention, 0, 1},
          {"altitude_km",
           "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the top",
           kConvention, 0, mapping.shell().thickness_km}}};

@@ -19,14 +19,14 @@ struct Heights {
 constexpr std::array<Heights, 3> kClassicHeights = {
     {{0.02, 0.05, 0.09, 0.11}, {0.02, 0.2, 0.48, 0.625}, {0.01, 0.0625, 0.78, 1.0}}};
 
-double smooth_step(double from, double to, double h) {
+double smooth_ramp(double from, double to, double h) {
     const double x = std::clamp((h - from) / (to - from), 0.0, 1.0);
     return x * x * (3 - 2 * x);
 }
 
 double classic_profile(const Heights& heights, double h) {
-    return smooth_step(heights.begin, heights.full, h) *
-           (1 - smooth_step(heights.thin, heights.end, h));
+    return smooth_ramp(heights.begin, heights.full, h) *
+           (1 - smooth_ramp(heights.thin, heights.end, h));
 }
 
 // 1 - e^-x for x >= 0, without cancellation: e^-x = u is off by a rounding, and so is ln u, alike

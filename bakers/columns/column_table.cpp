@@ -11,7 +11,7 @@ using config::BetweenCoordinates;
 
 namespace {
 
-constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+constexpr auto kColumnConvention = TexelConvention::end_points_on_texel_centres;
 
 // From a position in texels, whose centres are at whole numbers, to [0, 1].
 double coordinate_of(double position, int count) {
@@ -71,7 +71,7 @@ const CourseTexels& ColumnTable::texels_of(Course course) const {
 
 ColumnPath ColumnTable::path_of_texel(const std::array<int, 3>& texel) const {
     const auto along = [&](std::size_t axis) {
-        return texel_coordinate(kConvention, texel[axis], size_[axis]);
+        return texel_coordinate(kColumnConvention, texel[axis], size_[axis]);
     };
     for (const CourseTexels& texels : courses_) {
         const int i = texel[0] - texels.first;
@@ -120,8 +120,8 @@ ColumnPath ColumnTable::path_at(const std::array<double, 3>& uvw) const {
 std::array<double, 3> ColumnTable::texture_coordinates(const ColumnPath& path) const {
     const auto place = [&](Course course, double u, double v, double w) {
         return std::array<double, 3>{texture_coordinate_of(texels_of(course), u, size_[0]),
-                                     texture_coordinate(kConvention, v, size_[1]),
-                                     texture_coordinate(kConvention, w, size_[2])};
+                                     texture_coordinate(kColumnConvention, v, size_[1]),
+                                     texture_coordinate(kColumnConvention, w, size_[2])};
     };
     if (to_top_) {
         const TopCoordinates x = top_coordinates(geometry_, path.altitude_km, path.s_km);

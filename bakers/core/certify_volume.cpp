@@ -14,10 +14,10 @@ namespace skybake {
 
 namespace {
 
-using Place = std::array<double, 3>;
+using Coordinates = std::array<double, 3>;
 
 std::vector<double> look_up(const StoredVoxels& voxels, const VolumeLevel& level,
-                            const Place& uvw) {
+                            const Coordinates& uvw) {
     const std::array<VoxelTap, 8> taps = trilinear_taps(level.size, uvw, level.repeats);
     const std::vector<float> values = voxels.at(taps);
     std::vector<double> result(voxels.channels(), 0.0);
@@ -42,7 +42,7 @@ std::vector<double> shares_of_range(const VolumeLevel& level, const std::vector<
 
 // Compares lookups with the reference at places, in tiles.
 VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
-                     const VolumeReference& reference, const std::vector<Place>& places,
+                     const VolumeReference& reference, const std::vector<Coordinates>& places,
                      const VolumeComparison& comparison, const BakeOptions& options) {
     const StoredVoxels voxels(level, type);
     std::vector<std::vector<double>> errors(places.size());
@@ -81,9 +81,9 @@ std::vector<double> look_up(const VolumeLevel& level, config::PixelType type,
 VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options, const VolumeComparison& comparison) {
-    std::vector<Place> places;
+    std::vector<Coordinates> places;
     for (int i = 0; i < count; ++i) {
-        Place place = low_discrepancy_point(i);
+        Coordinates place = low_discrepancy_point(i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             // Along an axis of one voxel there is nothing to look up between.
             if (level.size[axis] == 1) place[axis] = 0.5;
@@ -96,9 +96,9 @@ VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
 VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
                             const VolumeReference& reference, int count, const BakeOptions& options,
                             const VolumeComparison& comparison) {
-    std::vector<Place> places;
+    std::vector<Coordinates> places;
     for (int i = 0; i < count; ++i) {
-        Place place = low_discrepancy_point(i);
+        Coordinates place = low_discrepancy_point(i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             place[axis] = (std::floor(place[axis] * level.size[axis]) + 0.5) / level.size[axis];
         }

@@ -22,10 +22,6 @@ Diagnostic failure(std::string code, std::string message, std::string label = {}
 }
 
 // After an interruption tiles were skipped: what they should have made is not to be looked at.
-bool cancelled(const BakeOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
-
 PointCounts points_of(const AccuracyRequest& request, Certification certification) {
     return certification == Certification::full ? request.full : request.quick;
 }
@@ -106,10 +102,10 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
     int level = 0;
     if (request.max_error) {
         const ReferencePoints points = reference_points(model, request.choice, options);
-        if (cancelled(options)) return outcome;
+        if (options.cancelled()) return outcome;
         const TableSearch search =
             smallest_table(model, *request.max_error, table.pixel_type, points, options);
-        if (cancelled(options)) return outcome;
+        if (options.cancelled()) return outcome;
         if (!search.found) {
             outcome.diagnostics.push_back(failure(
                 "E0403",
@@ -125,9 +121,9 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
     std::optional<ReferencePoints> texels;
     if (!request.max_error && request.max_texel_error) {
         texels = reference_texels(model, size, request.quick, options);
-        if (cancelled(options)) return outcome;
+        if (options.cancelled()) return outcome;
         const LevelChoice choice = choose_level(model, request, *texels, options);
-        if (cancelled(options)) return outcome;
+        if (options.cancelled()) return outcome;
         if (!choice.level) {
             outcome.diagnostics.push_back(
                 failure("E0404",
@@ -140,13 +136,13 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         level = *choice.level;
     }
 
-    if (cancelled(options)) return outcome;
+    if (options.cancelled()) return outcome;
     const auto start = std::chrono::steady_clock::now();
     const Image2<double> values = bake_texels(model, level, size, options);
     table.bake_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     table.image = store_texels(values, table.pixel_type, table.range);
-    if (cancelled(options)) return outcome;
+    if (options.cancelled()) return outcome;
     if (const auto problem = check_range(values, table, place_of, model)) {
         outcome.diagnostics.push_back(*problem);
         return outcome;
@@ -172,7 +168,7 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         if (!texels || options.certification == Certification::full) {
             texels = reference_texels(model, size, counts, options);
         }
-        if (cancelled(options)) return outcome;
+        if (options.cancelled()) return outcome;
         const MeasuredErrors lookup = measure_lookups(model, table.image, points);
         table.certificate.texel = measure_lookups(model, table.image, *texels).figures;
         table.certificate.texel_points = texels->count();

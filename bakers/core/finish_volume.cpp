@@ -17,10 +17,6 @@ namespace skybake {
 
 namespace {
 
-bool cancelled(const BakeOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
-
 std::string place_text(const std::array<double, 3>& uvw) {
     return fmt::format("u {:.6g}, v {:.6g}, w {:.6g}", uvw[0], uvw[1], uvw[2]);
 }
@@ -66,7 +62,7 @@ void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume) 
     // Levels of no more floats than this are kept, so that those below need not make them again.
     constexpr std::int64_t kKeptFloats = 1 << 23;
     const auto channels = static_cast<int>(volume.channel_names.size());
-    while (static_cast<int>(volume.levels.size()) < count && !cancelled(options)) {
+    while (static_cast<int>(volume.levels.size()) < count && !options.cancelled()) {
         const VolumeLevel& finer = volume.levels.back();
         VolumeLevel level;
         level.size = next_mip_size(finer.size);
@@ -103,7 +99,7 @@ config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinis
                                            const BakeOptions& options) {
     config::Outcome<BakedVolume> outcome;
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
-        if (cancelled(options)) return outcome;
+        if (options.cancelled()) return outcome;
         const auto start = std::chrono::steady_clock::now();
         outcome.diagnostics =
             survey_level(volume, static_cast<int>(i), finish.histogram_ranges, options);
@@ -123,7 +119,7 @@ config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinis
             certify(finish, options, volume);
         }
     }
-    if (cancelled(options)) return outcome;
+    if (options.cancelled()) return outcome;
     outcome.value = std::move(volume);
     return outcome;
 }

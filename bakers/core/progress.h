@@ -14,4 +14,9 @@ class Progress {
     virtual bool cancelled() const = 0;
 };
 
+// Whether a bake that may report to nobody (null) has been interrupted.
+inline bool is_cancelled(const Progress* progress) {
+    return progress != nullptr && progress->cancelled();
+}
+
 }  // namespace skybake

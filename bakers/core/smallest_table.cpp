@@ -51,13 +51,13 @@ std::vector<Candidate> candidates(const TableModel& model) {
 }
 
 // The two texels that surround a coordinate, and how far it is from the first.
-struct Neighbours {
+struct TexelPair {
     int first;
     int second;
     double fraction;
 };
 
-Neighbours neighbours(TexelConvention convention, double x, int count) {
+TexelPair texels_about(TexelConvention convention, double x, int count) {
     const double position =
         std::clamp(texture_coordinate(convention, x, count) * count - 0.5, 0.0, count - 1.0);
     const int first = static_cast<int>(position);
@@ -82,8 +82,8 @@ double lookup_error(const TableModel& model, const Candidate& candidate, config:
                     const ReferencePoints& points, PointIndex index) {
     const PointRow& point = points.rows[index.row];
     const auto [width, height] = candidate.size;
-    const Neighbours across = neighbours(model.convention, point.x[index.column], width);
-    const Neighbours up = neighbours(model.convention, point.y, height);
+    const TexelPair across = texels_about(model.convention, point.x[index.column], width);
+    const TexelPair up = texels_about(model.convention, point.y, height);
     Image2<double> texels(2, 2, model.channels);
     const std::vector<double> x = {texel_coordinate(model.convention, across.first, width),
                                    texel_coordinate(model.convention, across.second, width)};

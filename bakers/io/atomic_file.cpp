@@ -64,8 +64,6 @@ bool is_unchanged(const fs::path& path, const struct stat& status, std::string_v
     return file.valid() && holds(file.get(), bytes);
 }
 
-bool is_cancelled(const Progress* progress) { return progress != nullptr && progress->cancelled(); }
-
 // Writes all bytes; returns errno, 0, or ECANCELED.
 int write_all(int descriptor, std::string_view bytes, const Progress* progress) {
     constexpr std::size_t piece = std::size_t{4} << 20;  // between looks at `progress`

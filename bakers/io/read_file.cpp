@@ -13,7 +13,8 @@
 namespace skybake {
 namespace {
 
-config::Outcome<std::string> failure(const std::filesystem::path& path, const std::string& reason) {
+config::Outcome<std::string> read_failure(const std::filesystem::path& path,
+                                        const std::string& reason) {
     return {{},
             {file_error("E0300", path.string(),
                         fmt::format("cannot read `{}`: {}", path.string(), reason))}};
@@ -38,23 +39,23 @@ int read_all(int descriptor, std::string& bytes) {
 config::Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
     const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    if (!file.valid()) return failure(path, system_reason(errno));
+    if (!file.valid()) return read_failure(path, system_reason(errno));
     struct stat status {};
-    if (::fstat(file.get(), &status) != 0) return failure(path, system_reason(errno));
-    if (S_ISDIR(status.st_mode)) return failure(path, "it is a folder");
-    if (!S_ISREG(status.st_mode)) return failure(path, "it is not a regular file");
+    if (::fstat(file.get(), &status) != 0) return read_failure(path, system_reason(errno));
+    if (S_ISDIR(status.st_mode)) return read_failure(path, "it is a folder");
+    if (!S_ISREG(status.st_mode)) return read_failure(path, "it is not a regular file");
     const auto size = static_cast<std::uintmax_t>(status.st_size);
     if (size > limit) {
-        return failure(path, fmt::format("it has {} bytes, at most {} are read", size, limit));
+        return read_failure(path, fmt::format("it has {} bytes, at most {} are read", size, limit));
     }
     config::Outcome<std::string> outcome;
     try {
         outcome.value.emplace(static_cast<std::size_t>(size), '\0');
     } catch (const std::bad_alloc&) {
-        return failure(path, fmt::format("its {} bytes do not fit in memory", size));
+        return read_failure(path, fmt::format("its {} bytes do not fit in memory", size));
     }
     if (const int error = read_all(file.get(), *outcome.value)) {
-        return failure(path, system_reason(error));
+        return read_failure(path, system_reason(error));
     }
     return outcome;
 }

@@ -14,7 +14,7 @@ LoadedVdbCodec load() {
 }  // namespace
 
 const LoadedVdbCodec& vdb_codec() {
-    static const LoadedVdbCodec loaded = load();
+    static const LoadedVdbCodec loaded = load_codec();
     return loaded;
 }
 

@@ -49,7 +49,7 @@ Lattice lattice_of(const config::Noise& noise, const NoiseChannel& channel, Purp
             octave_key(noise.seed, channel.seed, purpose, octave.frequency, octave.repetition)};
 }
 
-double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+double quintic(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
 double fade_slope(double t) { return 30 * t * t * (t - 1) * (t - 1); }
 double lerp(double a, double b, double t) { return a + t * (b - a); }
 
@@ -68,7 +68,7 @@ Dual improved_noise(const Lattice& lattice, const Vector& place) {
         const double position = place[i] * lattice.period[i];
         cell[i] = std::floor(position);
         t[i] = position - cell[i];
-        w[i] = fade(t[i]);
+        w[i] = quintic(t[i]);
     }
     double value[2][2][2];
     double slope[3][2][2][2];

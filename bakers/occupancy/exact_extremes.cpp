@@ -41,16 +41,16 @@ class ExactSum {
 };
 
 // The eight voxels whose mean a node is; some of them equal where it is not at a corner.
-using Node = std::array<double, 8>;
+using CornerValues = std::array<double, 8>;
 
-double mean(const Node& node) {
+double mean(const CornerValues& node) {
     double sum = 0;
     for (const double voxel : node) sum += voxel;
     return sum / 8;
 }
 
 // The least float that is not below the mean. `near` is within a unit in its last place.
-float mean_rounded_up(const Node& node, float near) {
+float mean_rounded_up(const CornerValues& node, float near) {
     const float infinity = std::numeric_limits<float>::infinity();
     for (float candidate : {std::nextafter(near, -infinity), near}) {
         ExactSum above;  // eight times what the mean is above the candidate
@@ -85,7 +85,7 @@ void for_each_node(const RowBundle& bundle, int k, const Visit& visit) {
     for (const Neighbours& z : along_z) {
         for (const Neighbours& y : along_y) {
             for (const Neighbours& x : along_x) {
-                Node node;
+                CornerValues node;
                 for (std::size_t i = 0; i < 8; ++i) {
                     node[i] = bundle.at(y[i >> 1 & 1], z[i >> 2]).voxels[x[i & 1]];
                 }
@@ -106,7 +106,7 @@ CellExtremes exact_extremes(const RowBundle& bundle, int k, double least, double
     // face lies twice the node less the voxel inside, 3 times as much, and so along each axis.
     const double off = 7 * 27 * 0x1p-53 * std::max(std::fabs(least), std::fabs(most));
     CellExtremes extremes{rounded_down(least + 2 * off), rounded_up(most - 2 * off)};
-    for_each_node(bundle, k, [&](Node node) {
+    for_each_node(bundle, k, [&](CornerValues node) {
         const double value = mean(node);
         if (value >= most - 2 * off) {
             extremes.most = std::max(extremes.most, mean_rounded_up(node, rounded_up(value)));

@@ -14,7 +14,7 @@ namespace {
 using config::OccupancyFilter;
 
 // Twice a position along an axis: odd at voxel centres, even at the faces between them.
-struct Node {
+struct VoxelSpan {
     int low = 0;   // the voxels that a lookup there is the mean of
     int high = 0;  // the same at centres
 };
@@ -62,15 +62,15 @@ class Cell {
         return node + 1 == last ? last : node + (node == 0 ? 1 : 2);
     }
 
-    Node node(std::size_t axis, int half_steps) const {
+    VoxelSpan node(std::size_t axis, int half_steps) const {
         const int high = voxels_[axis].first + half_steps / 2;
-        return half_steps % 2 == 1 ? Node{high, high} : Node{high - 1, high};
+        return half_steps % 2 == 1 ? VoxelSpan{high, high} : VoxelSpan{high - 1, high};
     }
 
     double mean(const std::array<int, 3>& half_steps) const {
-        const Node x = node(0, half_steps[0]);
-        const Node y = node(1, half_steps[1]);
-        const Node z = node(2, half_steps[2]);
+        const VoxelSpan x = node(0, half_steps[0]);
+        const VoxelSpan y = node(1, half_steps[1]);
+        const VoxelSpan z = node(2, half_steps[2]);
         double sum = 0;
         for (const int k : {z.low, z.high}) {
             for (const int j : {y.low, y.high}) {

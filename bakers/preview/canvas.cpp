@@ -18,11 +18,11 @@ double distance_to_segment(CanvasPoint p, CanvasPoint a, CanvasPoint b) {
 }
 
 // Pixels of one axis, end not included, that lie within `reach` of both coordinates.
-struct PixelRange {
+struct PixelSpan {
     int begin = 0;
     int end = 0;
 };
-PixelRange pixels_about(double a, double b, double reach, int count) {
+PixelSpan pixels_about(double a, double b, double reach, int count) {
     const auto pixel = [&](double x) {
         return static_cast<int>(std::clamp(std::floor(x), 0.0, static_cast<double>(count)));
     };
@@ -92,8 +92,8 @@ void Canvas::draw_line(const std::vector<CanvasPoint>& points, double width, Col
     const double reach = width / 2 + 0.5;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const CanvasPoint a = points[i - 1], b = points[i];
-        const PixelRange columns = pixels_about(a.x, b.x, reach, picture_.width);
-        const PixelRange rows = pixels_about(a.y, b.y, reach, picture_.height);
+        const PixelSpan columns = pixels_about(a.x, b.x, reach, picture_.width);
+        const PixelSpan rows = pixels_about(a.y, b.y, reach, picture_.height);
         for (int y = rows.begin; y < rows.end; ++y) {
             for (int x = columns.begin; x < columns.end; ++x) {
                 const double away = distance_to_segment({x + 0.5, y + 0.5}, a, b);

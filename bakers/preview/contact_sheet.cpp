@@ -10,7 +10,7 @@ namespace skybake {
 namespace {
 
 constexpr int gutter = 14;
-constexpr int line_height = 18;
+constexpr int caption_line_height = 18;
 constexpr int first_baseline = 17;  // below a picture
 constexpr TextStyle caption_style = {13, FontWeight::regular, ink_colour};
 
@@ -62,7 +62,7 @@ Sheet lay_out(const std::vector<Picture>& pictures, const std::vector<std::strin
         if (i % sheet.columns == 0) sheet.row_tops.push_back(sheet.height);
         if ((i + 1) % sheet.columns != 0 && i + 1 != count) continue;
         const int lines = static_cast<int>(std::exchange(most_lines, 0));
-        const int caption_height = lines == 0 ? 0 : lines * line_height + 6;
+        const int caption_height = lines == 0 ? 0 : lines * caption_line_height + 6;
         sheet.height += sheet.picture_height + caption_height + gutter;
     }
     return sheet;
@@ -84,7 +84,7 @@ Picture contact_sheet(const std::vector<Picture>& pictures,
         for (const std::string& line : sheet.captions[i]) {
             canvas.write(line, x + sheet.cell_width / 2, baseline, TextAlign::centre,
                          caption_style);
-            baseline += line_height;
+            baseline += caption_line_height;
         }
     }
     return canvas.picture();

@@ -1,6 +1,7 @@
 #include "bakers/preview/droplet_phase.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "bakers/core/transcendental.h"
 
@@ -8,12 +9,10 @@ namespace skybake {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // 1 + g^2 - 2 g u = (1 - g)^2 + 2 g (1 - u), without cancellation.
 double henyey_greenstein(double g, double offset) {
     const double base = (1 - g) * (1 - g) + 2 * g * offset;
-    return (1 - g) * (1 + g) / (4 * kPi * base * std::sqrt(base));
+    return (1 - g) * (1 + g) / (4 * std::numbers::pi * base * std::sqrt(base));
 }
 
 }  // namespace

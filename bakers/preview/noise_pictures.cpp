@@ -42,7 +42,7 @@ Picture grey(const Image2<float>& field, const GreyScale& scale) {
     return picture;
 }
 
-std::array<std::uint8_t, 3> line_colour(const std::string& channel) {
+std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel) {
     if (channel == "R") return {0xc8, 0x3a, 0x32};
     if (channel == "G") return {0x2e, 0x8b, 0x57};
     if (channel == "B") return {0x2f, 0x6f, 0xc4};
@@ -123,7 +123,7 @@ class NoisePictures {
         for (int channel = 0; channel < volume_.channels; ++channel) {
             const std::string& name = entry_.channels[static_cast<std::size_t>(channel)];
             const Image2<float> texels = slice(volume_, channel, 2, 0);
-            ChartLine line{name, line_colour(name), {}, {}};
+            ChartLine line{name, noise_line_colour(name), {}, {}};
             for (int i = 0; i < texels.width; ++i) {
                 line.x.push_back((i + 0.5) / texels.width);
                 line.y.push_back(*texels.texel(i, 0));
@@ -171,7 +171,7 @@ class NoisePictures {
     // A step a bin, down to 0 at both ends.
     ChartLine histogram_line(const ValueStatistics& statistics, const std::string& channel) const {
         ChartLine line{fmt::format("{}, mean {:.3f}", channel, statistics.mean),
-                       line_colour(channel),
+                       noise_line_colour(channel),
                        {statistics.histogram_range[0]},
                        {0}};
         const auto bins = static_cast<double>(statistics.histogram.size());
@@ -229,7 +229,7 @@ class NoisePictures {
         std::vector<ChartLine> lines;
         for (const int channel : varying_channels()) {
             const std::string& name = entry_.channels[static_cast<std::size_t>(channel)];
-            ChartLine line{name, line_colour(name), {}, {}};
+            ChartLine line{name, noise_line_colour(name), {}, {}};
             const std::vector<double> spectrum = slice_spectrum(volume_, channel);
             for (std::size_t k = 1; k < spectrum.size(); ++k) {
                 line.x.push_back(static_cast<double>(k));

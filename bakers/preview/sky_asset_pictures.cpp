@@ -52,7 +52,7 @@ double angle_above_horizon(const AxisMapping& axis, double y) {
 
 // --- Volumes ------------------------------------------------------------------------------------
 
-bool is_complete(const PreviewAsset& asset) {
+bool has_all_texels(const PreviewAsset& asset) {
     std::size_t values = asset.entry.channels.size();
     for (const int edge : asset.entry.size) values *= static_cast<std::size_t>(edge);
     return asset.entry.size.size() == 3 && values > 0 && asset.voxels.size() == values;
@@ -211,7 +211,7 @@ std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
 
 std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset) {
     const auto bake = bake_of<config::AerialPerspectiveBake>(asset.entry);
-    if (!bake || !is_complete(asset)) return {};
+    if (!bake || !has_all_texels(asset)) return {};
     return AerialPictures(asset, *bake).make();
 }
 

@@ -80,7 +80,7 @@ double percent_shown(const std::vector<SkyDifference>& domes) {
     return 100;
 }
 
-ChartAxis dome_axis(const char* title) {
+ChartAxis error_dome_axis(const char* title) {
     return {title, [](double t) { return 180 * t - 90; }, AxisTicks::angles};
 }
 
@@ -96,8 +96,8 @@ PreviewPicture picture_of(const SkyMethod& method, const SkyMethod& reference,
             chart_field(domes[i], view_of(options, sun)),
             {-percent, percent, false, true, "relative error (%)"},
             fmt::format("{}, {}: sun at {:g} deg", method.family, method.name, sun),
-            dome_axis("across (deg from the zenith)"),
-            dome_axis("towards the sun (deg from the zenith)"), kChartEdge));
+            error_dome_axis("across (deg from the zenith)"),
+            error_dome_axis("towards the sun (deg from the zenith)"), kChartEdge));
         captions.push_back(fmt::format("at most {:.2g} %, RMS {:.2g} %, against {}, {}",
                                        100 * domes[i].error.max, 100 * domes[i].error.rms,
                                        reference.family, reference.name));
@@ -113,8 +113,6 @@ PreviewPicture picture_of(const SkyMethod& method, const SkyMethod& reference,
     return result;
 }
 
-bool cancelled(Progress* progress) { return progress != nullptr && progress->cancelled(); }
-
 }  // namespace
 
 std::vector<PreviewPicture> sky_error_pictures(const SkyMedium& medium,
@@ -128,7 +126,7 @@ std::vector<PreviewPicture> sky_error_pictures(const SkyMedium& medium,
     for (const double sun : options.sun_zenith_degrees) {
         exact.push_back(render(medium, reference, view_of(options, sun), threads));
     }
-    for (std::size_t m = 0; m + 1 < methods.size() && !cancelled(progress); ++m) {
+    for (std::size_t m = 0; m + 1 < methods.size() && !is_cancelled(progress); ++m) {
         if (progress != nullptr) {
             progress->advance("pictures",
                               static_cast<double>(m) / static_cast<double>(methods.size() - 1));

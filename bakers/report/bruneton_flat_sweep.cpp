@@ -31,7 +31,7 @@ constexpr int kQuickTransmittancePoints = 1024;
 // The reference takes 12 times as many directions as a texel.
 constexpr int kIrradiancePoints = 256;
 constexpr int kQuickIrradiancePoints = 32;
-constexpr std::int64_t kMostTexels = std::int64_t{1} << 20;
+constexpr std::int64_t kMostFlatTexels = std::int64_t{1} << 20;
 constexpr std::int64_t kMostIrradianceTexels = std::int64_t{1} << 12;
 constexpr std::int64_t kQuickMostIrradianceTexels = std::int64_t{1} << 10;
 
@@ -43,10 +43,6 @@ struct FlatSubject {
     std::unique_ptr<const SkyLight> sky;
     FlatTable table;
 };
-
-bool cancelled(const ReportOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
 
 // Null: interrupted. `seconds` are those of the light.
 std::shared_ptr<const FlatSubject> subject_of(const config::Atmosphere& atmosphere,
@@ -66,7 +62,7 @@ std::shared_ptr<const FlatSubject> subject_of(const config::Atmosphere& atmosphe
         subject->light = std::make_unique<const SolvedLight>(
             solve_light(subject->medium, *settings, 1, options.progress));
         seconds = thread_cpu_seconds() - start;
-        if (cancelled(options)) return nullptr;
+        if (is_cancelled(options.progress)) return nullptr;
         higher = std::make_unique<SolvedOrders>(subject->medium, *subject->light,
                                                 subject->light->degree());
     }
@@ -77,10 +73,10 @@ std::shared_ptr<const FlatSubject> subject_of(const config::Atmosphere& atmosphe
 }
 
 // A quarter to twice as many texels an axis, or, of what is too large, the most that is not.
-std::vector<std::array<int, 3>> sizes_of(const BrunetonBake& asked, bool quick) {
+std::vector<std::array<int, 3>> flat_sizes(const BrunetonBake& asked, bool quick) {
     const std::int64_t irradiance = quick ? kQuickMostIrradianceTexels : kMostIrradianceTexels;
     const std::int64_t most =
-        asked.table == BrunetonTable::transmittance ? kMostTexels : irradiance;
+        asked.table == BrunetonTable::transmittance ? kMostFlatTexels : irradiance;
     std::vector<std::array<int, 3>> sizes =
         sizes_around<3>(asked.size, {{0.25, 0.25, 1}, {0.5, 0.5, 1}, {1, 1, 1}, {2, 2, 1}}, most);
     if (sizes.empty()) sizes.push_back(size_within<3>(asked.size, most));
@@ -103,15 +99,16 @@ std::optional<BrunetonSweep> bruneton_flat_sweep(const config::Atmosphere& atmos
     if (!subject) return std::nullopt;
     const std::size_t channels =
         subject->table.colours + (asked.convention == BrunetonConvention::takram ? 1 : 0);
-    const std::vector<std::array<int, 3>> sizes = sizes_of(asked, options.quick);
+    const std::vector<std::array<int, 3>> sizes = flat_sizes(asked, options.quick);
     for (const std::array<int, 3>& size : sizes) {
         std::shared_ptr<const HeldVoxels> texels;
         const auto make = [&] {
             texels = std::make_shared<const HeldVoxels>(
                 flat_texels(subject->table, size, channels, BakeOptions{.threads = 1}));
         };
-        const std::vector<double> seconds = interleaved_medians(
-            {make}, made.repetitions, [&](int, std::size_t) { return !cancelled(options); });
+        const std::vector<double> seconds =
+            interleaved_medians({make}, made.repetitions,
+                                [&](int, std::size_t) { return !is_cancelled(options.progress); });
         if (seconds.empty()) return std::nullopt;
         for (const PixelType type : {PixelType::float32, PixelType::half}) {
             VolumeVariant& variant =

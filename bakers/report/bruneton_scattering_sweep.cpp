@@ -37,11 +37,11 @@ using Size = std::array<int, 3>;
 
 namespace {
 
-constexpr int kPoints = 4096;  // as of --certify=full
-constexpr int kQuickPoints = 512;
+constexpr int kScatteringPoints = 4096;  // as of --certify=full
+constexpr int kQuickScatteringPoints = 512;
 // Below the published 256x128x32, of which half along each axis but nu is 2^17.
 constexpr std::int64_t kQuickMostTexels = std::int64_t{1} << 18;
-constexpr std::int64_t kMostTexels = std::int64_t{1} << 24;
+constexpr std::int64_t kMostScatteringTexels = std::int64_t{1} << 24;
 // 4 orders take 4 s.
 constexpr std::int64_t kMostIteratedTexels = std::int64_t{1} << 14;
 
@@ -57,8 +57,8 @@ Size divided(const BrunetonBake& bake, int divisor) {
 }
 
 // The largest first: as asked, half and a quarter, or where these are too many what is not.
-std::vector<Size> sizes_of(const BrunetonBake& bake, bool quick) {
-    const std::int64_t most = quick ? kQuickMostTexels : kMostTexels;
+std::vector<Size> scattering_sizes(const BrunetonBake& bake, bool quick) {
+    const std::int64_t most = quick ? kQuickMostTexels : kMostScatteringTexels;
     std::vector<Size> sizes;
     for (int divisor = 1; divisor <= 4 || sizes.empty(); divisor *= 2) {
         const Size size = divided(bake, divisor);
@@ -77,10 +77,6 @@ Size iterated_size(const BrunetonBake& bake, const Size& smallest) {
         size = next;
     }
     return size;
-}
-
-bool cancelled(const ReportOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
 }
 
 // What all variants are of.
@@ -131,13 +127,13 @@ class ScatteringSweep {
           options_(options),
           one_thread_{.threads = 1, .progress = options.progress} {
         made_.repetitions = bruneton_repetitions(options.quick);
-        made_.points = options.quick ? kQuickPoints : kPoints;
+        made_.points = options.quick ? kQuickScatteringPoints : kScatteringPoints;
     }
 
     // None: interrupted.
     std::optional<BrunetonSweep> make() {
         if (!solve()) return std::nullopt;
-        const std::vector<Size> sizes = sizes_of(asked_, options_.quick);
+        const std::vector<Size> sizes = scattering_sizes(asked_, options_.quick);
         made_.size = sizes.front();
         iterated_size_ = iterated_size(asked_, sizes.back());
         for (const Size& size : sizes) {
@@ -156,9 +152,10 @@ class ScatteringSweep {
   private:
     // The median; none: interrupted.
     std::optional<double> seconds_of(const std::function<void()>& job) const {
-        const std::vector<double> seconds = interleaved_medians(
-            {job}, made_.repetitions, [&](int, std::size_t) { return !cancelled(options_); });
-        if (seconds.empty() || cancelled(options_)) return std::nullopt;
+        const std::vector<double> seconds =
+            interleaved_medians({job}, made_.repetitions,
+                                [&](int, std::size_t) { return !is_cancelled(options_.progress); });
+        if (seconds.empty() || is_cancelled(options_.progress)) return std::nullopt;
         return seconds.front();
     }
 

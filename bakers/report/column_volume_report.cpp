@@ -21,7 +21,7 @@ using config::OpticalDepthBake;
 namespace {
 
 // Texels of a table between points: hundreds of shells along each path are slow to sum.
-constexpr int kMostTexels = 32;
+constexpr int kMostColumnTexels = 32;
 
 // Up to where shells go if the recipe has none: Ai et al. 2014.
 constexpr config::Length kPaperAltitude = {35e3};
@@ -75,7 +75,7 @@ config::Outcome<AssetReport> report_column_volume(const config::Recipe& recipe,
     auto& asset = std::get<OpticalDepthBake>(subject.asset);
     asset.mips = 1;
     if (asset.table == config::OpticalDepthTable::between) {
-        for (int& texels : asset.size) texels = std::min(texels, kMostTexels);
+        for (int& texels : asset.size) texels = std::min(texels, kMostColumnTexels);
     }
     if (asset.sampling == DepthSampling::exact) asset.max_altitude = kPaperAltitude;
     const VolumeSweep sweep = column_sweep(atmosphere, asset, asked, options.quick);

@@ -41,10 +41,6 @@ std::vector<Texels> texels_of(const Sweep& sweep) {
     return all;
 }
 
-bool cancelled(const ReportOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
-
 void advance(const ReportOptions& options, std::string_view step, double fraction) {
     if (options.progress != nullptr) options.progress->advance(step, fraction);
 }
@@ -63,7 +59,7 @@ bool make_texels(std::vector<Texels>& all, int repetitions, const ReportOptions&
         interleaved_medians(jobs, repetitions, [&](int round, std::size_t job) {
             const std::size_t done = static_cast<std::size_t>(round) * jobs.size() + job;
             advance(options, "timing", static_cast<double>(done) / runs);
-            return !cancelled(options);
+            return !is_cancelled(options.progress);
         });
     for (std::size_t i = 0; i < seconds.size(); ++i) all[i].seconds = seconds[i];
     return !seconds.empty() || all.empty();
@@ -117,7 +113,7 @@ std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const BakedTable&
     MeasuredSweep measured;
     References references(sweep, options);
     for (const Variant& variant : sweep.variants) {
-        if (cancelled(options)) return std::nullopt;
+        if (is_cancelled(options.progress)) return std::nullopt;
         const Texels& texels =
             *std::find_if(all_texels.begin(), all_texels.end(),
                           [&](const Texels& candidate) { return makes(candidate, variant); });
@@ -138,7 +134,7 @@ std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const BakedTable&
         row.file_bytes = encoded.value->bytes.size();
         const ReferencePoints& lookups = references.lookups(*variant.truth);
         const ReferencePoints& centres = references.texels(*variant.truth, variant.size);
-        if (cancelled(options)) return std::nullopt;
+        if (is_cancelled(options.progress)) return std::nullopt;
         row.lookup = measure_lookups(*variant.truth, table.image, lookups).figures;
         row.texel = measure_lookups(*variant.truth, table.image, centres).figures;
         measured.rows.push_back(std::move(row));

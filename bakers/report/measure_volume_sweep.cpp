@@ -30,11 +30,7 @@ using Voxels = std::shared_ptr<const VoxelSource>;
 
 namespace {
 
-bool cancelled(const ReportOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
-
-void advance(const ReportOptions& options, std::string_view step, double fraction) {
+void advance_sweep(const ReportOptions& options, std::string_view step, double fraction) {
     if (options.progress != nullptr) options.progress->advance(step, fraction);
 }
 
@@ -92,8 +88,8 @@ bool time_voxels(std::vector<SharedVoxels>& all, std::size_t channels, int repet
     const std::vector<double> seconds =
         interleaved_medians(jobs, repetitions, [&](int round, std::size_t job) {
             const std::size_t done = static_cast<std::size_t>(round) * jobs.size() + job;
-            advance(options, "timing", static_cast<double>(done) / runs);
-            return !cancelled(options);
+            advance_sweep(options, "timing", static_cast<double>(done) / runs);
+            return !is_cancelled(options.progress);
         });
     for (std::size_t i = 0; i < seconds.size(); ++i) timed[i]->seconds = seconds[i];
     return !seconds.empty() || timed.empty();
@@ -118,9 +114,10 @@ Outcome<Written> write_to_memory(const BakedVolume& volume, int repetitions,
                 .diagnostics;
         written.bytes = file.bytes();
     };
-    const std::vector<double> seconds = interleaved_medians(
-        {write}, repetitions,
-        [&](int, std::size_t) { return outcome.diagnostics.empty() && !cancelled(options); });
+    const std::vector<double> seconds =
+        interleaved_medians({write}, repetitions, [&](int, std::size_t) {
+            return outcome.diagnostics.empty() && !is_cancelled(options.progress);
+        });
     if (seconds.empty()) return outcome;
     written.seconds = seconds.front();
     if (outcome.diagnostics.empty()) outcome.value = written;
@@ -189,7 +186,7 @@ class VolumeMeasurement {
         VolumeLevel& level = volume.levels.front();
         level.size = voxels.size;
         level.voxels = stored;
-        if (cancelled(options_)) return false;
+        if (is_cancelled(options_.progress)) return false;
         const BakeOptions quiet{.threads = options_.threads};
         const std::vector<Diagnostic> problems = survey_level(volume, 0, histogram_ranges_, quiet);
         if (!problems.empty()) {
@@ -236,8 +233,8 @@ class VolumeMeasurement {
         volume.vdb_compression = variant.vdb_compression;
         const Outcome<Written> written = write_to_memory(volume, write_repetitions_, options_);
         if (!written.diagnostics.empty()) leave_out(variant, written.diagnostics.front());
-        advance(options_, "files",
-                static_cast<double>(++done_) / static_cast<double>(rows_.size()));
+        advance_sweep(options_, "files",
+                      static_cast<double>(++done_) / static_cast<double>(rows_.size()));
         if (!written.value) return !written.diagnostics.empty();
         ReportRow row = values;
         row.family = variant.family;
@@ -314,7 +311,7 @@ std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep,
     for (const SharedVoxels& voxels : all) {
         if (!measurement.measure(voxels)) return std::nullopt;
     }
-    if (cancelled(options)) return std::nullopt;
+    if (is_cancelled(options.progress)) return std::nullopt;
     MeasuredSweep measured = measurement.result();
     mark_time_fronts(measured.rows, two_digits);
     mark_bytes_front(measured.rows);

@@ -42,15 +42,11 @@ namespace {
 
 constexpr int kRays = 3000;
 constexpr int kQuickRays = 300;
-constexpr int kRepetitions = 9;
-constexpr int kQuickRepetitions = 3;
+constexpr int kGridRepetitions = 9;
+constexpr int kQuickGridRepetitions = 3;
 // The tile of Olajos 2016 is 600 units wide; a ray goes on for 500 of them in steps of 1.
 constexpr double kStepsPerTile = 600;
-constexpr double kSteps = 500;
-
-bool cancelled(const ReportOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
+constexpr double kMarchSteps = 500;
 
 // The values of one channel as stored.
 std::vector<float> stored_channel(const BakedVolume& volume, std::size_t channel, int threads) {
@@ -100,7 +96,7 @@ class OccupancyMeasurement {
         const auto rays = skipping_rays(volume_.extent, options_.quick ? kQuickRays : kRays);
         std::vector<SkippingRow> rows;
         for (const Structure& structure : structures) {
-            if (cancelled(options_)) return std::nullopt;
+            if (is_cancelled(options_.progress)) return std::nullopt;
             rows.push_back(row_of(structure, rays));
             if (options_.progress != nullptr) {
                 options_.progress->advance("rays", static_cast<double>(rows.size()) /
@@ -125,7 +121,7 @@ class OccupancyMeasurement {
             },
             [&] { leaps_ = leap_distance(exact_); }};
         const std::vector<double> seconds =
-            interleaved_medians(jobs, options_.quick ? kQuickRepetitions : kRepetitions,
+            interleaved_medians(jobs, options_.quick ? kQuickGridRepetitions : kGridRepetitions,
                                 [](int, std::size_t) { return true; });
         exact_ms_ = seconds[0] * 1e3;
         thesis_ms_ = seconds[1] * 1e3;
@@ -155,7 +151,7 @@ class OccupancyMeasurement {
             std::vector<occupancy::MarchResult> results(rays.size());
             parallel_for(static_cast<int>(rays.size()), options_.threads, [&](int ray) {
                 const auto at = static_cast<std::size_t>(ray);
-                results[at] = march(volume_, rays[at], kSteps * step, step, structure.skipping,
+                results[at] = march(volume_, rays[at], kMarchSteps * step, step, structure.skipping,
                                     *structure.cells, *structure.leaps);
             });
             double fetches = 0;
@@ -229,7 +225,7 @@ Outcome<AssetReport> report_occupancy(const config::Recipe& recipe, const config
     AssetReport report;
     report.name = bake.name;
     report.kind = "occupancy";
-    report.repetitions = options.quick ? kQuickRepetitions : kRepetitions;
+    report.repetitions = options.quick ? kQuickGridRepetitions : kGridRepetitions;
     report.timing = "processor time of the grid from voxels in memory, one thread";
     OccupancyMeasurement measurement(voxels, marched_volume, asset, options);
     auto rows = measurement.measure();

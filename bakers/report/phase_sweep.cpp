@@ -33,7 +33,7 @@ constexpr std::array kSpacings = {
     NamedSpacing{PhaseSpacing::cosine, "cosine", "uniform in cosine"},
     NamedSpacing{PhaseSpacing::peaks, "peaks", "clustered at the peaks"}};
 
-constexpr std::int64_t kMostTexels = 16384;
+constexpr std::int64_t kMostPhaseTexels = 16384;
 
 class PhaseSweep {
   public:
@@ -42,7 +42,7 @@ class PhaseSweep {
         : source_(source), bake_(bake), mapping_(baked.mapping), size_({baked.image.width, 1}) {
         std::vector<std::array<double, 2>> factors = {{0.0625, 1}, {0.25, 1}, {1, 1}, {4, 1}};
         if (!quick) factors.insert(factors.end(), {{0.125, 1}, {0.5, 1}, {2, 1}});
-        sizes_ = sizes_around(size_, factors, kMostTexels);
+        sizes_ = sizes_around(size_, factors, kMostPhaseTexels);
     }
 
     std::vector<Variant> variants() {

@@ -15,13 +15,6 @@ namespace skybake {
 
 namespace {
 
-int family_index(std::vector<std::string>& families, const std::string& family) {
-    const auto at = std::find(families.begin(), families.end(), family);
-    const auto index = at - families.begin();
-    if (at == families.end()) families.push_back(family);
-    return static_cast<int>(index);
-}
-
 std::string label_of(const ReportRow& row, bool on_front) {
     if (!row.baseline.empty()) return row.baseline + ": " + row.variant;
     if (row.of_recipe) return "this recipe: " + row.variant;

@@ -29,8 +29,6 @@ double relative_spread(const std::vector<SkyTruth>& channels) {
     return lit == 0 ? 0 : std::sqrt(squares / lit);
 }
 
-bool cancelled(Progress* progress) { return progress != nullptr && progress->cancelled(); }
-
 void advance(Progress* progress, double fraction) {
     if (progress != nullptr) progress->advance("tracing paths", fraction);
 }
@@ -45,7 +43,7 @@ std::optional<std::vector<SkyTruth>> trace_sky_truth_within(
     std::vector<double> spreads;
     double sum = 0;
     for (std::size_t i = 0; i < directions.size(); ++i) {
-        if (cancelled(progress)) return std::nullopt;
+        if (is_cancelled(progress)) return std::nullopt;
         spreads.push_back(relative_spread(
             trace_sky_truth(medium, {directions[i]}, {kPilotSeeds + i, pilot_paths}, threads)));
         sum += spreads.back();
@@ -55,7 +53,7 @@ std::optional<std::vector<SkyTruth>> trace_sky_truth_within(
     double done = 0;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         advance(progress, std::min(done / all_paths, 1.0));
-        if (cancelled(progress)) return std::nullopt;
+        if (is_cancelled(progress)) return std::nullopt;
         const double share = sum > 0 ? spreads[i] / sum * all_paths : 0;
         std::int64_t paths = std::max(static_cast<std::int64_t>(share), pilot_paths);
         if (paths > kBlock) paths = (paths + kBlock - 1) / kBlock * kBlock;

@@ -11,13 +11,6 @@ namespace skybake {
 
 namespace {
 
-int family_index(std::vector<std::string>& families, const std::string& family) {
-    const auto at = std::find(families.begin(), families.end(), family);
-    const auto index = at - families.begin();
-    if (at == families.end()) families.push_back(family);
-    return static_cast<int>(index);
-}
-
 PlotPoint point_of(const SkyErrorRow& row, int family, double error) {
     PlotPoint point;
     point.x = row.time_ms;

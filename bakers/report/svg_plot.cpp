@@ -51,6 +51,13 @@ Legend legend_of(const Plot& plot, double top, double width) {
 
 }  // namespace
 
+int family_index(std::vector<std::string>& families, const std::string& family) {
+    const auto at = std::find(families.begin(), families.end(), family);
+    const auto index = at - families.begin();
+    if (at == families.end()) families.push_back(family);
+    return static_cast<int>(index);
+}
+
 std::string svg_of(const Plot& plot) {
     const auto panel_count = static_cast<double>(std::max<std::size_t>(plot.panels.size(), 1));
     const double width =

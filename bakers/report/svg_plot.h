@@ -32,6 +32,9 @@ struct Plot {
     std::vector<PlotPanel> panels;
 };
 
+// Where a family stands among those of a plot; a new one is appended.
+int family_index(std::vector<std::string>& families, const std::string& family);
+
 // Well-formed XML whatever the texts hold. Errors of 0 stand at the lowest place that is drawn.
 std::string svg_of(const Plot& plot);
 

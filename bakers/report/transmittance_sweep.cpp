@@ -21,7 +21,7 @@ using Model = std::shared_ptr<const TableModel>;
 namespace {
 
 // The baselines take about 10 us a texel: tables beyond these sizes would tell nothing new.
-constexpr long kMaxTexels = 1 << 18;
+constexpr long kMostTransmittanceTexels = 1 << 18;
 constexpr long kMaxTexelsOfSteps = 1 << 14;
 
 struct NamedRule {
@@ -84,7 +84,7 @@ class TransmittanceSweep {
         std::vector<std::array<double, 2>> factors = {{0.25, 0.25}, {0.5, 0.5}, {1, 1}, {2, 2}};
         if (!quick) factors.push_back({4, 4});
         const long own = static_cast<long>(size[0]) * size[1];
-        sizes_ = sizes_around(size, factors, std::max(kMaxTexels, own));
+        sizes_ = sizes_around(size, factors, std::max(kMostTransmittanceTexels, own));
         if (std::find(sizes_.begin(), sizes_.end(), steps_size_) == sizes_.end()) {
             sizes_.insert(sizes_.begin(), steps_size_);
         }

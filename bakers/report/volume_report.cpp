@@ -15,14 +15,14 @@ using config::Outcome;
 namespace {
 
 // Writing a compressed file takes ten times as long as making its voxels.
-constexpr VolumeRepetitions kRepetitions = {.voxels = 9, .writes = 3};
-constexpr VolumeRepetitions kQuickRepetitions = {.voxels = 3, .writes = 1};
+constexpr VolumeRepetitions kVolumeRepetitions = {.voxels = 9, .writes = 3};
+constexpr VolumeRepetitions kQuickVolumeRepetitions = {.voxels = 3, .writes = 1};
 // As of --certify=quick and --certify=full.
 constexpr int kPoints = 16384;
 constexpr int kQuickPoints = 1024;
 
 AssetReport describe(const BakedVolume& volume, const VolumeReportSubject& subject, bool quick) {
-    const VolumeRepetitions repetitions = quick ? kQuickRepetitions : kRepetitions;
+    const VolumeRepetitions repetitions = quick ? kQuickVolumeRepetitions : kVolumeRepetitions;
     AssetReport report;
     report.name = volume.name;
     report.kind = volume.kind;
@@ -62,7 +62,7 @@ Outcome<AssetReport> report_volume(const config::Recipe& recipe, const VolumeRep
     AssetReport report = describe(volume, subject, options.quick);
     auto measured = measure_volume_sweep(
         subject.sweep, volume, subject.reference, report.lookup_points,
-        options.quick ? kQuickRepetitions : kRepetitions, options, subject.comparison);
+        options.quick ? kQuickVolumeRepetitions : kVolumeRepetitions, options, subject.comparison);
     if (!measured) return {};
     report.rows = std::move(measured->rows);
     report.notes.insert(report.notes.end(), measured->notes.begin(), measured->notes.end());

@@ -17,7 +17,7 @@ constexpr double kOverTheShell = 8;
 constexpr double kPerPiece = 3;
 constexpr double kPerOpticalDepth = 2;
 constexpr double kMostPerOpticalDepth = 80;  // in all
-constexpr int kSamples = 64;                 // of a block, to place its levels
+constexpr int kBlockSamples = 64;            // of a block, to place its levels
 
 double levels_per_km(const Medium& medium, double altitude_km) {
     double density = kOverTheShell / medium.thickness_km;
@@ -51,12 +51,12 @@ std::vector<double> solution_levels_km(const Medium& medium, double scale) {
 
     // Samples are closest at each block's bottom, where exponential air is densest.
     const auto sample = [&](std::size_t block, double i) {
-        const double y = i / kSamples;
+        const double y = i / kBlockSamples;
         return blocks[block] + (blocks[block + 1] - blocks[block]) * y * y;
     };
     double depth = 0;
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
-        for (int i = 0; i < kSamples; ++i) {
+        for (int i = 0; i < kBlockSamples; ++i) {
             depth +=
                 largest_extinction(medium, sample(b, i + 0.5)) * (sample(b, i + 1) - sample(b, i));
         }
@@ -67,7 +67,7 @@ std::vector<double> solution_levels_km(const Medium& medium, double scale) {
     std::vector<double> levels = {0};
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
         std::vector<double> count = {0};  // of levels up to each sample
-        for (int i = 0; i < kSamples; ++i) {
+        for (int i = 0; i < kBlockSamples; ++i) {
             const double middle = sample(b, i + 0.5);
             const double per_km =
                 levels_per_km(medium, middle) + per_depth * largest_extinction(medium, middle);

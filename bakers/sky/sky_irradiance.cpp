@@ -15,8 +15,6 @@ namespace skybake {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 struct WeightedAngle {
     double angle;
     double weight;  // of an integral over the angle
@@ -68,11 +66,11 @@ Spectrum integrate(const SkyLight& light, const SkyMedium& medium,
 Spectrum single_irradiance(const SkyLight& light, double altitude_km, const SunZenith& sun,
                            int nodes) {
     std::vector<WeightedAngle> zenith_angles;
-    const double from = std::min(arc_cosine(sun.cosine), kPi / 2);
+    const double from = std::min(arc_cosine(sun.cosine), std::numbers::pi / 2);
     add_gathered(from, 0, nodes, zenith_angles);
-    add_gathered(from, kPi / 2, nodes, zenith_angles);
+    add_gathered(from, std::numbers::pi / 2, nodes, zenith_angles);
     std::vector<WeightedAngle> azimuths;
-    add_gathered(0, kPi, nodes, azimuths);
+    add_gathered(0, std::numbers::pi, nodes, azimuths);
     SkyMedium medium = light.medium();
     for (SkyLayer& layer : medium.layers) layer.first_phase = {};
     return integrate(light, medium, nullptr, altitude_km, sun, zenith_angles, azimuths,
@@ -95,10 +93,11 @@ void add_aureole(const SkyLight& light, double altitude_km, const SunZenith& sun
 Spectrum multiple_irradiance(const SkyLight& light, double altitude_km, const SunZenith& sun,
                              const IrradianceNodes& nodes) {
     std::vector<WeightedAngle> zenith_angles;
-    add_gathered(kPi / 2, 0, nodes.zenith_angles, zenith_angles);
+    add_gathered(std::numbers::pi / 2, 0, nodes.zenith_angles, zenith_angles);
     std::vector<WeightedAngle> azimuths;
     for (int i = 0; i < nodes.azimuths; ++i) {
-        azimuths.push_back({kPi * (i + 0.5) / nodes.azimuths, kPi / nodes.azimuths});
+        azimuths.push_back(
+            {std::numbers::pi * (i + 0.5) / nodes.azimuths, std::numbers::pi / nodes.azimuths});
     }
     return integrate(light, light.medium(), light.higher_orders(), altitude_km, sun, zenith_angles,
                      azimuths, &SkyRadiance::multiple);

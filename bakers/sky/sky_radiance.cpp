@@ -16,10 +16,7 @@ namespace skybake {
 
 using namespace ray_pieces;
 
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-}  // namespace
+namespace {}  // namespace
 
 Spectrum SkyRadiance::total() const {
     Spectrum sum{};
@@ -162,7 +159,8 @@ Spectrum SkyIntegrator::ground_radiance(double sun_s_km) const {
     Spectrum value{};
     if (higher_orders_) value = higher_orders_->sky_irradiance(mu);
     for (std::size_t c = 0; c < value.size(); ++c) {
-        value[c] = medium_.air.ground_albedo[c] / kPi * (std::max(mu, 0.0) * sun[c] + value[c]);
+        value[c] = medium_.air.ground_albedo[c] / std::numbers::pi *
+                   (std::max(mu, 0.0) * sun[c] + value[c]);
     }
     return value;
 }

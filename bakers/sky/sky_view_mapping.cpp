@@ -12,25 +12,24 @@ namespace skybake {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // arccos(R / (R + h)) = 2 arcsin sqrt(h / (2 (R + h))): no digits are lost near h = 0.
 double angle_to_tangent(double radius_km, double altitude_km) {
-    return kPi - 2 * arc_cosine(std::sqrt(altitude_km / (2 * (radius_km + altitude_km))));
+    return std::numbers::pi -
+           2 * arc_cosine(std::sqrt(altitude_km / (2 * (radius_km + altitude_km))));
 }
 
 }  // namespace
 
-double cosine_of(double angle) { return cosine_of_turns(angle / (2 * kPi)); }
+double cosine_of(double angle) { return cosine_of_turns(angle / (2 * std::numbers::pi)); }
 
-double sine_of(double angle) { return cosine_of_turns(angle / (2 * kPi) - 0.25); }
+double sine_of(double angle) { return cosine_of_turns(angle / (2 * std::numbers::pi) - 0.25); }
 
 SkyViewCamera::SkyViewCamera(const Shell& shell, double altitude_km)
     : shell_(shell),
       altitude_km_(altitude_km),
       dip_(angle_to_tangent(shell.ground_radius_km, altitude_km)) {
-    range_below_ = kPi / 2 - dip_;
-    range_above_ = kPi / 2 + dip_;
+    range_below_ = std::numbers::pi / 2 - dip_;
+    range_above_ = std::numbers::pi / 2 + dip_;
     if (in_space()) {
         dip_to_top_ = angle_to_tangent(shell.ground_radius_km + shell.thickness_km,
                                        altitude_km - shell.thickness_km);

@@ -17,14 +17,13 @@ namespace skybake {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kStripWidth = kPi / StripOrders::kStrips;  // of azimuth, in radians
+constexpr double kStripWidth = std::numbers::pi / StripOrders::kStrips;  // of azimuth, in radians
 constexpr int kSuns = 64;
 constexpr int kAltitudes = 32;
 constexpr auto kMapping = config::MultipleScatteringMapping::twilight;
 constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
 
-SunZenith sun_of_cosine(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
+SunZenith strip_sun(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
 
 // The cosine of the azimuth at which a strip has its middle.
 double middle_cosine(int strip) { return sine_and_cosine((strip + 0.5) * kStripWidth).cosine; }
@@ -82,7 +81,7 @@ StripOrders::StripOrders(const SkyMedium& medium, const BakeOptions& options)
         const double altitude_km = root * root * thickness_km_;
         for (int x = 0; x < kSuns; ++x) {
             const SunZenith sun =
-                sun_of_cosine(sun_cos_zenith_at(kMapping, texel_coordinate(kConvention, x, kSuns)));
+                strip_sun(sun_cos_zenith_at(kMapping, texel_coordinate(kConvention, x, kSuns)));
             for (int i = 0; i < kStrips; ++i) {
                 const SkyDirection middle = sky_direction(sun, 0.5, sine, middle_cosine(i));
                 const Spectrum light =
