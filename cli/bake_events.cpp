@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view spell(AssetState state) {
+std::string_view state_name(AssetState state) {
     switch (state) {
         case AssetState::up_to_date:
             return "up_to_date";

@@ -49,7 +49,7 @@ std::string checked_event(const std::string& name, const config::Parameters& par
                        {"warnings", diagnostics_json(warnings)}});
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_check(const Invocation& invocation, Console& console) {
     const std::string name = recipe_name(invocation.arguments()[0]);
     const auto outcome = recipe_of(invocation);
     const ExitCode code = console.report_results(outcome.diagnostics);
@@ -79,7 +79,7 @@ Command check_command() {
                      {"skybake check - < earth.toml", "checks the text that an editor pipes in"},
                      {"skybake check earth.toml --json", "tells a program"}},
         .exit_codes = {ExitCode::io},
-        .run = run};
+        .run = run_check};
 }
 
 }  // namespace skybake::cli

@@ -32,7 +32,7 @@ std::optional<std::string> explanation_of(const std::string& name) {
     return name.empty() ? config::explain_all_keys() : config::explain(name);
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_explain(const Invocation& invocation, Console& console) {
     const std::string name = invocation.arguments().empty() ? "" : invocation.arguments()[0];
     const std::optional<std::string> text = explanation_of(name);
     if (!text) return console.report(std::array{unknown_name(name)});
@@ -56,7 +56,7 @@ Command explain_command() {
                      {"skybake explain scale_height", "finds a key without its path"},
                      {"skybake explain noise.shape.channels", "lists the keys of a table"},
                      {"skybake explain E0102", "explains an error and its remedy"}},
-        .run = run};
+        .run = run_explain};
 }
 
 }  // namespace skybake::cli

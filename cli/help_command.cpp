@@ -14,7 +14,7 @@
 namespace skybake::cli {
 namespace {
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_help(const Invocation& invocation, Console& console) {
     const Command* command = nullptr;
     if (!invocation.arguments().empty()) {
         const std::string& name = invocation.arguments()[0];
@@ -44,7 +44,7 @@ Command help_command() {
                        .help = "the command to explain (default: all commands, in one line each)",
                        .required = false}},
         .examples = {{"skybake help bake", "shows what `skybake bake --help` shows"}},
-        .run = run};
+        .run = run_help};
 }
 
 }  // namespace skybake::cli

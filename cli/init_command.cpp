@@ -104,7 +104,7 @@ void print_recipe(const KnownPreset& preset, Console& console) {
             : text);
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_init(const Invocation& invocation, Console& console) {
     if (invocation.has("list")) {
         console.result(console.display().json ? preset_list_event() : preset_list());
         return ExitCode::done;
@@ -148,7 +148,7 @@ Command init_command() {
                      {"skybake init fog.toml --preset fog", "writes the droplets of fog"},
                      {"skybake init --list", "lists the presets, one per line"}},
         .exit_codes = {ExitCode::io},
-        .run = run};
+        .run = run_init};
 }
 
 }  // namespace skybake::cli

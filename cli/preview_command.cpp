@@ -141,7 +141,7 @@ Command preview_command() {
                      {"skybake preview cumulus.toml --watch",
                       "follows the recipe while you write it"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
-        .run = run};
+        .run = run_preview};
 }
 
 }  // namespace skybake::cli

@@ -57,7 +57,7 @@ Command schema_command() {
                        .required = false}},
         .examples = {{"skybake schema > recipe.schema.json", "serves an editor's TOML mode"},
                      {"skybake schema manifest", "describes manifest.json"}},
-        .run = run};
+        .run = run_schema};
 }
 
 }  // namespace skybake::cli

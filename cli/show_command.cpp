@@ -196,7 +196,7 @@ std::string values_event(const std::string& recipe, const std::vector<Line>& lin
     return event_line(event);
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_show(const Invocation& invocation, Console& console) {
     const auto outcome = recipe_of(invocation);
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;

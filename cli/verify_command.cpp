@@ -59,7 +59,7 @@ std::vector<config::Diagnostic> check_path(const fs::path& path) {
                         fmt::format("skybake verify {}", config::printable(folder.string())))};
 }
 
-ExitCode run(const Invocation& invocation, Console& console) {
+ExitCode run_verify(const Invocation& invocation, Console& console) {
     if (const ExitCode code = console.report(check_path(invocation.arguments()[0]));
         code != ExitCode::done) {
         return code;
@@ -85,7 +85,7 @@ Command verify_command() {
                           "lists every mismatch in hashes, metadata, values and probes"},
                          {"skybake verify out --json", "tells a program"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},
-            .run = run};
+            .run = run_verify};
 }
 
 }  // namespace skybake::cli

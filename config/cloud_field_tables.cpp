@@ -8,7 +8,7 @@ namespace {
 constexpr Range scale_range{1, 1024};
 constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would divide by 0
 constexpr Range extent_range{1e-3, 1e8};
-constexpr Range altitude_range{-1e8, 1e8};
+constexpr Range base_altitude_range{-1e8, 1e8};
 constexpr Range density_range{0, 1e6};
 constexpr Range full_range{1e-6, 1e6};
 constexpr Range softness_range{.minimum = 1e-6, .maximum = 1e6, .or_zero = true};

@@ -53,8 +53,8 @@ ProbePlace probe_place_of(const FlatPlace& place, const std::array<int, 3>& size
     double y = coordinate_of(uvw[1], size[1]);
     ProbePlace result;
     result.at = place(x, y);
-    result.lookups = {{{texture_coordinate(kConvention, x, size[0]),
-                        texture_coordinate(kConvention, y, size[1]), 0.5}}};
+    result.lookups = {{{texture_coordinate(kFlatConvention, x, size[0]),
+                        texture_coordinate(kFlatConvention, y, size[1]), 0.5}}};
     return result;
 }
 

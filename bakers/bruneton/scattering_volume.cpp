@@ -77,7 +77,7 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content,
           kScatteringConvention, 0, 1},
          {"altitude_km",
           "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the top",
-          kConvention, 0, mapping.shell().thickness_km}}};
+          kScatteringConvention, 0, mapping.shell().thickness_km}}};
     describe_axes(mapping, volume);
     for (std::size_t c = 0; c < bake.solar_irradiance.size(); ++c) {
         volume.details.emplace_back(fmt::format("solar_irradiance_{}", volume.channel_names[c]),

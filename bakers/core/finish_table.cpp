@@ -177,7 +177,7 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
         table.certificate.worst = place_text(place_of(lookup.worst[0], lookup.worst[1]));
     }
     const auto weak = add_probes({table_space(model, size, place_of)}, options, table);
-    if (cancelled(options)) return outcome;
+    if (options.cancelled()) return outcome;
     if (weak) {
         outcome.diagnostics.push_back(*weak);
         return outcome;

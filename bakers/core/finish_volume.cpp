@@ -105,7 +105,7 @@ config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinis
             survey_level(volume, static_cast<int>(i), finish.histogram_ranges, options);
         volume.bake_seconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (!outcome.diagnostics.empty() || cancelled(options)) return outcome;
+        if (!outcome.diagnostics.empty() || options.cancelled()) return outcome;
         if (const auto problem = add_level_probes(static_cast<int>(i), finish, options, volume)) {
             outcome.diagnostics.push_back(*problem);
             return outcome;

@@ -5,7 +5,7 @@
 namespace skybake {
 namespace {
 
-LoadedVdbCodec load() {
+LoadedVdbCodec load_codec() {
     const ModuleSymbol symbol = load_module(vdb_module_name, vdb_codec_symbol);
     if (symbol.address == nullptr) return {nullptr, symbol.reason};
     return {reinterpret_cast<VdbCodecFunction>(symbol.address)(), ""};
