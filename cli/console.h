@@ -30,7 +30,7 @@ struct Display {
     bool quiet = false;    // -q: no notes
     bool verbose = false;  // -v: details too
     bool json = false;     // --json: results are events on stdout, and so is a failure
-    std::string command;   // for that event; empty where none was understood
+    std::string command = {};  // for that event; empty where none was understood
 };
 
 // What the environment says about colours; null where a variable is not set.

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
             hwy::GetChosenTarget().Update(hwy::SupportedTargets());
             const std::vector<std::string> words(argv + 2, argv + argc);
             return static_cast<int>(skybake::cli::run(words, skybake::cli::descriptor_sink(1),
-                                                      skybake::cli::descriptor_sink(2), nullptr));
+                                                      skybake::cli::descriptor_sink(2), {}));
         }
     }
     return list ? 0 : 2;
