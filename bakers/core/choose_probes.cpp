@@ -141,13 +141,14 @@ std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& cand
 // Takes candidates one by one.
 class ProbeTaking {
   public:
-    ProbeTaking(std::vector<ProbeCandidate>& candidates, std::size_t wrongs, int count)
+    ProbeTaking(std::vector<ProbeCandidate>& candidates, std::size_t wrongs, int share)
         : candidates_(candidates), wanted_(wrongs) {
         for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
             wanted_[wrong] = std::min(kWantedProbes, places_that_show(candidates, wrong));
         }
-        // Most probes lie where there is something: `zeros` is the first of all wrong lookups.
-        wanted_[0] = std::min(count - count / 4, places_that_show(candidates, 0));
+        // Most probes of a space lie where there is something: `zeros` is the first of all wrong
+        // lookups.
+        wanted_[0] = std::min(share - share / 4, places_that_show(candidates, 0));
         shows_.assign(wanted_.begin(), wanted_.end());
     }
 
@@ -278,10 +279,10 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
     measure_candidates(first, texture, wrongs, options, candidates);
     if (options.cancelled()) return {};
 
-    ProbeTaking choice(candidates, wrongs.size(), count);
+    const auto spaces_count = static_cast<int>(spaces.size());
+    const int share = (count + spaces_count - 1) / spaces_count;
+    ProbeTaking choice(candidates, wrongs.size(), share);
     choice.take_what_is_wanted();
-    const int share =
-        (count + static_cast<int>(spaces.size()) - 1) / static_cast<int>(spaces.size());
     std::size_t begin = 0;
     for (const ProbeSpace& space : spaces) {
         choice.fill_up(share, begin, begin + space.wanted.size());
