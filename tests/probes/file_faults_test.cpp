@@ -264,6 +264,7 @@ orders = "single"
 size = [12, 12, 12]
 altitude = "500 m"
 sun_elevation = "20 deg"
+heading = "40 deg"
 formats = ["bin"]
 )");
 }
@@ -385,19 +386,19 @@ preset = "stratus"
 [bake.congestus]
 asset = "cloud_volume"
 cloud = "congestus"
-size = [64, 64, 32]
+size = [75, 75, 33]
 formats = ["bin"]
 [bake.stratus]
 asset = "cloud_volume"
 cloud = "stratus"
-size = [64, 64, 16]
+size = [65, 65, 17]
 formats = ["bin"]
 mips = 2
 [bake.congestus_cells]
 asset = "occupancy"
 of = "congestus"
 cell = 4
-contents = ["occupied", "leap"]
+contents = ["leap"]
 formats = ["bin"]
 mips = 2
 [bake.stratus_cells]
@@ -406,6 +407,113 @@ of = "stratus"
 cell = 2
 formats = ["bin"]
 )");
+}
+
+// A picture towards the sun is the same mirrored, and a vacuum lets everything pass everywhere: no
+// probe can tell, and the manifest does not say that one does.
+TEST(FileFaults, ThatChangeNothingAreNotSaidToBeTold) {
+    const TemporaryFolder folder;
+    bake(R"(
+preset = "earth"
+[bake.aerial_perspective]
+orders = "single"
+size = [12, 12, 12]
+altitude = "500 m"
+sun_elevation = "20 deg"
+heading = "0 deg"
+formats = ["bin"]
+)",
+         folder.path());
+    const BakedFile picture = files_of(folder.path()).front();
+    EXPECT_EQ(failed_by_fault(picture).at("flip_u"), 0);
+    EXPECT_GE(failed_by_fault(picture).at("flip_v"), 3);
+    EXPECT_EQ(std::count(picture.catches.begin(), picture.catches.end(), "flip_u"), 0);
+    EXPECT_EQ(std::count(picture.catches.begin(), picture.catches.end(), "flip_v"), 1);
+
+    const TemporaryFolder empty;
+    bake("preset = \"vacuum\"\n[bake.transmittance]\nsize = [16, 16]\n", empty.path());
+    const BakedFile vacuum = files_of(empty.path()).front();
+    EXPECT_EQ(vacuum.catches, std::vector<std::string>{"zeros"});
+    EXPECT_GE(failed_by_fault(vacuum).at("zeros"), 3);
+}
+
+// Writes a volume's file anew, and in the manifest all that is known of its bytes: only what a
+// lookup finds tells it from the right one.
+void forge(const fs::path& folder, const Texels& texels) {
+    Manifest manifest = *read_manifest(folder).value;
+    ManifestAsset& asset = manifest.assets[0];
+    ManifestFile& file = asset.files[0];
+    ASSERT_EQ(file.pixel_type, config::PixelType::float32);
+    const std::vector<float> values(texels.values.begin(), texels.values.end());
+    std::string bytes(values.size() * sizeof(float), '\0');
+    store_values(values.data(), values.size(), file.pixel_type, bytes.data());
+    write_bytes(folder / file.path, bytes);
+    file.bytes = bytes.size();
+    file.xxh3 = xxh3_hex(bytes);
+    asset.content_hash = file.xxh3;
+    ManifestLevel& level = asset.levels[0];
+    level.content_hash = file.xxh3;
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    level.statistics[0].min = double{*least};
+    level.statistics[0].max = double{*most};
+    write_bytes(folder / manifest_name, manifest_json(manifest));
+}
+
+std::map<std::string, int> failed_checks(const fs::path& folder) {
+    std::map<std::string, int> failed;
+    const auto report = verify_bake(folder);
+    EXPECT_TRUE(report.value.has_value());
+    if (!report.value) return failed;
+    for (const VerifyFailure& failure : report.value->failures) ++failed[failure.check];
+    return failed;
+}
+
+TEST(FileFaults, AreToldByVerifyWhereAllHashesAgree) {
+    const TemporaryFolder folder;
+    bake(R"(
+[noise.shape.channels.Y]
+type = "perlin"
+frequency = 4
+[bake.shape]
+asset = "noise_volume"
+noise = "shape"
+size = [16, 16, 16]
+formats = ["bin"]
+pixel_type = "float"
+)",
+         folder.path());
+    const BakedFile file = files_of(folder.path()).front();
+    forge(folder.path(), file.texels);
+    EXPECT_TRUE(failed_checks(folder.path()).empty());
+    std::map<std::string, Texels> wrong = {{"zeros", zeros(file.texels)},
+                                           {"swap_uw", exchanged(file.texels, 0, 2)}};
+    for (std::size_t a = 0; a < 3; ++a) {
+        wrong[fmt::format("flip {}", a)] = flipped(file.texels, a);
+        wrong[fmt::format("shift {}", a)] = shifted(file.texels, file.sampler, a, 1);
+    }
+    for (const auto& [fault, texels] : wrong) {
+        forge(folder.path(), texels);
+        std::map<std::string, int> failed = failed_checks(folder.path());
+        EXPECT_GE(failed["probe"], 3) << fault;
+        failed.erase("probe");
+        failed.erase("catches");  // of a file turned round, turning it round again is right
+        EXPECT_TRUE(failed.empty()) << fault << ": " << failed.begin()->first;
+    }
+}
+
+// Probes that would pass anything are no proof, and verify says so.
+TEST(FileFaults, AreToldByVerifyWhereProbesTellNothing) {
+    const TemporaryFolder folder;
+    bake("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 16]\n", folder.path());
+    Manifest manifest = *read_manifest(folder.path()).value;
+    ASSERT_TRUE(failed_checks(folder.path()).empty());
+    for (Probe& probe : manifest.assets[0].probes) {
+        for (double& tolerance : probe.tolerance) tolerance = 10;
+    }
+    write_bytes(folder / std::string(manifest_name), manifest_json(manifest));
+    EXPECT_EQ(failed_checks(folder.path())["catches"],
+              static_cast<int>(manifest.assets[0].catches.size()));
+    EXPECT_GE(manifest.assets[0].catches.size(), 6u);
 }
 
 }  // namespace
