@@ -10,9 +10,12 @@ struct ColumnShell {
     float fine;     // `fine_km` of the manifest: up to there the altitudes' axis is as sqrt(h)
 };
 
-// g of the manifest, from 0 on the ground to 1 at the top.
+// g of the manifest, from 0 on the ground to 1 at the top. Near the ground 1 + x keeps no digits of x, and
+// a GPU's logarithm of 1 may be below 0.
 float column_altitude(ColumnShell air, float h) {
-    return sqrt(log(1.0 + max(h, 0.0) / air.fine) / log(1.0 + air.D / air.fine));
+    float x = max(h, 0.0) / air.fine;
+    float depth = x < 0.03 ? x * (1.0 - x * (0.5 - x / 3.0)) : log(1.0 + x);
+    return sqrt(depth / log(1.0 + air.D / air.fine));
 }
 float column_share(float a, float b) { return b > 0.0 ? clamp(a / b, 0.0, 1.0) : 0.0; }
 float column_centre(float x, float size) { return (0.5 + clamp(x, 0.0, 1.0) * (size - 1.0)) / size; }

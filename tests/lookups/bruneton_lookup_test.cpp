@@ -124,7 +124,8 @@ TEST(BrunetonLookup, DifferencesOfSquaresWouldBeNoticed) {
     EXPECT_FALSE(loss.is_a_tenth_of(own)) << loss.text(own);
 }
 
-// Every texel is where the mapping has it.
+// Every texel is where the mapping has it, but for what a cosine of float moves a ray at the
+// horizon.
 TEST(BrunetonLookup, FindsTheTexels) {
     const ScatteringTrial trial;
     const Texture& texture = trial.texture;
@@ -140,7 +141,7 @@ TEST(BrunetonLookup, FindsTheTexels) {
                 at.nu = static_cast<float>(trial.mapping.nu_of_texel(u));
                 at.ground = view.meets_ground;
                 const double wanted = double{texture.texel({u, v, w}, 0)};
-                EXPECT_NEAR(trial.in_float(at).x, wanted, 2e-3 * wanted + 1e-5 * trial.largest);
+                EXPECT_NEAR(trial.in_float(at).x, wanted, 5e-3 * wanted + 1e-5 * trial.largest);
             }
         }
     }
@@ -149,7 +150,7 @@ TEST(BrunetonLookup, FindsTheTexels) {
 TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
     const test::BakedLookup baked = test::bake_all(
         "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'irradiance'\norders = 1\n"
-        "pixel_type = 'float'\nsize = [64, 16, 1]\n");
+        "pixel_type = 'float'\nsize = [32, 8, 1]\n");
     const Texture texture = texture_of(baked.volume());
     const Shell shell = baked.shell();
     const ValueStatistics& red = baked.volume().levels.front().statistics.front();

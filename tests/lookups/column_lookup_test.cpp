@@ -87,7 +87,7 @@ struct ColumnTrial {
 };
 
 TEST(ColumnLookup, FloatLosesLittleToTheTop) {
-    const ColumnTrial trial("size = [128, 64, 1]\n");
+    const ColumnTrial trial("size = [256, 128, 1]\n");
     const Shell& shell = trial.geometry.shell;
     test::Dice dice;
     test::Loss loss;

@@ -115,10 +115,12 @@ struct BakedLookup {
     Shell shell() const { return shell_of(make_medium(recipe.parameters.atmosphere)); }
 };
 
-inline BakedLookup bake_all(const std::string& text) {
+inline BakedLookup bake_all(const std::string& text,
+                            Certification certification = Certification::quick) {
     BakedLookup baked{recipe_of(text), {}};
     for (const config::Bake& bake : baked.recipe.parameters.bakes) {
-        auto outcome = bake_asset(baked.recipe, bake, {.threads = 1});
+        auto outcome =
+            bake_asset(baked.recipe, bake, {.threads = 1, .certification = certification});
         for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
             EXPECT_NE(diagnostic.severity, config::Severity::error) << diagnostic.message;
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -39,6 +40,7 @@ inline std::array<double, 4> fetched(const Texture& texture, const std::array<in
 
 inline std::array<double, 4> filtered(const Texture& texture, const std::array<double, 3>& uvw) {
     ++texture.lookups;
+    if (!std::isfinite(uvw[0] + uvw[1] + uvw[2])) return {NAN, NAN, NAN, NAN};
     std::array<double, 4> value{0, 0, 0, texture.channels == 4 ? 0.0 : 1.0};
     for (const VoxelTap& tap : trilinear_taps(texture.size, uvw, texture.repeats)) {
         if (tap.weight == 0) continue;
