@@ -96,7 +96,7 @@ struct CloudVolumeResolver {
     }
 
     void check_voxels(const Cloud& cloud, const VoxelCounts& size) const {
-        if (cloud.extent[0].meters <= 0) return;
+        if (cloud.extent[0].meters <= 0 || bake.at("voxel_size").source) return;
         CloudVolumeBake voxels;
         voxels.size = size;
         if (const auto& extent = bake.at("extent").value) {

@@ -13,7 +13,7 @@ namespace skybake::config {
 // number of voxels (W0210), and the number of `mips`. Reports a cloud that is not there (E0132), a
 // size that is not given (E0105) or out of range (E0110), what any volume's files must have
 // (volume_files_decoder.h), octaves that are nothing at that size (E0127) or too fine for it
-// (W0203), towers narrower than a voxel (W0204), and voxels that are no cubes (W0211).
+// (W0203), towers narrower than a voxel (W0204), and voxels that are not cubes (W0211).
 void resolve_cloud_volume(DecodedSection& bake, std::span<const Cloud> clouds,
                           std::span<const Noise> noises, Decoder& decoder);
 

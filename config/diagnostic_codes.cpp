@@ -162,7 +162,7 @@ constexpr std::array codes = {
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [10000, 10000, 10000]",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
-                   "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [1024, 1024, 1024]",
+                   "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [512, 512, 512]",
                    usage},
     DiagnosticCode{
         "E0128", "octave of too high a frequency",
@@ -350,13 +350,13 @@ constexpr std::array codes = {
                    "[clouds.c]\nnoise = \"n\"\n"
                    "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [66, 64, 16]\n[bake.o]\n"
-                   "asset = \"occupancy\"\nof = \"v\"",
+                   "size = [60, 60, 15]\n[bake.o]\n"
+                   "asset = \"occupancy\"\nof = \"v\"\ncell = 8",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
                    "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [64, 64, 16]\n[bake.o]\n"
+                   "size = [60, 60, 15]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"",
                    usage},
 
@@ -516,7 +516,7 @@ constexpr std::array codes = {
         "asset = \"cloud_volume\"\ncloud = \"c\"\n"
         "voxel_size = \"75 m\"",
         0},
-    DiagnosticCode{"W0211", "voxels that are no cubes",
+    DiagnosticCode{"W0211", "voxels that are not cubes",
                    "A VDB file states the edges of its voxels along each axis, and theirs differ. "
                    "Many programs take them to be equal: OpenVDB's own ray tracer refuses such a "
                    "grid, and others show it stretched. Choose a size in the proportions of the "

@@ -20,7 +20,7 @@ struct OccupancySources {
 
 // Fills in the number of `mips`. Reports a name of no cloud volume (E0133), a channel that it has
 // not (E0134), two contents (E0129), cells that do not tile as the volume does (E0150), and what
-// any volume's files must have (volume_files_decoder.h). Warns of cells that are no cubes (W0211).
+// any volume's files must have (volume_files_decoder.h). Warns of cells that are not cubes (W0211).
 void resolve_occupancy(DecodedSection& bake, const OccupancySources& sources, Decoder& decoder);
 
 }  // namespace skybake::config

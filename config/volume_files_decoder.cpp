@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::int64_t most_voxels = std::int64_t{1} << 36;
 
+std::int64_t voxels_of(const VoxelCounts& size) {
+    return std::int64_t{size[0]} * size[1] * size[2];
+}
+
 // Which pixel types a format has, by their names in the field table.
 struct FormatTypes {
     VolumeFormat format;
@@ -137,6 +141,7 @@ void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
 
 void resolve_sheet(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
     if (!has_format(bake, VolumeFormat::exr)) return;
+    if (voxels_of(size) > most_voxels) return;  // an error of its own
     const auto layout = resolve_layout(bake, size);
     if (!layout) return;
     const auto* columns = value_of<double>(bake.at("columns"));
@@ -215,15 +220,14 @@ void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
     if (are_cubes || !has_format(bake, VolumeFormat::vdb)) return;
     decoder.diagnostics.warning(
         "W0211", size_place,
-        fmt::format("the voxels of [{}] are no cubes: {:.5g} x {:.5g} x {:.5g} m, and the VDB file "
-                    "has them so",
-                    bake.path, edges[0], edges[1], edges[2]),
-        "many programs take voxels of VDB files for cubes: `voxel_size` makes cubes");
+        fmt::format("the voxels of [{}] are not cubes: {:.5g} x {:.5g} x {:.5g} m", bake.path,
+                    edges[0], edges[1], edges[2]),
+        "many programs take the voxels of VDB files for cubes; `voxel_size` makes cubes");
 }
 
 void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,
                        const Place& size_place, Decoder& decoder) {
-    const std::int64_t voxels = std::int64_t{size[0]} * size[1] * size[2];
+    const std::int64_t voxels = voxels_of(size);
     const auto type = pixel_type_of(bake);
     if (voxels <= most_voxels || !type) return;
     const std::int64_t bytes = voxels * static_cast<std::int64_t>(channels) * bytes_of(*type);

@@ -27,7 +27,7 @@ void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving
                           Decoder& decoder);
 
 // Warns (W0211) if a VDB file is among the formats and voxels of these edges, in metres along x, y
-// and z, are no cubes. `size` is said at `size_place`.
+// and z, are not cubes. `size` is said at `size_place`.
 void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
                  const Place& size_place, Decoder& decoder);
 

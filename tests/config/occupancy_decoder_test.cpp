@@ -40,9 +40,9 @@ TEST(OccupancyDecoder, ReadsEveryKey) {
     EXPECT_EQ(testing::spell(
                   occupancy("channel = 'Y'\ncell = 8\nfilter = 'tricubic'\nrule = 'thesis'\n"
                             "contents = ['leap', 'occupied', 'maximum']\nformats = ['bin', 'vdb']\n"
-                            "pixel_type = 'float'\nlayout = 'atlas'\ncolumns = 2\nmips = 3\n"
+                            "pixel_type = 'float'\nlayout = 'atlas'\ncolumns = 1\nmips = 3\n"
                             "compression = 'none'\nvdb_compression = 'zip'")),
-              "v Y 8 2 1 1 0 3 0 1 2 3 0 1 2 1");
+              "v Y 8 2 1 1 0 3 0 1 1 3 0 1 2 1");
     EXPECT_EQ(occupancy("contents = 'occupied'").contents,
               std::vector<OccupancyContent>{OccupancyContent::occupied});
     EXPECT_EQ(occupancy("filter = 'nearest'").filter, OccupancyFilter::nearest);
@@ -114,7 +114,7 @@ TEST(OccupancyDecoder, LevelsHalveTheCells) {
     EXPECT_TRUE(of_size(64, 16, 4, "mips = 'all'").empty()) << "1 stays 1";
 }
 
-TEST(OccupancyDecoder, WarnsOfCellsThatAreNoCubes) {
+TEST(OccupancyDecoder, WarnsOfCellsThatAreNotCubes) {
     const std::string volume =
         "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nformats = 'bin'\n"
         "size = [16, 16, 16]\n";
@@ -123,9 +123,7 @@ TEST(OccupancyDecoder, WarnsOfCellsThatAreNoCubes) {
     const Diagnostic warning =
         only_diagnostic(grid + "formats = 'vdb'\n" + volume + cloud_recipe(""));
     EXPECT_EQ(warning.code, "W0211");
-    EXPECT_EQ(
-        warning.message,
-        "the voxels of [bake.o] are no cubes: 250 x 500 x 125 m, and the VDB file has them so");
+    EXPECT_EQ(warning.message, "the voxels of [bake.o] are not cubes: 250 x 500 x 125 m");
 }
 
 TEST(OccupancyDecoder, ContentsMakeAPicture) {

@@ -117,6 +117,10 @@ const std::vector<Fault> faults = {
      "two sub-images or more, of two texels or more"},
     {"E0144", fog + "material = \"constant\"\nrefractive_index = 1", 5, 20, 1,
      "another refractive_index than 1, or an absorption_index above 0"},
+    {"E0150",
+     cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"v\"\ncell = 8\n"
+             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [20, 20, 20]",
+     9, 8, 1, "give `v` a size that 8 divides, or a `cell` that divides the size"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 
@@ -155,8 +159,9 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
-    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
-                             "E0134", "W0203", "W0204", "W0208", "W0209"}) {
+    for (const char* name :
+         {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134", "E0150",
+          "W0203", "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

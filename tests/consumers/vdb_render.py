@@ -1,4 +1,4 @@
-"""vdb_render, OpenVDB's own ray tracer, renders the volumes: it refuses voxels that are no cubes."""
+"""vdb_render, OpenVDB's own ray tracer, renders the volumes: it refuses voxels that are not cubes."""
 
 import subprocess
 

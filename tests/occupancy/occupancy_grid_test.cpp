@@ -101,6 +101,38 @@ TEST(OccupancyGrid, HoldsWhatItsVolumeHas) {
     }));
 }
 
+// Along x, three tiles of a volume of `voxels` side by side, each voxel looked up in the grid as
+// its axis says: how many lie in a cell whose maximum is below them.
+int misplaced_voxels(int voxels) {
+    test::CloudCase any = test::plain_case({voxels, 8, 8});
+    const Subject subject(any, PixelType::float32);
+    const auto grid = bake_occupancy({subject.volume, 0}, all_contents(4), {}, {});
+    EXPECT_TRUE(grid.value.has_value());
+    const std::array<int, 3> cells = grid.value->levels[0].size;
+    const std::vector<float> maximum = planes_of(*grid.value)[3];
+    const std::vector<float> values = planes_of(subject.volume)[0];
+    const AxisMapping& axis = grid.value->axes[0];
+    int misplaced = 0;
+    for (int x = 0; x < 3 * voxels; ++x) {
+        const double u = (x + 0.5 - axis.first) / (axis.last - axis.first);
+        const int cell = static_cast<int>((u - std::floor(u)) * cells[0]);
+        for (int yz = 0; yz < 64; ++yz) {
+            const float value = values[index_of(any.size, x % voxels, yz % 8, yz / 8)];
+            const float most = maximum[index_of(cells, cell, yz % 8 / 4, yz / 8 / 4)];
+            misplaced += value > most ? 1 : 0;
+        }
+    }
+    return misplaced;
+}
+
+// Recipes whose cells do not divide the volume are refused (E0150): a grid of theirs repeats with a
+// longer period than the volume.
+TEST(OccupancyGrid, RepeatsAsItsVolumeDoesWhereCellsDivideIt) {
+    EXPECT_EQ(misplaced_voxels(12), 0);
+    EXPECT_EQ(misplaced_voxels(16), 0);
+    EXPECT_GT(misplaced_voxels(10), 0);
+}
+
 TEST(OccupancyGrid, IsTheSameOnAnyNumberOfThreads) {
     test::CloudCase any = test::plain_case({70, 33, 21});
     const Subject subject(any, PixelType::half);
