@@ -181,13 +181,6 @@ TEST(CloudDecoder, ItsNoisesAreThere) {
               (std::vector<std::string>{"E0105 1:9", "E0105 1:9"}));
 }
 
-// A preset of clouds names noises that the recipe must define.
-TEST(CloudDecoder, APresetsNoisesAreForTheRecipeToDefine) {
-    const Diagnostic diagnostic = only_diagnostic("[clouds.c]\npreset = 'thesis'\n");
-    EXPECT_EQ(diagnostic.code, "E0130");
-    EXPECT_EQ(diagnostic.label, "the recipe has no [noise.NAME]");
-}
-
 TEST(CloudDecoder, KeysOfErosionNeedADetail) {
     for (const char* key : {"erosion = [0.1, 0.2]", "detail_scale = 2", "wisp_height = 0.2"}) {
         const Diagnostic diagnostic = fault(key);

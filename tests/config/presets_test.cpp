@@ -71,7 +71,7 @@ TEST(Presets, AreValidRecipesWithATitleAndBakes) {
 
 TEST(Presets, OfNoisesAreThoseOfTheIssue) {
     EXPECT_EQ(noise_preset_names(),
-              (std::vector<std::string_view>{"nubis_detail", "nubis_shape", "takram_detail",
+              (std::vector<std::string_view>{"nubis_detail", "nubis_layer", "nubis_shape", "takram_detail",
                                              "takram_shape", "thesis"}));
     for (const Preset& entry : noise_presets()) {
         EXPECT_EQ(find_preset(entry.name), nullptr) << entry.name;

@@ -65,7 +65,7 @@ const std::vector<Fault> faults = {
     {"E0112", layer + "scattering = \"2e-6 /m\"\nextinction = \"1e-6 /m\"", 6, 14, 9,
      "extinction is scattering plus absorption; if this is absorption, call it so"},
     {"E0113", vacuum + "[atmosphere]\ntop_radius = \"6000 km\"", 3, 14, 9,
-     "must be above 6360000 m"},
+     "must be above \"6360 km\""},
     {"E0114",
      vacuum +
          "[atmosphere.layers.a]\nprofile = \"tabulated\"\ntable = [[\"0 km\", 1], [\"0 km\", 2]]",
