@@ -157,13 +157,13 @@ TEST(NoiseVolume, WeatherAsBytesTakesAStep) {
 
     weather.channels[0].smoothstep = {0.8, 1.4};
     const BakedVolume stepped = baked(weather, bake);
-    EXPECT_EQ(stepped.levels[0].statistics[0].minimum, 0);
-    EXPECT_GT(stepped.levels[0].statistics[0].maximum, 0.5);
+    EXPECT_EQ(stepped.levels[0].statistics[0].min, 0);
+    EXPECT_GT(stepped.levels[0].statistics[0].max, 0.5);
 
     weather.channels[0].smoothstep.reset();
     weather.channels[0].clamp = {0, 1};
     const BakedVolume clamped = baked(weather, bake);
-    EXPECT_EQ(clamped.levels[0].statistics[0].maximum, 1);
+    EXPECT_EQ(clamped.levels[0].statistics[0].max, 1);
 }
 
 TEST(NoiseVolume, PacksIntoOneChannelY) {
