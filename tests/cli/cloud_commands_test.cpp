@@ -87,7 +87,9 @@ TEST_F(CloudBake, CheckOpensMaps) {
     for (const Fault& fault : {Fault{"nowhere.png", "E0300"}, Fault{"text.png", "E0304"}}) {
         write(7, fmt::format("coverage_map = {{ file = \"{}\" }}\n", fault.file));
         const std::vector<std::vector<std::string>> commands = {
-            {"check", recipe_}, {"bake", recipe_, "-o", out_, "--dry-run"}, {"bake", recipe_, "-o", out_}};
+            {"check", recipe_},
+            {"bake", recipe_, "-o", out_, "--dry-run"},
+            {"bake", recipe_, "-o", out_}};
         for (const std::vector<std::string>& words : commands) {
             const Result result = run_words(words);
             EXPECT_EQ(result.code, 3) << words[0];

@@ -99,8 +99,7 @@ TEST(CloudVolumeDecoder, OctavesAreScaled) {
     const Diagnostic coarse = fault("size = [16, 16, 16]", "noise_scale = [3, 1, 1]");
     EXPECT_EQ(coarse.code, "W0203");
     EXPECT_EQ(coarse.where.line, 4);
-    EXPECT_EQ(coarse.message,
-              "1 octave is too fine for 16x16x16: `n` needs 24x16x16");
+    EXPECT_EQ(coarse.message, "1 octave is too fine for 16x16x16: `n` needs 24x16x16");
     const Diagnostic detail = fault("size = [32, 32, 32]", "detail = 'd'\ndetail_scale = 2");
     EXPECT_EQ(detail.code, "W0203") << "of the first channel alone";
     EXPECT_EQ(detail.message, "1 octave is too fine for 32x32x32: `d` needs 64x64x64");
@@ -128,9 +127,8 @@ TEST(CloudVolumeDecoder, WarnsOfTowersBetweenVoxels) {
     EXPECT_EQ(narrow.code, "W0204");
     EXPECT_EQ(narrow.severity, Severity::warning);
     EXPECT_EQ(narrow.where.line, 4);
-    EXPECT_EQ(
-        narrow.message,
-        "tower b of cloud `c`, like 2 more, is narrower than a voxel at size 100x50x16");
+    EXPECT_EQ(narrow.message,
+              "tower b of cloud `c`, like 2 more, is narrower than a voxel at size 100x50x16");
     EXPECT_TRUE(parse(volume_recipe(size, tower("a", "[0.011, 0.021]"))).diagnostics.empty());
     EXPECT_EQ(fault(size, tower("a", "[0.011, 0.021]") + "rotation = '90 deg'").code, "W0204");
     EXPECT_EQ(fault(size, "scatter.count = 1\nscatter.sigma = [0.015, 0.1]").code, "W0204");

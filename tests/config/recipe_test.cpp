@@ -49,8 +49,7 @@ const std::vector<Fault> faults = {
     {"E0102", vacuum + "include_ = []", 2, 1, 8, "did you mean `include`?"},
     {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "expected true or false"},
     {"E0104", layer + "phase = \"raleigh\"", 5, 9, 9, "did you mean `rayleigh`?"},
-    {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19,
-     "give a number without a unit"},
+    {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19, "give a number without a unit"},
     {"E0106", layer + "scattering = \"1 /mm\"", 5, 14, 7, "did you mean `/m`?"},
     {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
      "expected a length with a unit, such as \"8 km\""},
@@ -155,8 +154,8 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
-    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
-                             "E0134", "W0203", "W0204", "W0208", "W0209"}) {
+    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134",
+                             "W0203", "W0204", "W0208", "W0209"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;
@@ -214,8 +213,9 @@ TEST(Recipe, AllErrorsAreReportedInOneRun) {
                                         "E0107 0:0"}));
     EXPECT_EQ(diagnostics[1].message, "`atmosphere.layers.mie.g` is out of range: 1.2");
     EXPECT_EQ(diagnostics[4].where.source, "--set `atmosphere.layers.ozone.center_altitude=40deg`");
-    EXPECT_EQ(diagnostics[4].message,
-              "`atmosphere.layers.ozone.center_altitude`: expected a length with a unit, not an angle");
+    EXPECT_EQ(
+        diagnostics[4].message,
+        "`atmosphere.layers.ozone.center_altitude`: expected a length with a unit, not an angle");
 }
 
 TEST(Recipe, AFileWithAByteOrderMarkIsFine) {
