@@ -95,7 +95,7 @@ TEST_F(CloudBake, CheckOpensMaps) {
             EXPECT_EQ(result.code, 3) << words[0];
             EXPECT_TRUE(contains(result.error, fault.code)) << result.error;
             EXPECT_TRUE(contains(result.error, "cannot read the map `")) << result.error;
-            EXPECT_TRUE(contains(result.error, "recipe.toml:10:25")) << result.error;
+            EXPECT_TRUE(contains(result.error, "recipe.toml:12:25")) << result.error;
         }
     }
     EXPECT_FALSE(fs::exists(out_));
