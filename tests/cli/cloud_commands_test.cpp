@@ -1,6 +1,4 @@
 // Bakes of clouds and occupancy grids through the command line, and what verify proves of them.
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -85,7 +83,7 @@ TEST_F(CloudBake, CheckOpensMaps) {
         const char* code;
     };
     for (const Fault& fault : {Fault{"nowhere.png", "E0300"}, Fault{"text.png", "E0304"}}) {
-        write(7, fmt::format("coverage_map = {{ file = \"{}\" }}\n", fault.file));
+        write(7, std::string("coverage_map = { file = \"") + fault.file + "\" }\n");
         const std::vector<std::vector<std::string>> commands = {
             {"check", recipe_},
             {"bake", recipe_, "-o", out_, "--dry-run"},
