@@ -13,8 +13,8 @@ namespace skybake {
 config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
                                           const config::CloudVolumeBake& bake, Facts& details);
 
-// Reads every map that a cloud of the recipe names, whether it is baked or not. E0300, E0304, at the
-// recipe's line.
+// Reads every map that a cloud of the recipe names, whether it is baked or not. E0300, E0304, at
+// the recipe's line.
 std::vector<config::Diagnostic> check_maps(const config::Parameters& parameters);
 
 }  // namespace skybake

@@ -122,16 +122,15 @@ const std::array cloud_table = {
                 .documentation = "altitude of the cloud's base above the ground",
                 .hint = "cumulus 0.5 to 2 km"},
                &Cloud::base_altitude},
-    CloudField{
-        {.key = "coverage",
-         .kind = Kind::fraction,
-         .range = unit_range,
-         .fallback = "1",
-         .documentation =
-             "share of the sky that the noise fills: 1 leaves it as it is, lower values thin it; at "
-             "0 only towers taller than 1 remain",
-         .citation = schneider_2015},
-        &Cloud::coverage},
+    CloudField{{.key = "coverage",
+                .kind = Kind::fraction,
+                .range = unit_range,
+                .fallback = "1",
+                .documentation = "share of the sky that the noise fills: 1 leaves it as it is, "
+                                 "lower values thin it; at "
+                                 "0 only towers taller than 1 remain",
+                .citation = schneider_2015},
+               &Cloud::coverage},
     CloudField{{.key = "threshold",
                 .kind = Kind::number,
                 .range = density_range,
@@ -155,15 +154,16 @@ const std::array cloud_table = {
                 .documentation = "where the threshold is applied",
                 .citation = olajos_2016},
                &Cloud::threshold_at},
-    CloudField{{.key = "full_at",
-                .kind = Kind::number,
-                .range = full_range,
-                .documentation = "the value v from which the density is 1; a lower one gives denser "
-                                 "cores and sharper edges; without it the density is v",
-                .hint = "cumulus 0.1 to 0.3",
-                .selector = "threshold_at",
-                .selected_by = at_bake},
-               &Cloud::full_at},
+    CloudField{
+        {.key = "full_at",
+         .kind = Kind::number,
+         .range = full_range,
+         .documentation = "the value v from which the density is 1; a lower one gives denser "
+                          "cores and sharper edges; without it the density is v",
+         .hint = "cumulus 0.1 to 0.3",
+         .selector = "threshold_at",
+         .selected_by = at_bake},
+        &Cloud::full_at},
     CloudField{{.key = "channels",
                 .kind = Kind::choice,
                 .choices = channels_choices,

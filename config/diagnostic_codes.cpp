@@ -272,10 +272,11 @@ constexpr std::array codes = {
         "[sweep]\n\"noise.n.seed\" = [1, 2, 3]\n\"clouds.c.coverage\" = [0.3, 0.6, 0.9]\n"
         "zip = [\"noise.n.seed\", \"clouds.c.coverage\"]",
         usage},
-    DiagnosticCode{"E0137", "too many variants",
-                   "The cross product of everything that varies has more than 100000 variants. Vary "
-                   "paths in lockstep with `zip`, or cover their ranges with `sobol` points.",
-                   "", "", usage},
+    DiagnosticCode{
+        "E0137", "too many variants",
+        "The cross product of everything that varies has more than 100000 variants. Vary "
+        "paths in lockstep with `zip`, or cover their ranges with `sobol` points.",
+        "", "", usage},
 
     DiagnosticCode{"E0138", "unknown layer",
                    "`layers` names those of [atmosphere.layers.NAME] whose light is wanted. The "

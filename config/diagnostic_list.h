@@ -17,8 +17,8 @@ class DiagnosticList {
 
     bool has_errors() const { return errors_ > 0; }
 
-    // Warnings, then errors, each sorted by source, line and column. More than a person can read is cut
-    // off, and a last diagnostic says how many more there were.
+    // Warnings, then errors, each sorted by source, line and column. More than a person can read is
+    // cut off, and a last diagnostic says how many more there were.
     std::vector<Diagnostic> take();
 
   private:

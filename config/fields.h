@@ -105,13 +105,13 @@ struct Section {
 template <class S, class... Choices>
 using Member =
     std::variant<std::monostate, bool S::*, int S::*, double S::*, std::optional<double> S::*,
-                 std::optional<std::array<double, 2>> S::*, std::string S::*, Length S::*, InverseLength S::*, NumberDensity S::*, Angle S::*,
-                 std::array<int, 2> S::*, std::array<int, 3> S::*, std::array<double, 2> S::*,
-                 std::array<double, 4> S::*, std::array<Length, 2> S::*, std::array<Length, 3> S::*,
-                 std::array<Angle, 2> S::*, std::uint64_t S::*, std::vector<std::string> S::*,
-                 std::vector<double> S::*, std::vector<Length> S::*, std::vector<Angle> S::*,
-                 std::vector<InverseLength> S::*, std::vector<DensityPoint> S::*,
-                 std::vector<HeightPoint> S::*, Choices S::*...>;
+                 std::optional<std::array<double, 2>> S::*, std::string S::*, Length S::*,
+                 InverseLength S::*, NumberDensity S::*, Angle S::*, std::array<int, 2> S::*,
+                 std::array<int, 3> S::*, std::array<double, 2> S::*, std::array<double, 4> S::*,
+                 std::array<Length, 2> S::*, std::array<Length, 3> S::*, std::array<Angle, 2> S::*,
+                 std::uint64_t S::*, std::vector<std::string> S::*, std::vector<double> S::*,
+                 std::vector<Length> S::*, std::vector<Angle> S::*, std::vector<InverseLength> S::*,
+                 std::vector<DensityPoint> S::*, std::vector<HeightPoint> S::*, Choices S::*...>;
 
 template <class S, class... Choices>
 struct BoundField {

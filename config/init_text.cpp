@@ -154,11 +154,11 @@ Entry text_entry(std::string key, std::string text) {
 
 // Those that copy what a web runtime loads are baked as it loads them: raw bytes.
 Table bake_of_noise(std::string_view preset, const std::string& name) {
-    Table bake = {text_entry("asset", "noise_volume"), text_entry("noise", name)};
-    if (!preset.starts_with("takram_")) return bake;
-    bake.push_back({"formats", {}, {Array{{std::string("bin"), {}}}, {}}});
-    bake.push_back(text_entry("pixel_type", "unorm8"));
-    return bake;
+    const Entry asset = text_entry("asset", "noise_volume");
+    const Entry noise = text_entry("noise", name);
+    if (!preset.starts_with("takram_")) return {asset, noise};
+    const Entry formats = {"formats", {}, {Array{{std::string("bin"), {}}}, {}}};
+    return {asset, formats, noise, text_entry("pixel_type", "unorm8")};  // sorted by key
 }
 
 std::string note_on_comments(std::string_view preset) {

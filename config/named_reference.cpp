@@ -35,10 +35,10 @@ void report_unknown_name(const DecodedSection& section, std::string_view key,
     if (label.empty()) label = what_to_write(words, name);
     if (label.empty() && names.empty()) label = fmt::format("the recipe has no {}", words.section);
     if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
-    const std::string wanted = is_bare_key(name)
-                                   ? std::string(words.section).replace(
-                                         words.section.find("NAME"), 4, shorten(name))
-                                   : fmt::format("{} `{}`", words.noun, shorten(name));
+    const std::string wanted =
+        is_bare_key(name)
+            ? std::string(words.section).replace(words.section.find("NAME"), 4, shorten(name))
+            : fmt::format("{} `{}`", words.noun, shorten(name));
     decoder.diagnostics.error(
         std::string(words.code), field.source ? field.source->place : section.place,
         fmt::format("`{}`: the recipe has no {}", join_path(section.path, key), wanted),

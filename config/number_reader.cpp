@@ -116,11 +116,10 @@ void report_dimension(const Reader& reader, const Value& value, Dimension wanted
     const std::string label = unit_missing && wanted != Dimension::fraction
                                   ? fmt::format("expected a unit: {}", list_units(wanted))
                                   : fmt::format("expected {}", describe_kind(reader.field.kind));
-    reader.error(
-        "E0107", value,
-        fmt::format("`{}`: expected {}{}, not {}", reader.path, dimension_name(wanted),
-                    wanted == Dimension::number ? "" : " with a unit", what),
-        label);
+    reader.error("E0107", value,
+                 fmt::format("`{}`: expected {}{}, not {}", reader.path, dimension_name(wanted),
+                             wanted == Dimension::number ? "" : " with a unit", what),
+                 label);
 }
 
 std::optional<double> read_quantity_text(const Reader& reader, const Value& value,
@@ -133,7 +132,8 @@ std::optional<double> read_quantity_text(const Reader& reader, const Value& valu
     const Quantity quantity = std::get<Quantity>(parsed);
     const bool bare = quantity.dimension == Dimension::number;
     if (bare && (wanted == Dimension::number || wanted == Dimension::fraction)) {
-        reader.error("E0103", value, fmt::format("`{}` is a string: {}", reader.path, written(value)),
+        reader.error("E0103", value,
+                     fmt::format("`{}` is a string: {}", reader.path, written(value)),
                      "write a number without a unit without quotes");
         return std::nullopt;
     }

@@ -195,10 +195,10 @@ struct NoiseChannel {
     CurlComponent component = CurlComponent::x;  // curl
     std::uint64_t seed = 0;                      // besides the noise's own
     // What becomes of a value v, in this order.
-    std::array<double, 4> remap{0, 1, 0, 1};           // [in low, in high, out low, out high]
+    std::array<double, 4> remap{0, 1, 0, 1};          // [in low, in high, out low, out high]
     std::optional<std::array<double, 2>> smoothstep;  // from 0 at the first to 1 at the second
-    bool invert = false;                               // 1 - v
-    double bias = 0.5;                                 // Schlick's; 0.5 changes nothing
+    bool invert = false;                              // 1 - v
+    double bias = 0.5;                                // Schlick's; 0.5 changes nothing
     std::array<double, 2> clamp{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
 };

@@ -39,9 +39,9 @@ const Preset* find_preset(std::string_view name);
 const Preset* find_noise_preset(std::string_view name);
 const Preset* find_cloud_preset(std::string_view name);
 
-// What goes with the cloud preset's noise of that name: the noise preset of the cloud's own name, or
-// nubis_layer for the shape of a cloud that is a layer, or else nubis_NAME; merged into one channel where the cloud holds a density. A preset of null if
-// there is none.
+// What goes with the cloud preset's noise of that name: the noise preset of the cloud's own name,
+// or nubis_layer for the shape of a cloud that is a layer, or else nubis_NAME; merged into one
+// channel where the cloud holds a density. A preset of null if there is none.
 struct CloudNoisePreset {
     const Preset* preset = nullptr;
     std::string_view pack;  // "shape", "detail" or "none"

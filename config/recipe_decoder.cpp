@@ -23,11 +23,10 @@ void check_radii(const DecodedSection& atmosphere, Decoder& decoder) {
     const double low = std::get<double>(*ground.value);
     const double high = std::get<double>(*top.value);
     if (high > low) return;
-    decoder.diagnostics.error(
-        "E0113", top.source->place,
-        fmt::format("`atmosphere.top_radius` is not above ground_radius: {}",
-                    spell_value(*top.source)),
-        fmt::format("must be above {}", spell_value(*ground.source)));
+    decoder.diagnostics.error("E0113", top.source->place,
+                              fmt::format("`atmosphere.top_radius` is not above ground_radius: {}",
+                                          spell_value(*top.source)),
+                              fmt::format("must be above {}", spell_value(*ground.source)));
 }
 
 void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere& result,

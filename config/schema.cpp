@@ -155,8 +155,8 @@ Json value_schema(const Field& field) {
         case Kind::edges:
             return list_schema(number_schema(field.range), 2, 2);
         case Kind::clamp:
-            return {{"anyOf",
-                     {{{"type", "boolean"}}, list_schema(number_schema(field.range), 2, 2)}}};
+            return {
+                {"anyOf", {{{"type", "boolean"}}, list_schema(number_schema(field.range), 2, 2)}}};
         case Kind::levels:
             return levels_schema(field.range);
         case Kind::angle:

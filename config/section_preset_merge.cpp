@@ -98,7 +98,7 @@ bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source
     return complete;
 }
 
-const std::string* text_at(const Table& table, std::string_view key) {
+const std::string* string_under(const Table& table, std::string_view key) {
     const Entry* entry = find_entry(table, key);
     return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
 }
@@ -133,10 +133,10 @@ void lay_over_noises_of_clouds(Table& root, std::deque<Source>& sources,
     Table base;
     for (const Entry& cloud : *clouds) {
         const Table* table = as_table(cloud.value);
-        const std::string* preset = table ? text_at(*table, "preset") : nullptr;
+        const std::string* preset = table ? string_under(*table, "preset") : nullptr;
         if (!preset || !find_cloud_preset(*preset)) continue;
         for (const std::string_view key : {"noise", "detail"}) {
-            const std::string* name = text_at(*table, key);
+            const std::string* name = string_under(*table, key);
             std::string text = name ? brought_noise(root, *preset, *name) : "";
             if (text.empty()) continue;
             sources.push_back(

@@ -10,8 +10,7 @@ namespace skybake::cloud {
 namespace {
 
 float density(const CloudPlan& plan, float value) {
-    const float inside =
-        plan.inverse_full > 0 ? std::min(value * plan.inverse_full, 1.0f) : value;
+    const float inside = plan.inverse_full > 0 ? std::min(value * plan.inverse_full, 1.0f) : value;
     if (plan.inverse_softness == 0) return value > plan.threshold ? inside : 0.0f;
     const float x =
         std::min(std::max((value - plan.threshold) * plan.inverse_softness, 0.0f), 1.0f);

@@ -1,6 +1,4 @@
 // Bakes of clouds and occupancy grids through the command line, and what verify proves of them.
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -85,15 +83,17 @@ TEST_F(CloudBake, CheckOpensMaps) {
         const char* code;
     };
     for (const Fault& fault : {Fault{"nowhere.png", "E0300"}, Fault{"text.png", "E0304"}}) {
-        write(7, fmt::format("coverage_map = {{ file = \"{}\" }}\n", fault.file));
+        write(7, std::string("coverage_map = { file = \"") + fault.file + "\" }\n");
         const std::vector<std::vector<std::string>> commands = {
-            {"check", recipe_}, {"bake", recipe_, "-o", out_, "--dry-run"}, {"bake", recipe_, "-o", out_}};
+            {"check", recipe_},
+            {"bake", recipe_, "-o", out_, "--dry-run"},
+            {"bake", recipe_, "-o", out_}};
         for (const std::vector<std::string>& words : commands) {
             const Result result = run_words(words);
             EXPECT_EQ(result.code, 3) << words[0];
             EXPECT_TRUE(contains(result.error, fault.code)) << result.error;
             EXPECT_TRUE(contains(result.error, "cannot read the map `")) << result.error;
-            EXPECT_TRUE(contains(result.error, "recipe.toml:10:25")) << result.error;
+            EXPECT_TRUE(contains(result.error, "recipe.toml:12:25")) << result.error;
         }
     }
     EXPECT_FALSE(fs::exists(out_));

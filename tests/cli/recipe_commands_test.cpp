@@ -352,7 +352,7 @@ TEST(ExplainCommand, ExplainsKeysAndCodes) {
     EXPECT_TRUE(contains(run_words({"explain", "E0102"}).out, "E0102: unknown key"));
     EXPECT_TRUE(contains(run_words({"explain"}).out, "[atmosphere.layers.*]"));
     EXPECT_TRUE(contains(run_words({"explain", "noise.shape.channels"}).out, "worley_gains"));
-    EXPECT_TRUE(contains(run_words({"explain", "W0203"}).out, "four voxels a cell"));
+    EXPECT_TRUE(contains(run_words({"explain", "W0203"}).out, "octaves too fine for the voxels"));
     const Result unknown = run_words({"explain", "scale_hieght"});
     EXPECT_EQ(unknown.code, 2);
     EXPECT_TRUE(contains(unknown.error, "did you mean `scale_height`?"));

@@ -79,8 +79,7 @@ BakedPreset baked(const std::string& preset) {
             result.greatest[z] = std::max(result.greatest[z], densities[i]);
         }
         for (const double sum : sums) {
-            result.optical_depths.push_back(sum * step_m *
-                                            result.cloud.extinction_scale.per_meter);
+            result.optical_depths.push_back(sum * step_m * result.cloud.extinction_scale.per_meter);
         }
     }
     std::sort(result.optical_depths.begin(), result.optical_depths.end());
@@ -94,15 +93,16 @@ TEST(CloudPresets, AreAsThickAsNature) {
         const std::vector<double>& depths = preset.optical_depths;
         const auto first = std::upper_bound(depths.begin(), depths.end(), cloudy);
         ASSERT_NE(first, depths.end());
-        const double cover = static_cast<double>(depths.end() - first) /
-                             static_cast<double>(depths.size());
+        const double cover =
+            static_cast<double>(depths.end() - first) / static_cast<double>(depths.size());
         const double median = *(first + (depths.end() - first) / 2);
         const float greatest = *std::max_element(preset.greatest.begin(), preset.greatest.end());
         const auto used = std::count_if(preset.greatest.begin(), preset.greatest.end(),
                                         [](float density) { return density > 0; });
-        fmt::print("{}: greatest density {}, largest depth {:.1f}, median {:.1f}, cover {:.2f}, "
-                   "levels {} of {}\n",
-                   range.preset, greatest, depths.back(), median, cover, used, preset.size[2]);
+        fmt::print(
+            "{}: greatest density {}, largest depth {:.1f}, median {:.1f}, cover {:.2f}, "
+            "levels {} of {}\n",
+            range.preset, greatest, depths.back(), median, cover, used, preset.size[2]);
         EXPECT_GE(greatest, 0.95F);
         EXPECT_LE(greatest, 1.0F);
         EXPECT_GE(depths.back(), range.largest[0]);

@@ -65,11 +65,12 @@ TEST(CloudDecoder, ReadsEveryKey) {
         "scatter = { count = 12, seed = 3, sigma = [0.1, 0.2], aspect = [1, 3], amplitude = [0, 1] "
         "}\n[[clouds.c.towers]]\ncenter = [0.2, -3]\nsigma = [0.03, 0.06]\nrotation = '180 deg'\n"
         "correlation = -0.5\namplitude = 0.4\n");
-    EXPECT_EQ(testing::spell(cloud),
-              "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0 0\n"
-              "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1\n   0 1 0\n"
-              "12 3 [0.1, 0.2] [1, 3] [0, 1]\n"
-              "0 [0.2, -3] [0.03, 0.06] 3.141592653589793 -0.5 0.4");
+    EXPECT_EQ(
+        testing::spell(cloud),
+        "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0 0\n"
+        "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1\n   0 1 0\n"
+        "12 3 [0.1, 0.2] [1, 3] [0, 1]\n"
+        "0 [0.2, -3] [0.03, 0.06] 3.141592653589793 -0.5 0.4");
     const Cloud blended = cloud_of(
         "height_profile = { type = 'blended', cloud_type = 0.5 }\ntype_map = { file = 't.png' }\n");
     EXPECT_EQ(blended.height_profile.cloud_type, 0.5);
@@ -179,13 +180,6 @@ TEST(CloudDecoder, ItsNoisesAreThere) {
     const auto missing = testing::parse("[clouds.c]\n").diagnostics;
     EXPECT_EQ(testing::codes_and_places(missing),
               (std::vector<std::string>{"E0105 1:9", "E0105 1:9"}));
-}
-
-// A preset of clouds names noises that the recipe must define.
-TEST(CloudDecoder, APresetsNoisesAreForTheRecipeToDefine) {
-    const Diagnostic diagnostic = only_diagnostic("[clouds.c]\npreset = 'thesis'\n");
-    EXPECT_EQ(diagnostic.code, "E0130");
-    EXPECT_EQ(diagnostic.label, "the recipe has no [noise.NAME]");
 }
 
 TEST(CloudDecoder, KeysOfErosionNeedADetail) {

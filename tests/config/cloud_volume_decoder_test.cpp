@@ -177,7 +177,7 @@ TEST(CloudVolumeDecoder, OctavesAreScaled) {
     const Diagnostic both =
         fault("size = [16, 32, 8]", "noise_scale = [3, 1, 1]\ndetail = 'd'\ndetail_scale = 2");
     EXPECT_EQ(both.message,
-              "4 octaves are too fine for 16x32x8: `d` needs 64x64x64, `n` needs 24x32x8");
+              "3 octaves are too fine for 16x32x8: `d` needs 64x64x64, `n` needs 24x32x8");
     const auto nothing = parse(
         "[noise.n.channels.Y]\ntype = 'perlin'\nfrequency = 4\n[noise.n]\nsampling = 'corners'\n"
         "[clouds.c]\nnoise = 'n'\nnoise_scale = 8\nextent = ['1 m', '1 m', '1 m']\n"
@@ -198,9 +198,8 @@ TEST(CloudVolumeDecoder, WarnsOfTowersBetweenVoxels) {
     EXPECT_EQ(narrow.code, "W0204");
     EXPECT_EQ(narrow.severity, Severity::warning);
     EXPECT_EQ(narrow.where.line, 4);
-    EXPECT_EQ(
-        narrow.message,
-        "tower b of cloud `c`, as 2 more, has a sigma of less than a voxel at size 100x50x16");
+    EXPECT_EQ(narrow.message,
+              "tower b of cloud `c`, like 2 more, is narrower than a voxel at size 100x50x16");
     EXPECT_TRUE(parse(volume_recipe(size, tower("a", "[0.011, 0.021]"))).diagnostics.empty());
     EXPECT_EQ(fault(size, tower("a", "[0.011, 0.021]") + "rotation = '90 deg'").code, "W0204");
     EXPECT_EQ(fault(size, "scatter.count = 1\nscatter.sigma = [0.015, 0.1]").code, "W0204");

@@ -50,14 +50,13 @@ inline std::string spell(const TowerScatter& scatter) {
 
 // Every member, so that equal texts mean equal clouds.
 inline std::string spell(const Cloud& cloud) {
-    std::string text =
-        fmt::format("{} {} {} {} {} {} {} | {} {} {} | {} {} {} {} {} {} {} {}", cloud.name,
-                    cloud.noise, cloud.noise_scale, cloud.detail, cloud.detail_scale, cloud.erosion,
-                    cloud.wisp_height, cloud.extent[0].meters, cloud.extent[1].meters,
-                    cloud.extent[2].meters, cloud.base_altitude.meters, cloud.coverage,
-                    cloud.threshold, cloud.edge_softness, static_cast<int>(cloud.threshold_at),
-                    static_cast<int>(cloud.channels), cloud.extinction_scale.per_meter,
-                    cloud.full_at.value_or(0));
+    std::string text = fmt::format(
+        "{} {} {} {} {} {} {} | {} {} {} | {} {} {} {} {} {} {} {}", cloud.name, cloud.noise,
+        cloud.noise_scale, cloud.detail, cloud.detail_scale, cloud.erosion, cloud.wisp_height,
+        cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters,
+        cloud.base_altitude.meters, cloud.coverage, cloud.threshold, cloud.edge_softness,
+        static_cast<int>(cloud.threshold_at), static_cast<int>(cloud.channels),
+        cloud.extinction_scale.per_meter, cloud.full_at.value_or(0));
     text += "\n" + spell(cloud.height_profile) + "\n" + spell(cloud.coverage_map) + "\n" +
             spell(cloud.type_map) + "\n" + spell(cloud.scatter);
     for (const Tower& tower : cloud.towers) text += "\n" + spell(tower);

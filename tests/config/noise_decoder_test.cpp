@@ -71,7 +71,8 @@ TEST(NoiseDecoder, ReadsEveryKey) {
     const NoiseChannel channel = channel_of(
         "type = 'perlin_worley'\nfractal = 'billow'\nfeature = 'f2_minus_f1'\n"
         "value_form = 'one_minus_distance_over_sqrt3'\nseed = 3\nremap = [0.1, 0.9, 1, 0]\n"
-        "smoothstep = [0.2, 0.7]\ninvert = true\nbias = 0.25\nclamp = [0.1, 0.5]\nfrequencies = [3]\nworley_frequencies = [5, 6]\n"
+        "smoothstep = [0.2, 0.7]\ninvert = true\nbias = 0.25\nclamp = [0.1, 0.5]\nfrequencies = "
+        "[3]\nworley_frequencies = [5, 6]\n"
         "worley_gains = [2, 1]");
     EXPECT_EQ(testing::spell(channel),
               "Y 3 0 | [[3, 3, 3]] [1] | [[5, 5, 5], [6, 6, 6]] [2, 1] | 3 2 2 0 3 "

@@ -41,8 +41,7 @@ inline std::string spell(const NoiseOctaves& octaves) {
 
 // Every member, so that equal texts mean equal noises.
 inline std::string spell(const NoiseChannel& channel) {
-    return fmt::format("{} {} {} | {} | {} | {} {} {} {} {} {} {} {} {} {}",
-                       channel.name,
+    return fmt::format("{} {} {} | {} | {} | {} {} {} {} {} {} {} {} {} {}", channel.name,
                        static_cast<int>(channel.type), channel.value, spell(channel.octaves),
                        spell(channel.worley_octaves), static_cast<int>(channel.fractal),
                        static_cast<int>(channel.feature), static_cast<int>(channel.value_form),

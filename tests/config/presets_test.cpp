@@ -25,9 +25,9 @@ std::vector<double> per_meter(const std::vector<InverseLength>& coefficients) {
 using Values = std::vector<double>;
 
 TEST(Presets, AreThoseOfTheIssue) {
-    EXPECT_EQ(preset_names(),
-              (std::vector<std::string_view>{"dense_earth", "earth", "earth_bruneton",
-                                             "earth_hillaire", "mars", "takram", "tiny_planet", "vacuum"}));
+    EXPECT_EQ(preset_names(), (std::vector<std::string_view>{
+                                  "dense_earth", "earth", "earth_bruneton", "earth_hillaire",
+                                  "mars", "takram", "tiny_planet", "vacuum"}));
     EXPECT_EQ(find_preset("moon"), nullptr);
 }
 
@@ -71,8 +71,8 @@ TEST(Presets, AreValidRecipesWithATitleAndBakes) {
 
 TEST(Presets, OfNoisesAreThoseOfTheIssue) {
     EXPECT_EQ(noise_preset_names(),
-              (std::vector<std::string_view>{"nubis_detail", "nubis_shape", "takram_detail",
-                                             "takram_shape", "thesis"}));
+              (std::vector<std::string_view>{"nubis_detail", "nubis_layer", "nubis_shape",
+                                             "takram_detail", "takram_shape", "thesis"}));
     for (const Preset& entry : noise_presets()) {
         EXPECT_EQ(find_preset(entry.name), nullptr) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;

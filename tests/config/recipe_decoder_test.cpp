@@ -44,8 +44,8 @@ TEST(RecipeDecoder, TheTopLiesAboveTheGround) {
     EXPECT_EQ(diagnostics[0].where.line, 3);
     EXPECT_EQ(diagnostics[0].where.column, 14);
     EXPECT_EQ(diagnostics[0].message,
-              "`atmosphere.top_radius` is not above ground_radius: 6360000 m");
-    EXPECT_EQ(diagnostics[0].label, "must be above 6460000 m");
+              "`atmosphere.top_radius` is not above ground_radius: \"6360 km\"");
+    EXPECT_EQ(diagnostics[0].label, "must be above \"6460 km\"");
     EXPECT_EQ(
         parse("[atmosphere]\nground_radius = '1 km'\ntop_radius = '1 km'\n").diagnostics[0].code,
         "E0113");

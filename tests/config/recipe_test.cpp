@@ -49,8 +49,7 @@ const std::vector<Fault> faults = {
     {"E0102", vacuum + "include_ = []", 2, 1, 8, "did you mean `include`?"},
     {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "expected true or false"},
     {"E0104", layer + "phase = \"raleigh\"", 5, 9, 9, "did you mean `rayleigh`?"},
-    {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19,
-     "give a number without a unit"},
+    {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19, "give a number without a unit"},
     {"E0106", layer + "scattering = \"1 /mm\"", 5, 14, 7, "did you mean `/m`?"},
     {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
      "expected a length with a unit, such as \"8 km\""},
@@ -65,7 +64,7 @@ const std::vector<Fault> faults = {
     {"E0112", layer + "scattering = \"2e-6 /m\"\nextinction = \"1e-6 /m\"", 6, 14, 9,
      "extinction is scattering plus absorption; if this is absorption, call it so"},
     {"E0113", vacuum + "[atmosphere]\ntop_radius = \"6000 km\"", 3, 14, 9,
-     "must be above 6360000 m"},
+     "must be above \"6360 km\""},
     {"E0114",
      vacuum +
          "[atmosphere.layers.a]\nprofile = \"tabulated\"\ntable = [[\"0 km\", 1], [\"0 km\", 2]]",
@@ -219,8 +218,9 @@ TEST(Recipe, AllErrorsAreReportedInOneRun) {
                                         "E0107 0:0"}));
     EXPECT_EQ(diagnostics[1].message, "`atmosphere.layers.mie.g` is out of range: 1.2");
     EXPECT_EQ(diagnostics[4].where.source, "--set `atmosphere.layers.ozone.center_altitude=40deg`");
-    EXPECT_EQ(diagnostics[4].message,
-              "`atmosphere.layers.ozone.center_altitude`: expected a length with a unit, not an angle");
+    EXPECT_EQ(
+        diagnostics[4].message,
+        "`atmosphere.layers.ozone.center_altitude`: expected a length with a unit, not an angle");
 }
 
 TEST(Recipe, AFileWithAByteOrderMarkIsFine) {

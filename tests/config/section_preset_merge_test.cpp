@@ -58,7 +58,8 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
     EXPECT_EQ(slip.label, "did you mean `nubis_shape`?");
     EXPECT_EQ(slip.where.line, 2);
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
-              "choose one of nubis_detail, nubis_layer, nubis_shape, takram_detail, takram_shape, thesis");
+              "choose one of nubis_detail, nubis_layer, nubis_shape, takram_detail, takram_shape, "
+              "thesis");
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
 }
 
@@ -134,12 +135,11 @@ TEST(SectionPresetMerge, TheRecipesOwnNoiseStays) {
 }
 
 TEST(SectionPresetMerge, AMissingNoiseSaysWhatToWrite) {
-    const Diagnostic own = only_diagnostic(
-        "[clouds.c]\nnoise = 'shape'\nextent = ['1 km', '1 km', '1 km']\n");
+    const Diagnostic own =
+        only_diagnostic("[clouds.c]\nnoise = 'shape'\nextent = ['1 km', '1 km', '1 km']\n");
     EXPECT_EQ(own.code, "E0130");
     EXPECT_EQ(own.message, "`clouds.c.noise`: the recipe has no [noise.shape]");
-    EXPECT_EQ(own.label,
-              "add [noise.shape] with preset = \"nubis_shape\" and pack = \"shape\"");
+    EXPECT_EQ(own.label, "add [noise.shape] with preset = \"nubis_shape\" and pack = \"shape\"");
     const Diagnostic other = only_diagnostic(plain_cloud + "noise = 'wisps'\n");
     EXPECT_EQ(other.code, "E0130");
     EXPECT_EQ(other.message, "`clouds.c.noise`: the recipe has no [noise.wisps]");

@@ -177,8 +177,8 @@ inline void check_cloud(const Cloud& cloud, const Parameters& parameters) {
     require(within(cloud.threshold, 0, 1e6), "threshold in range");
     require(cloud.edge_softness == 0 || within(cloud.edge_softness, 1e-6, 1e6),
             "softness in range");
-    require(!cloud.full_at || (within(*cloud.full_at, 1e-6, 1e6) &&
-                               cloud.threshold_at == ThresholdAt::bake),
+    require(!cloud.full_at ||
+                (within(*cloud.full_at, 1e-6, 1e6) && cloud.threshold_at == ThresholdAt::bake),
             "full in range, of densities in the file");
     require(within(cloud.extinction_scale.per_meter, 0, 1e6), "extinction in range");
     require(cloud.type_map.file.empty() || cloud.height_profile.type == HeightProfileType::blended,

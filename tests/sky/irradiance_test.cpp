@@ -90,7 +90,7 @@ TEST(SkyIrradiance, IsThatOfTheSolvedLightAtTheGround) {
 TEST(IrradianceTable, HoldsItsErrorInTheDustOfMars) {
     const SkyLight light(test::preset_atmosphere("mars"), SkyOrders::multiple, {}, {});
     config::IrradianceBake bake;
-    bake.size = {16, 4};
+    bake.size = {8, 2};
     bake.content = config::IrradianceContent::sky;
     bake.orders = SkyOrders::multiple;
     bake.max_texel_error = 0.002;
