@@ -19,6 +19,8 @@ constexpr double kField = 50;
 constexpr double kLowest_m = 2;
 // The share of the picture's width or height that a framed box fills.
 constexpr double kFilled = 0.9;
+// Of the greatest value: crumbs that are fainter are hardly seen, and are not what is framed.
+constexpr float kFaint = 0.05F;
 
 // From below where the layer is high enough that its nearest clouds are some voxels away, else from
 // above.
@@ -118,14 +120,17 @@ std::string kilometers(double meters) { return fmt::format("{:.4g}km", meters / 
 
 CloudBox occupied_box(const CloudMedium& medium) {
     const std::array<int, 3>& size = medium.volume.size;
+    const AlignedFloats& values = medium.volume.values;
+    const float greatest = *std::max_element(values.begin(), values.end());
+    const float faint = std::max(medium.visible_above, kFaint * greatest);
     std::array<int, 3> low = size;
     std::array<int, 3> high{};
     for (int z = 0; z < size[2]; ++z) {
         for (int y = 0; y < size[1]; ++y) {
-            const float* row = medium.volume.values.data() + (z + 1) * medium.volume.plane() +
-                               (y + 1) * medium.volume.row() + 1;
+            const float* row =
+                values.data() + (z + 1) * medium.volume.plane() + (y + 1) * medium.volume.row() + 1;
             for (int x = 0; x < size[0]; ++x) {
-                if (!(row[x] > medium.visible_above)) continue;
+                if (!(row[x] > faint)) continue;
                 const std::array<int, 3> at = {x, y, z};
                 for (std::size_t a = 0; a < 3; ++a) {
                     low[a] = std::min(low[a], at[a]);

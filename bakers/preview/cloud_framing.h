@@ -27,7 +27,8 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
 // "position=1.86km,0.72km,0.3km heading=63deg pitch=12deg fov=50deg", which --camera reads.
 std::string camera_text(const CloudCamera& camera);
 
-// Where there is something to see, in metres: x and y from the tile's corner, altitudes. Of a
+// Where there is something to see, a twentieth of the greatest value at least, in metres: x and y
+// from the tile's corner, altitudes. Of a
 // volume without anything the whole tile.
 struct CloudBox {
     std::array<double, 3> low_m{};

@@ -17,7 +17,7 @@ std::size_t index_of(int x, int y, int z) {
     return static_cast<std::size_t>((z * kSize[1] + y) * kSize[0] + x);
 }
 
-// Voxels 8 ... 11, 6 ... 9 and 4 ... 7 alone, of a tile of 3.2 x 2.4 x 1.6 km.
+// Voxels 8 ... 11, 6 ... 9 and 4 ... 7 and a faint crumb, of a tile of 3.2 x 2.4 x 1.6 km.
 CloudMedium tower(double base_m, bool repeats) {
     std::vector<float> voxels(index_of(0, 0, kSize[2]));
     for (int z = 4; z < 8; ++z) {
@@ -25,6 +25,7 @@ CloudMedium tower(double base_m, bool repeats) {
             for (int x = 8; x < 12; ++x) voxels[index_of(x, y, z)] = 0.5F;
         }
     }
+    voxels[index_of(30, 2, 12)] = 0.02F;  // a crumb
     return cloud_medium(test::cloud_of({3200, 2400, 1600}, base_m), voxels.data(), kSize, 1, 1,
                         repeats);
 }
