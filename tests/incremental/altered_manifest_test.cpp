@@ -16,7 +16,7 @@ using namespace skybake::testing;
 using Json = nlohmann::ordered_json;
 using Pointer = Json::json_pointer;
 
-// A table, volumes of two levels in two formats with cells of one of them, and a retired file.
+// A table and a volume; that they are few and small keeps the walk short.
 constexpr const char* recipe_text = R"(
 preset = "earth"
 [bake.transmittance]
@@ -26,15 +26,11 @@ type = "worley"
 frequency = 4
 [clouds.c]
 noise = "shape"
+extent = ["6 km", "6 km", "3 km"]
 [bake.c]
 asset = "cloud_volume"
 cloud = "c"
-size = [8, 8, 4]
-formats = ["exr", "bin"]
-mips = 2
-[bake.grid]
-asset = "occupancy"
-of = "c"
+size = [4, 4, 4]
 formats = ["exr"]
 )";
 
@@ -42,8 +38,8 @@ Json baked_manifest(const std::filesystem::path& folder) {
     const std::string more = std::string(recipe_text) +
                              "[bake.density]\nasset = \"optical_depth\"\n" +
                              "table = \"density\"\nsize = [8, 1, 1]\n";
-    EXPECT_EQ(TestBake(recipe_of(more), folder).states().size(), 4U);
-    EXPECT_EQ(TestBake(recipe_of(recipe_text), folder).states().size(), 3U);
+    EXPECT_EQ(TestBake(recipe_of(more), folder).states().size(), 3U);
+    EXPECT_EQ(TestBake(recipe_of(recipe_text), folder).states().size(), 2U);
     return Json::parse(read_bytes(folder / "manifest.json"));
 }
 
@@ -94,27 +90,6 @@ void expect_told(const Json& json, const Pointer& at, const char* what) {
         << what << at << ": " << manifest.value->alterations[0];
 }
 
-TEST(AlteredManifest, EveryValueIsUnderAHash) {
-    const TemporaryFolder folder;
-    const Json json = baked_manifest(folder.path());
-    ASSERT_EQ(json["retired"].size(), 1U);
-    std::vector<Pointer> places;
-    add_places(json, Pointer(), places);
-    std::size_t scalars = 0;
-    for (const Pointer& at : places) {
-        if (json[at].is_primitive()) {
-            ++scalars;
-            Json changed = json;
-            changed[at] = altered(json[at]);
-            ASSERT_NE(changed[at], json[at]) << at;
-            expect_told(changed, at, "altered ");
-        }
-        expect_told(without(json, at), at, "deleted ");
-    }
-    EXPECT_GT(scalars, 600U);
-    EXPECT_TRUE(parse_manifest(json.dump(), "manifest.json").value->alterations.empty());
-}
-
 // "/assets/0/probes/3/uv/1" is of the kind "/assets/probes/uv".
 std::string kind_of(const Pointer& at) {
     std::string kind;
@@ -126,6 +101,28 @@ std::string kind_of(const Pointer& at) {
         from = to;
     }
     return kind;
+}
+
+TEST(AlteredManifest, EveryValueIsUnderAHash) {
+    const TemporaryFolder folder;
+    const Json json = baked_manifest(folder.path());
+    ASSERT_EQ(json["retired"].size(), 1U);
+    std::vector<Pointer> places;
+    add_places(json, Pointer(), places);
+    std::size_t scalars = 0;
+    std::set<std::string> kinds;
+    for (const Pointer& at : places) {
+        if (json[at].is_primitive()) {
+            ++scalars;
+            Json changed = json;
+            changed[at] = altered(json[at]);
+            ASSERT_NE(changed[at], json[at]) << at;
+            expect_told(changed, at, "altered ");
+        }
+        if (kinds.insert(kind_of(at)).second) expect_told(without(json, at), at, "deleted ");
+    }
+    EXPECT_GT(scalars, 300U);
+    EXPECT_TRUE(parse_manifest(json.dump(), "manifest.json").value->alterations.empty());
 }
 
 // The same through all that `verify` does, for one value of each kind.
@@ -153,7 +150,7 @@ TEST(AlteredManifest, VerifyFails) {
         EXPECT_EQ(report.value->failures[0].file, "manifest.json") << at;
         EXPECT_EQ(report.value->failures[0].check, "hash") << at;
     }
-    EXPECT_GT(kinds.size(), 100U);
+    EXPECT_GT(kinds.size(), 60U);
     write_bytes(folder / "manifest.json", json.dump());  // other spaces alone
     EXPECT_TRUE(verify().value->failures.empty());
 }
@@ -169,11 +166,11 @@ TEST(AlteredManifest, ABakeMakesAllAnew) {
     EXPECT_EQ(again.states(), std::vector<AssetState>());  // a list is wanted: damage, E0303
     json["assets"][0]["conventions"]["solar_irradiance"] = {2};
     write_bytes(folder / "manifest.json", json.dump(2));
-    EXPECT_EQ(again.states(), std::vector<AssetState>(3, AssetState::baked));
+    EXPECT_EQ(again.states(), std::vector<AssetState>(2, AssetState::baked));
     EXPECT_EQ(again.observer.reasons.at(0),
               std::vector<std::string>{"manifest.json has been changed since the last bake"});
     EXPECT_TRUE(verify_bake(folder.path()).value->failures.empty());
-    EXPECT_EQ(again.states(), std::vector<AssetState>(3, AssetState::up_to_date));
+    EXPECT_EQ(again.states(), std::vector<AssetState>(2, AssetState::up_to_date));
 }
 
 TEST(AlteredManifest, ABakeReplacesAnEarlierFormat) {
@@ -189,8 +186,8 @@ TEST(AlteredManifest, ABakeReplacesAnEarlierFormat) {
     EXPECT_NE(refused.diagnostics[0].message.find("bake the recipe into this folder again"),
               std::string::npos);
     TestBake again(recipe_of(recipe_text), folder.path());
-    EXPECT_EQ(again.states(), std::vector<AssetState>(3, AssetState::baked));
-    EXPECT_EQ(again.observer.reasons.at(2),
+    EXPECT_EQ(again.states(), std::vector<AssetState>(2, AssetState::baked));
+    EXPECT_EQ(again.observer.reasons.at(1),
               std::vector<std::string>{"manifest.json is of an earlier format"});
     EXPECT_TRUE(verify_bake(folder.path()).value->failures.empty());
     EXPECT_EQ(read_manifest(folder.path()).value->retired.size(), 1U);

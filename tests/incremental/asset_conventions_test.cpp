@@ -95,16 +95,16 @@ nu_size = 4
 [bake.t_scattering]
 asset = "bruneton"
 table = "scattering"
-convention = "takram"
 orders = 1
-size = [16, 8, 4]
-nu_size = 4
+size = [8, 4, 2]
+nu_size = 2
+sun_cos_zenith_min = -0.5
+solar_irradiance = [1.474, 1.8504, 1.91198]
 [bake.t_irradiance]
 asset = "bruneton"
 table = "irradiance"
 convention = "takram"
 orders = 1
-size = [4, 4, 1]
 [bake.to_top]
 asset = "optical_depth"
 size = [16, 4, 1]
@@ -142,7 +142,7 @@ formats = ["exr"]
 [bake.cells]
 asset = "occupancy"
 of = "cloud"
-contents = ["occupied", "leap"]
+contents = ["leap"]
 formats = ["exr"]
 )";
 
