@@ -28,7 +28,7 @@ float column_rise(ColumnShell air, float h, float gain, float d) {
     float level = sqrt(gain * (2.0 * (air.R + h) + gain));
     return 1.0 - sqrt(1.0 - column_share(d - gain, level - gain));
 }
-// The lowest altitude of a path with s < 0.
+// The lowest altitude of a path with s < 0; in float it is right to a centimetre on Earth.
 float column_lowest(ColumnShell air, float h, float s) {
     float r = air.R + h;
     return max(h - s * s / (r + sqrt((r - s) * (r + s))), 0.0);
