@@ -234,54 +234,18 @@ void add_names(const std::vector<ProbeCandidate>& candidates,
     }
 }
 
-void add_candidates(const std::vector<ProbeSpace>& spaces, std::size_t space,
-                    const std::vector<std::array<double, 3>>& places,
-                    std::vector<ProbeCandidate>& candidates) {
-    for (const std::array<double, 3>& wanted : places) {
-        ProbeCandidate candidate;
-        candidate.space = space;
-        candidate.wanted = wanted;
-        candidate.place = spaces[space].place(wanted);
-        candidates.push_back(std::move(candidate));
-    }
-}
-
-// Each wrong lookup shows by far at several places.
-bool all_show_plainly(const std::vector<ProbeCandidate>& candidates, std::size_t wrongs) {
-    for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
-        const auto plain =
-            std::count_if(candidates.begin(), candidates.end(),
-                          [wrong](const ProbeCandidate& at) { return at.off[wrong] > kPlenty; });
-        // There is something at most places, too.
-        if (plain < (wrong == 0 ? static_cast<int>(candidates.size() / 2) : kWantedProbes)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-// Candidates of a space follow each other; what is asked for besides comes last.
-std::vector<ProbeCandidate> measured_candidates(const ProbedTexture& texture,
-                                                const std::vector<WrongLookup>& wrongs,
-                                                const std::vector<ProbeSpace>& spaces,
-                                                const BakeOptions& options) {
+// Candidates of a space follow each other.
+std::vector<ProbeCandidate> candidates_of(const std::vector<ProbeSpace>& spaces) {
     std::vector<ProbeCandidate> candidates;
     for (std::size_t space = 0; space < spaces.size(); ++space) {
-        add_candidates(spaces, space, spaces[space].wanted, candidates);
+        for (const std::array<double, 3>& wanted : spaces[space].wanted) {
+            ProbeCandidate candidate;
+            candidate.space = space;
+            candidate.wanted = wanted;
+            candidate.place = spaces[space].place(wanted);
+            candidates.push_back(std::move(candidate));
+        }
     }
-    measure_candidates(0, texture, wrongs, options, candidates);
-    if (options.cancelled() || all_show_plainly(candidates, wrongs.size())) return candidates;
-    std::size_t first = candidates.size();
-    for (std::size_t space = 0; space < spaces.size(); ++space) {
-        if (spaces[space].more) add_candidates(spaces, space, spaces[space].more(), candidates);
-    }
-    measure_candidates(first, texture, wrongs, options, candidates);
-    if (options.cancelled()) return candidates;
-    std::vector<ProbeCandidate> about =
-        places_about(candidates, wrongs.size(), spaces, texture.texture.use);
-    first = candidates.size();
-    std::move(about.begin(), about.end(), std::back_inserter(candidates));
-    measure_candidates(first, texture, wrongs, options, candidates);
     return candidates;
 }
 
@@ -305,7 +269,14 @@ ProbeValue probe_value(const ProbedTexture& probed, const std::vector<ProbeLooku
 ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>& spaces, int count,
                      const BakeOptions& options) {
     const std::vector<WrongLookup> wrongs = wrong_lookups(texture.texture.use, texture.dimensions);
-    std::vector<ProbeCandidate> candidates = measured_candidates(texture, wrongs, spaces, options);
+    std::vector<ProbeCandidate> candidates = candidates_of(spaces);
+    measure_candidates(0, texture, wrongs, options, candidates);
+    if (options.cancelled()) return {};
+    std::vector<ProbeCandidate> more =
+        places_about(candidates, wrongs.size(), spaces, texture.texture.use);
+    const std::size_t first = candidates.size();
+    std::move(more.begin(), more.end(), std::back_inserter(candidates));
+    measure_candidates(first, texture, wrongs, options, candidates);
     if (options.cancelled()) return {};
 
     const auto spaces_count = static_cast<int>(spaces.size());

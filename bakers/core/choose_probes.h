@@ -45,9 +45,6 @@ using ProbePlaces = std::function<ProbePlace(const std::array<double, 3>& wanted
 struct ProbeSpace {
     ProbePlaces place;
     std::vector<std::array<double, 3>> wanted;
-    // More of them, asked for where a wrong lookup does not show plainly at several of those;
-    // empty: there are none.
-    std::function<std::vector<std::array<double, 3>>()> more = {};
 };
 
 // A probe's value and how far a lookup may be off it: filtering in 1/256 of a texel, rounded or

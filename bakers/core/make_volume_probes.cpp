@@ -17,10 +17,6 @@ using UnitPlace = std::array<double, 3>;  // texture coordinates
 
 constexpr int kVolumeProbes = 24;
 
-// Spread evenly: enough for a volume that is alike all over, and for one that is not.
-constexpr int kFirstPlaces = 40;
-constexpr int kAllPlaces = 96;
-
 ProbedTexture probed_volume(const VolumeLevel& level, config::PixelType type) {
     ProbedTexture texture;
     texture.texture.use = {level.size, level.repeats, level.nearest};
@@ -53,8 +49,9 @@ void add_seams(const VolumeLevel& level, std::vector<UnitPlace>& places) {
     }
 }
 
-void add_even_places(int first, int last, std::vector<UnitPlace>& places) {
-    for (int i = first; i < last; ++i) places.push_back(low_discrepancy_point(i));
+void add_even_places(std::vector<UnitPlace>& places) {
+    constexpr int kPlaces = 96;
+    for (int i = 0; i < kPlaces; ++i) places.push_back(low_discrepancy_point(i));
 }
 
 // At most so many of the larger peaks, from all over the volume.
@@ -176,15 +173,10 @@ std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
                                                     config::PixelType type,
                                                     const BakeOptions& options,
                                                     VolumeLevel& level) {
-    ProbeSpace space{place ? place : texture_place, {}, {}};
+    ProbeSpace space{place ? place : texture_place, {}};
     add_seams(level, space.wanted);
-    add_even_places(0, kFirstPlaces, space.wanted);
-    space.more = [&level, type] {
-        std::vector<UnitPlace> places;
-        add_even_places(kFirstPlaces, kAllPlaces, places);
-        add_peaks(level, type, places);
-        return places;
-    };
+    add_even_places(space.wanted);
+    add_peaks(level, type, space.wanted);
     ProbeSet set = take_probes(probed_volume(level, type), {space}, kVolumeProbes, options);
     if (const auto problem = weak_probes(asset, set)) return problem;
     level.probes.clear();
