@@ -351,13 +351,13 @@ constexpr std::array codes = {
                    "[clouds.c]\nnoise = \"n\"\n"
                    "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [60, 60, 15]\n[bake.o]\n"
+                   "size = [68, 68, 17]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"\ncell = 8",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
                    "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [60, 60, 15]\n[bake.o]\n"
+                   "size = [68, 68, 17]\n[bake.o]\n"
                    "asset = \"occupancy\"\nof = \"v\"",
                    usage},
 

@@ -52,6 +52,11 @@ using Pieces = std::map<std::size_t, std::string>;  // by index
 // Whether they are numbered from 0 on without a gap.
 bool are_complete(const Pieces& pieces) { return pieces.rbegin()->first + 1 == pieces.size(); }
 
+bool has_attribute(const Attributes& attributes, const std::string& name) {
+    return std::any_of(attributes.begin(), attributes.end(),
+                       [&](const auto& attribute) { return attribute.first == name; });
+}
+
 void append_joined(const std::string& name, const Pieces& pieces, Attributes& attributes) {
     std::string& whole = attributes.emplace_back(name, "").second;
     for (const auto& [index, text] : pieces) whole += text;
@@ -93,11 +98,8 @@ Attributes joined_attributes(const Attributes& attributes) {
             result.emplace_back(name, text);
         }
     }
-    const Attributes others = result;
     for (const auto& [name, pieces] : split) {
-        const bool has_whole = std::any_of(others.begin(), others.end(),
-                                           [&](const auto& other) { return other.first == name; });
-        if (are_complete(pieces) && !has_whole) {
+        if (are_complete(pieces) && !has_attribute(attributes, name)) {
             append_joined(name, pieces, result);
         } else {
             append_as_they_are(name, pieces, result);

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 #include <thread>
+#include <vector>
 
 #include "bakers/io/file_descriptor.h"
 #include "bakers/io/verify.h"
@@ -83,10 +84,13 @@ TEST_F(Cache, ManyAtOnceEndWithWholeEntries) {
 
 TEST_F(Cache, AnotherProcessMayHaveThisOnesNumber) {
     fs::create_directories(folder_ / "cache/pending");
+    std::vector<FileDescriptor> others;  // that are alive, and so hold their locks
     for (int i = 0; i < 64; ++i) {
         const auto taken = fmt::format("cache/pending/{}-{}", ::getpid(), i);
         fs::create_directory(folder_ / taken);
         write_bytes(folder_ / (taken + "/theirs"), "theirs");
+        others.emplace_back(::open((folder_ / taken).c_str(), O_RDONLY | O_DIRECTORY));
+        ASSERT_EQ(::flock(others.back().get(), LOCK_EX), 0);
     }
     cache_.offer(asset(0));
     EXPECT_TRUE(cache_.problems().empty());
