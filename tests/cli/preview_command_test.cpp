@@ -46,6 +46,7 @@ extent = ["2 km", "2 km", "1 km"]
 base_altitude = "1 km"
 [bake.c]
 asset = "cloud_volume"
+cloud = "c"
 size = [16, 16, 8]
 )";
 

@@ -104,8 +104,13 @@ TEST(WatchPreview, FollowsTheRecipeAndItsIncludesUntilInterrupted) {
 
     // A mistake is told, and the last good pictures stay.
     write_bytes(recipe, recipe_of("'many'"));
-    ASSERT_TRUE(watcher.reaches(4, 1));
-    EXPECT_EQ(watcher.state()["diagnostics"][0]["line"], 7);
+    // On a busy machine the file may be seen while it is being written.
+    ASSERT_TRUE(becomes_true([&] {
+        const json now = watcher.state();
+        return now.is_object() && now["diagnostics"].size() == 1 &&
+               now["diagnostics"][0]["line"] == 7;
+    }));
+    EXPECT_EQ(watcher.state()["revision"], 4);
     EXPECT_TRUE(contains(read_bytes(folder / "error"), "recipe.toml:7:"));
     EXPECT_EQ(read_bytes(watcher.out() + "/volume_slices.png"), better);
     // So is an include that is gone; it is followed all the same.
@@ -145,7 +150,7 @@ TEST(WatchPreview, ASaveEndsTheWorkOnWhatWasBefore) {
     const auto large = [](const std::string& seed) {
         std::string text = recipe_of(seed);
         const std::string size = "[128, 64, 32]";
-        return text.replace(text.find(size), size.size(), "[8192, 8192, 4096]\nmips = 1");
+        return text.replace(text.find(size), size.size(), "[4096, 4096, 2048]\nmips = 1");
     };
     write_bytes(folder / "noise.toml", noise_text);
     write_bytes(recipe, large("1"));

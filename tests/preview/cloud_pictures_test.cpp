@@ -147,7 +147,7 @@ TEST(CloudPictures, OfADraftHaveNoGrainOfTheirSamples) {
     const PreviewPicture draft = cloud_pictures(input, 2).front();
     EXPECT_TRUE(says(draft, "4 samples per pixel")) << draft.caption;
     ASSERT_EQ(draft.picture.rgb.size(), fine.picture.rgb.size());
-    EXPECT_LT(mean_difference(draft.picture, fine.picture), 4);
+    EXPECT_LT(mean_difference(draft.picture, fine.picture), 2);
 }
 
 TEST(CloudPictures, HaveTheSizeTheCameraAndTheSunThatAreAskedFor) {
