@@ -26,10 +26,10 @@ Sink descriptor_sink(int descriptor);
 
 struct Display {
     DiagnosticFormat diagnostics = DiagnosticFormat::human;
-    bool color = false;    // on stderr
-    bool quiet = false;    // -q: no notes
-    bool verbose = false;  // -v: details too
-    bool json = false;     // --json: results are events on stdout, and so is a failure
+    bool color = false;        // on stderr
+    bool quiet = false;        // -q: no notes
+    bool verbose = false;      // -v: details too
+    bool json = false;         // --json: results are events on stdout, and so is a failure
     std::string command = {};  // for that event; empty where none was understood
 };
 

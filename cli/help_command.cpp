@@ -38,7 +38,7 @@ void show_help(const Command* command, Console& console) {
 Command help_command() {
     return {
         .name = "help",
-        .brief = "these options, or a command's",
+        .brief = "show help",
         .summary = "show this help, or the help of a command",
         .arguments = {{.name = "command",
                        .help = "the command to explain (default: all commands, in one line each)",

@@ -56,11 +56,12 @@ std::string preset_hint(const std::string& name) {
         return fmt::format("{}: {}", kind.plural,
                            fmt::join(config::preset_names(kind.all()), ", "));
     }
+    const std::string nearest = nearest_preset(name);
+    if (!nearest.empty()) return nearest;
     constexpr std::size_t shortest_piece = 3;
     const auto names = name.size() < shortest_piece ? std::vector<std::string>() : names_with(name);
     if (!names.empty()) return fmt::format("did you mean {}?", fmt::join(names, " or "));
-    const std::string nearest = nearest_preset(name);
-    return nearest.empty() ? "`skybake init --list` lists the presets of each kind" : nearest;
+    return "`skybake init --list` lists the presets of each kind";
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST_F(Bake, ACacheServesOtherFolders) {
     EXPECT_TRUE(contains(copied.error, "2 assets (2 from the cache)")) << copied.error;
     EXPECT_EQ(read_bytes(other + "/transmittance.exr"), read_bytes(out_ + "/transmittance.exr"));
     const Result stats = run_program({"cache", "stats", "--cache-dir", cache, "--json"});
-    EXPECT_TRUE(contains(stats.out, "\"assets\": 2")) << stats.out;
+    EXPECT_TRUE(contains(stats.out, "\"assets\":2")) << stats.out;
     EXPECT_EQ(run_program({"cache", "verify", "--cache-dir", cache}).code, 0);
     EXPECT_EQ(run_program({"cache", "gc", "--cache-dir", cache, "--max-size", "0"}).code, 0);
     EXPECT_TRUE(contains(run_program({"cache", "stats", "--cache-dir", cache}).out, "0 assets"));

@@ -91,7 +91,8 @@ TEST(InitCommand, WritesARecipeOfANoise) {
     for (const config::Preset& preset : config::noise_presets()) {
         SCOPED_TRACE(preset.name);
         const std::string file = (folder / (std::string(preset.name) + ".toml")).string();
-        EXPECT_EQ(run_words({"init", file, "--preset", std::string(preset.name)}).code, 0);
+        const std::string name = "noise." + std::string(preset.name);
+        EXPECT_EQ(run_words({"init", file, "--preset", name}).code, 0);
         const Result check = run_words({"check", file});
         EXPECT_EQ(check.code, 0) << check.error;
         EXPECT_TRUE(contains(check.error, "no errors; 1 noise, 1 asset to bake")) << check.error;

@@ -15,7 +15,7 @@ except ImportError:
     print("skipped: python3-jsonschema is not installed")
     sys.exit(77)
 
-program = sys.argv[1]
+program = os.path.abspath(sys.argv[1])
 schema = json.loads(subprocess.run([program, "schema", "events"], check=True, capture_output=True).stdout)
 manifest_schema = json.loads(
     subprocess.run([program, "schema", "manifest"], check=True, capture_output=True).stdout)
@@ -103,7 +103,7 @@ with tempfile.TemporaryDirectory() as folder:
     for words, code in (
         (("bake", "missing.toml"), 3),
         (("bake", "recipe.toml", "--set", "atmosphere.ground_albedo=3"), 2),
-        (("bake", "recipe.toml", "--max-memory", "1"), 2),
+        (("bake", "recipe.toml", "--max-memory", "1", "-o", "fresh"), 2),
         (("bake", "recipe.toml", "-o", "sweep"), 3),
         (("check", "recipe.toml", "--set", "atmosphere.ground_albedo=3"), 2),
         (("cache", "dust", *cache), 2),

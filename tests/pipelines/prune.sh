@@ -7,7 +7,7 @@ sed '/^\[clouds.puff\]/,$d' sky.toml >less.toml
 bake_less() { "$program" bake less.toml --certify off --quiet -o "$1" "${@:2}" >/dev/null; }
 bake_less clean_less
 clean[less]=$(sums clean_less)
-gone=(puff.exr puff_grid.exr)
+gone=(puff.vdb puff_grid.exr)
 
 bake a out
 echo mine >out/mine.exr
@@ -25,11 +25,11 @@ holds out less || fail "pruned: $(sums out)"
 # A file that was changed by hand is kept, and so is what a link at its place points to.
 rm -rf out
 bake a out
-echo changed >>out/puff.exr
+echo changed >>out/puff.vdb
 mv out/puff_grid.exr elsewhere.exr
 ln -s ../elsewhere.exr out/puff_grid.exr
 bake_less out --prune
-[[ $(tail -c 8 out/puff.exr) == changed ]] || fail "a changed file is gone"
+[[ $(tail -c 8 out/puff.vdb) == changed ]] || fail "a changed file is gone"
 [[ -L out/puff_grid.exr && -s elsewhere.exr ]] || fail "a link or its target is gone"
 echo "changed files are kept"
 
