@@ -1,8 +1,10 @@
 # Shared by the tests of bytes: bake recipes, compare folders.
+#   NAME.sh SKYBAKE WORK_FOLDER REFERENCE_FOLDER     reference.sh fills the last for all others
 set -euo pipefail
 
 program=$1
 work=$2
+reference=$3
 rm -rf "$work"
 mkdir -p "$work"
 

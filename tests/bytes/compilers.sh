@@ -9,6 +9,5 @@ cmake -S "$SKYBAKE_SOURCE" -B "$work/../clang-build" -G Ninja -DCMAKE_BUILD_TYPE
     -DCMAKE_CXX_COMPILER="$CLANG_COMPILER" -DSKYBAKE_WARNINGS_AS_ERRORS=ON \
     -DSKYBAKE_TESTS=ON -DSKYBAKE_BENCHMARKS=OFF -DSKYBAKE_PRECOMPILED_HEADERS=ON >/dev/null
 cmake --build "$work/../clang-build" --target bake_without_cli
-bake "$work/gcc" "$program"
 bake "$work/clang" "$work/../clang-build/tests/bytes/bake_without_cli"
-same "$work/gcc" "$work/clang"
+same "$reference" "$work/clang"

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Another locale, folder, time zone, user name and home.
 source "$(dirname "$0")/common.sh"
-bake "$work/here" "$program"
 mkdir -p "$work/else where"
 cd "$work/else where"
 elsewhere() {
@@ -9,4 +8,4 @@ elsewhere() {
         "$program" "$@"
 }
 bake "$work/else where/there" elsewhere
-same "$work/here" "$work/else where/there"
+same "$reference" "$work/else where/there"

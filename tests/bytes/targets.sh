@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Each instruction set that this machine has.
 source "$(dirname "$0")/common.sh"
-bake "$work/best" "$program"
 for target in $("$BAKE_ON_TARGET" --list); do
     bake "$work/$target" "$BAKE_ON_TARGET" "$target"
-    same "$work/best" "$work/$target"
+    same "$reference" "$work/$target"
 done

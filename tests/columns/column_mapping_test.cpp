@@ -155,5 +155,23 @@ TEST(ColumnMapping, CoursesMeet) {
     }
 }
 
+// Rounding may have the nearest point of a path below the ground. Where the path has passed it, it
+// is above the ground all the same.
+TEST(ColumnMapping, APathThatPassesItsNearestPointDoesNotFall) {
+    const ColumnGeometry geometry = {{6360, 100}, {100, 2}};
+    for (const double altitude_km : {0.01, 1.0, 10.0, 80.0}) {
+        const double rho = horizon_distance_km(geometry.shell, altitude_km);
+        const double s_km = -rho * (1 + 1e-15);
+        ASSERT_LT(s_km, -rho);
+        const DistanceCoordinates passes =
+            distance_coordinates(geometry, {altitude_km, s_km, 1.5 * rho});
+        EXPECT_EQ(passes.course, Course::passes) << altitude_km;
+        EXPECT_GT(passes.distance, 0);
+        const DistanceCoordinates falls =
+            distance_coordinates(geometry, {altitude_km, 1.01 * s_km, 0.5 * rho});
+        EXPECT_EQ(falls.course, Course::falls) << altitude_km;
+    }
+}
+
 }  // namespace
 }  // namespace skybake::test

@@ -30,14 +30,14 @@ TEST(ShellSampling, TheMeanScaleHeightIsWeightedWithExtinction) {
     EXPECT_NEAR(mean_scale_height_km(kinds), (0.145 * 2 + 3.912 * 0.1) / (0.145 + 3.912), 1e-12);
 }
 
-// A slab within one shell is met by no sample or by one: the sum is the length in that shell.
+// Of a vertical path that goes on beyond the last shell, where nothing is sampled.
 TEST(ShellSampling, CountsTheDensityAtTheMiddleOfEachShell) {
     config::Atmosphere atmosphere = earth_with_presets();
     const auto kinds = make_column_kinds(atmosphere, {"dust"});
-    const std::vector<double> shells = uniform_shells_km(35, 7);
+    const std::vector<double> shells = uniform_shells_km(3.5, 7);
     double sum = 0;
-    for (int i = 0; i < 7; ++i) sum += 5 * std::exp(-(5 * i + 2.5) / 2);
-    EXPECT_NEAR(sampled_mean_density(kinds[0], shells, {0, 6360, 100}) * 100, sum, 1e-9);
+    for (int i = 0; i < 7; ++i) sum += 0.5 * std::exp(-(0.5 * i + 0.25) / 2);
+    EXPECT_NEAR(sampled_mean_density(kinds[0], shells, {0, 6360, 6}) * 6, sum, 1e-9);
 }
 
 RC_GTEST_PROP(ShellSampling, ManyShellsApproachTheIntegral, ()) {

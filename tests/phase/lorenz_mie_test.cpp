@@ -327,5 +327,38 @@ TEST(LorenzMie, SameBitsOnEveryTargetAndAnyNumberOfThreads) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+// Series that end after few terms, none of them small: at odd and at even n, at both angles.
+TEST(LorenzMie, NoTermIsLeftOut) {
+    const std::array<std::array<double, 4>, 5> all = {
+        {{1, 2, -1, 0.5}, {0.5, -1, 2, 1}, {2, 1, 1, -2}, {-1, 0.5, 0.25, 1}, {1, 1, -2, 3}}};
+    const double mu = 0.3;
+    for (std::size_t count = 1; count <= all.size(); ++count) {
+        const MieTerms terms(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+        MieIntensities made = no_intensities(1);
+        add_mie_intensities(std::array{terms}, std::array{1.0}, {1 - mu}, 1, made);
+        for (const double cosine : {mu, -mu}) {
+            std::complex<double> sum, difference;
+            double pi = 1, before = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                const double n = static_cast<double>(i + 1);
+                const double tau = n * cosine * pi - (n + 1) * before;
+                sum += std::complex<double>(terms[i][0], terms[i][1]) * (pi + tau);
+                difference += std::complex<double>(terms[i][2], terms[i][3]) * (pi - tau);
+                const double next = ((2 * n + 1) * cosine * pi - (n + 1) * before) / n;
+                before = pi;
+                pi = next;
+            }
+            const double perpendicular = std::norm(0.5 * (sum + difference));
+            const double parallel = std::norm(0.5 * (sum - difference));
+            const bool back = cosine < 0;
+            EXPECT_NEAR((back ? made.back_perpendicular : made.perpendicular)[0], perpendicular,
+                        1e-12 * perpendicular)
+                << count << ' ' << cosine;
+            EXPECT_NEAR((back ? made.back_parallel : made.parallel)[0], parallel, 1e-12 * parallel)
+                << count << ' ' << cosine;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace skybake
