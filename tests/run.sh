@@ -13,7 +13,7 @@ else
     examples/install_packages.sh --tests
 fi
 # Without line numbers, which nobody reads here and which take a twentieth of the time.
-cmake --preset dev -DSKYBAKE_PRECOMPILED_HEADERS=ON \
+cmake --preset dev -DSKYBAKE_PRECOMPILED_HEADERS=ON -DSKYBAKE_BATCHES=ON \
     -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -DNDEBUG" >/dev/null
 cmake --build --preset dev
 jobs=$(nproc)

@@ -11,8 +11,6 @@ namespace skybake {
 
 namespace {
 
-using namespace cell_rule;
-
 // However little light it scatters, no cell of a ray that is refined spans more than this
 // variation.
 constexpr double kLargestVariation = 2.5;
@@ -34,24 +32,24 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
     const std::size_t count = breaks.size() - 1;
     const auto channels = static_cast<std::size_t>(medium.channels);
     std::vector<RayCell> cells(count);
-    std::vector<double> altitudes(count * kGauss);
+    std::vector<double> altitudes(count * cell_rule::kGauss);
     for (std::size_t i = 0; i < count; ++i) {
         cells[i].from = breaks[i];
         cells[i].to = breaks[i + 1];
         const double width = breaks[i + 1].distance_km - breaks[i].distance_km;
-        for (std::size_t j = 0; j < kGauss; ++j) {
-            altitudes[i * kGauss + j] =
-                altitude_on(shell, ray, breaks[i].distance_km + width * kNodes[j]);
+        for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+            altitudes[i * cell_rule::kGauss + j] =
+                altitude_on(shell, ray, breaks[i].distance_km + width * cell_rule::kNodes[j]);
         }
     }
     const std::vector<Coefficients> coefficients = coefficients_at(medium, altitudes);
 
     // Optical depth up to each node, then the transmittances all at once.
-    std::vector<double> transmittance(count * kGauss * channels);
+    std::vector<double> transmittance(count * cell_rule::kGauss * channels);
     Spectrum before{};
     for (std::size_t i = 0; i < count; ++i) {
         RayCell& cell = cells[i];
-        const Coefficients* at = coefficients.data() + i * kGauss;
+        const Coefficients* at = coefficients.data() + i * cell_rule::kGauss;
         const double width = cell.to.distance_km - cell.from.distance_km;
         double spread = 0;
         bool empty = true;
@@ -59,16 +57,16 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
             double mean = 0;
             double low = at[0].extinction_per_km[c];
             double high = low;
-            for (std::size_t j = 0; j < kGauss; ++j) {
+            for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
                 const double extinction = at[j].extinction_per_km[c];
-                mean += kWeights[j] * extinction;
+                mean += cell_rule::kWeights[j] * extinction;
                 low = std::min(low, extinction);
                 high = std::max(high, extinction);
                 double depth = before[c];
-                for (std::size_t k = 0; k < kGauss; ++k) {
-                    depth += width * kUpTo[j][k] * at[k].extinction_per_km[c];
+                for (std::size_t k = 0; k < cell_rule::kGauss; ++k) {
+                    depth += width * cell_rule::kUpTo[j][k] * at[k].extinction_per_km[c];
                 }
-                transmittance[(i * kGauss + j) * channels + c] = -depth;
+                transmittance[(i * cell_rule::kGauss + j) * channels + c] = -depth;
             }
             cell.optical_depth[c] = mean * width;
             if (before[c] < kLastLight)
@@ -87,14 +85,14 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
     for (std::size_t i = 0; i < count; ++i) {
         RayCell& cell = cells[i];
         const double width = cell.to.distance_km - cell.from.distance_km;
-        for (std::size_t j = 0; j < kGauss; ++j) {
-            const Coefficients& at = coefficients[i * kGauss + j];
+        for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+            const Coefficients& at = coefficients[i * cell_rule::kGauss + j];
             for (std::size_t c = 0; c < channels; ++c) {
-                const double factor =
-                    width * kWeights[j] * transmittance[(i * kGauss + j) * channels + c];
+                const double factor = width * cell_rule::kWeights[j] *
+                                      transmittance[(i * cell_rule::kGauss + j) * channels + c];
                 const double scattered = factor * at.scattering_per_km[c];
-                cell.near_weight[c] += scattered * (1 - kNodes[j]);
-                cell.far_weight[c] += scattered * kNodes[j];
+                cell.near_weight[c] += scattered * (1 - cell_rule::kNodes[j]);
+                cell.far_weight[c] += scattered * cell_rule::kNodes[j];
                 cell.absorbed[c] += factor * (at.extinction_per_km[c] - at.scattering_per_km[c]);
             }
         }

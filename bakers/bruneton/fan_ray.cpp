@@ -11,8 +11,6 @@
 
 namespace skybake {
 
-using namespace ray_pieces;
-
 namespace {
 
 // As in sky_row.cpp, in radii of the planet: about a degree, so that sunlight is smooth over it.
@@ -26,8 +24,8 @@ double lagrange(const Nodes& nodes, std::size_t node, double x) {
     double value = 1;
     for (const std::size_t other : nodes) {
         if (other == node) continue;
-        value *= (x - gauss_rule().nodes[other]) /
-                 (gauss_rule().nodes[node] - gauss_rule().nodes[other]);
+        value *= (x - ray_pieces::gauss_rule().nodes[other]) /
+                 (ray_pieces::gauss_rule().nodes[node] - ray_pieces::gauss_rule().nodes[other]);
     }
     return value;
 }
@@ -40,7 +38,7 @@ const std::array<std::array<double, kRayNodes>, 3>& coarse_rule() {
         std::array<std::array<double, kRayNodes>, 3> shares{};
         for (std::size_t j = 0; j < kCoarse.size(); ++j) {
             for (std::size_t i = 0; i < kRayNodes; ++i) {
-                shares[j][i] = lagrange(kCoarse, kCoarse[j], gauss_rule().nodes[i]);
+                shares[j][i] = lagrange(kCoarse, kCoarse[j], ray_pieces::gauss_rule().nodes[i]);
             }
         }
         return shares;
@@ -64,13 +62,14 @@ class FanRayMaker {
         bool lit = false;
         double deepest = 0;
         for (std::size_t c = 0; c < channels(); ++c) {
-            if (depth_from[c] > kLastLight) continue;
+            if (depth_from[c] > ray_pieces::kLastLight) continue;
             lit = true;
             deepest = std::max(deepest, depth_to[c] - depth_from[c]);
         }
         if (!lit) return;
         const bool is_long = to_km - from_km > kLongestPiece * shell_.ground_radius_km;
-        if ((deepest > kLargestDepth || is_long) && halvings < kMostHalvings) {
+        if ((deepest > ray_pieces::kLargestDepth || is_long) &&
+            halvings < ray_pieces::kMostHalvings) {
             const double middle = 0.5 * (from_km + to_km);
             const Spectrum depth_middle = depth(middle);
             add(from_km, middle, depth_from, depth_middle, halvings + 1);
@@ -92,7 +91,7 @@ class FanRayMaker {
         const double width = to_km - from_km;
         for (std::size_t i = 0; i < kRayNodes; ++i) {
             FanNode& node = result.nodes[i];
-            node.distance_km = from_km + width * gauss_rule().nodes[i];
+            node.distance_km = from_km + width * ray_pieces::gauss_rule().nodes[i];
             node.altitude_km = std::clamp(
                 altitude_along_km(shell_, view_.altitude_km, view_.s_km, node.distance_km), 0.0,
                 shell_.thickness_km);  // rounding
@@ -105,7 +104,7 @@ class FanRayMaker {
                 Spectrum weight{};
                 for (std::size_t c = 0; c < channels(); ++c) {
                     sent[c] *= passing[c];
-                    weight[c] = width * gauss_rule().weights[i] * sent[c];
+                    weight[c] = width * ray_pieces::gauss_rule().weights[i] * sent[c];
                 }
                 node.sent.push_back(sent);
                 node.weights.push_back(weight);

@@ -13,10 +13,14 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
 
+int open_emptied(const std::filesystem::path& path) {
+    const bool is_own_file = path.parent_path() == "/proc/self/fd";
+    return ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | (is_own_file ? 0 : O_NOFOLLOW));
+}
+
 }  // namespace
 
-FileOutput::FileOutput(const std::filesystem::path& path)
-    : path_(path), file_(::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | O_NOFOLLOW)) {
+FileOutput::FileOutput(const std::filesystem::path& path) : path_(path), file_(open_emptied(path)) {
     if (!file_.valid()) error_ = errno;
 }
 

@@ -15,7 +15,8 @@ namespace skybake {
 // After an error nothing more is written: `error` keeps the first.
 class FileOutput {
   public:
-    // Opens an existing file and empties it. A symbolic link is not followed: ELOOP.
+    // Opens an existing file and empties it. A symbolic link is not followed (ELOOP), but for those
+    // in /proc/self/fd, which stand for the process's own open files.
     explicit FileOutput(const std::filesystem::path& path);
 
     void write(std::string_view bytes);

@@ -14,8 +14,6 @@ namespace skybake {
 
 namespace {
 
-using namespace cell_rule;
-
 // 1 - e^-x: where the difference would cancel by its series, whose first term left out is x^8 / 9!.
 double one_minus_exponential(double x) {
     if (x > 0.03) return 1 - exponential(-x);
@@ -45,7 +43,7 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
     std::vector<double> altitudes;
     for (const RayCell& cell : view.cells) {
         const double width = cell.to.distance_km - cell.from.distance_km;
-        for (const double node : kNodes) {
+        for (const double node : cell_rule::kNodes) {
             altitudes.push_back(std::clamp(altitude_along_km(shell, view.altitude_km, view.s_km,
                                                              cell.from.distance_km + width * node),
                                            0.0,
@@ -62,32 +60,34 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
     for (std::size_t i = 0; i < view.cells.size(); ++i) {
         const double width = view.cells[i].to.distance_km - view.cells[i].from.distance_km;
         for (std::size_t c = 0; c < channels; ++c) {
-            double extinction[kGauss] = {};
+            double extinction[cell_rule::kGauss] = {};
             for (std::size_t k = 0; k < layers; ++k) {
-                for (std::size_t j = 0; j < kGauss; ++j) {
-                    extinction[j] += of_layer[k][i * kGauss + j].extinction_per_km[c];
+                for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+                    extinction[j] += of_layer[k][i * cell_rule::kGauss + j].extinction_per_km[c];
                 }
             }
             double cell_depth = 0;
             double lost = 0;  // by the nodes
-            double share[kGauss] = {};
-            for (std::size_t j = 0; j < kGauss; ++j) {
+            double share[cell_rule::kGauss] = {};
+            for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
                 double up_to = 0;
-                for (std::size_t k = 0; k < kGauss; ++k) up_to += kUpTo[j][k] * extinction[k];
-                share[j] = kWeights[j] * exponential(-width * up_to);
+                for (std::size_t k = 0; k < cell_rule::kGauss; ++k)
+                    up_to += cell_rule::kUpTo[j][k] * extinction[k];
+                share[j] = cell_rule::kWeights[j] * exponential(-width * up_to);
                 lost += share[j] * extinction[j];
-                cell_depth += width * kWeights[j] * extinction[j];
+                cell_depth += width * cell_rule::kWeights[j] * extinction[j];
             }
             if (!(lost > 0)) continue;
             // The nodes share out exactly what the cell takes from the light.
             const double factor = exponential(-depth[c]) * one_minus_exponential(cell_depth) / lost;
             depth[c] += cell_depth;
             for (std::size_t k = 0; k < layers; ++k) {
-                for (std::size_t j = 0; j < kGauss; ++j) {
+                for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
                     const double scattered =
-                        factor * share[j] * of_layer[k][i * kGauss + j].scattering_per_km[c];
-                    ray.near[i * layers + k][c] += scattered * (1 - kNodes[j]);
-                    ray.far[i * layers + k][c] += scattered * kNodes[j];
+                        factor * share[j] *
+                        of_layer[k][i * cell_rule::kGauss + j].scattering_per_km[c];
+                    ray.near[i * layers + k][c] += scattered * (1 - cell_rule::kNodes[j]);
+                    ray.far[i * layers + k][c] += scattered * cell_rule::kNodes[j];
                 }
             }
         }

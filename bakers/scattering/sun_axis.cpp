@@ -41,7 +41,9 @@ SunAxis make_sun_axis(const Shell& shell, int count) {
     const double dip_sine = horizon_distance_km(shell, shell.thickness_km) / top_radius;
     const double night = kDarkestDips * arc_cosine(shell.ground_radius_km / top_radius);
     SunAxis axis;
-    axis.darkest = night < 0.5 * std::numbers::pi ? cosine_of_turns((night + 0.5 * std::numbers::pi) / (2 * std::numbers::pi)) : -1;
+    axis.darkest = night < 0.5 * std::numbers::pi
+                       ? cosine_of_turns((night + 0.5 * std::numbers::pi) / (2 * std::numbers::pi))
+                       : -1;
     axis.centre = -std::sqrt(0.5 * shell.thickness_km / top_radius);  // sine of half the dip
     axis.width = kWidthShare * dip_sine;
     const double first = bend((axis.darkest - axis.centre) / axis.width);

@@ -14,8 +14,6 @@
 
 namespace skybake {
 
-using namespace ray_pieces;
-
 namespace {}  // namespace
 
 Spectrum SkyRadiance::total() const {
@@ -109,12 +107,12 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
     bool lit = false;
     double depth = 0;
     for (std::size_t c = 0; c < channels; ++c) {
-        if (piece.depth_from[c] > kLastLight) continue;
+        if (piece.depth_from[c] > ray_pieces::kLastLight) continue;
         lit = true;
         depth = std::max(depth, piece.depth_to[c] - piece.depth_from[c]);
     }
     if (!lit) return;
-    if (depth > kLargestDepth && halvings < kMostHalvings) {
+    if (depth > ray_pieces::kLargestDepth && halvings < ray_pieces::kMostHalvings) {
         const double middle = 0.5 * (piece.from_km + piece.to_km);
         const Spectrum depth_middle = depth_km(ray, middle);
         add_piece(ray, phases, {piece.from_km, middle, piece.depth_from, depth_middle},
@@ -124,8 +122,8 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
         return;
     }
     const double width = piece.to_km - piece.from_km;
-    for (std::size_t i = 0; i < gauss_rule().nodes.size(); ++i) {
-        const double x = piece.from_km + width * gauss_rule().nodes[i];
+    for (std::size_t i = 0; i < ray_pieces::gauss_rule().nodes.size(); ++i) {
+        const double x = piece.from_km + width * ray_pieces::gauss_rule().nodes[i];
         const double altitude = std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, x),
                                            0.0, shell_.thickness_km);  // rounding
         const double s = ray.sun_s_km + x * ray.cosine_to_sun;
@@ -146,7 +144,8 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
                                               scattering);
         }
         for (std::size_t c = 0; c < channels; ++c) {
-            const double weight = width * gauss_rule().weights[i] * exponential(-depth_here[c]);
+            const double weight =
+                width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here[c]);
             sum.single[c] += weight * towards_eye[c] * sun[c];
             sum.multiple[c] += weight * again[c];
         }

@@ -13,8 +13,6 @@
 
 namespace skybake {
 
-using namespace ray_pieces;
-
 namespace {
 
 // In radii of the planet: about a degree. Along a horizontal ray at dusk the sun's rays graze one
@@ -81,13 +79,13 @@ void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from
     bool lit = false;
     double depth = 0;
     for (std::size_t c = 0; c < channels; ++c) {
-        if (depth_from[c] > kLastLight) continue;
+        if (depth_from[c] > ray_pieces::kLastLight) continue;
         lit = true;
         depth = std::max(depth, depth_to[c] - depth_from[c]);
     }
     if (!lit) return;
     const bool is_long = to_km - from_km > kLongestPiece * shell_.ground_radius_km;
-    if ((depth > kLargestDepth || is_long) && halvings < kMostHalvings) {
+    if ((depth > ray_pieces::kLargestDepth || is_long) && halvings < ray_pieces::kMostHalvings) {
         const double middle = 0.5 * (from_km + to_km);
         const Spectrum depth_middle = depth_km(middle);
         add_pieces(from_km, middle, depth_from, depth_middle, halvings + 1);
@@ -96,9 +94,9 @@ void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from
     }
     pieces_.push_back({from_km, to_km, nodes_.size()});
     const double width = to_km - from_km;
-    for (std::size_t i = 0; i < gauss_rule().nodes.size(); ++i) {
+    for (std::size_t i = 0; i < ray_pieces::gauss_rule().nodes.size(); ++i) {
         Node node;
-        node.distance_km = from_km + width * gauss_rule().nodes[i];
+        node.distance_km = from_km + width * ray_pieces::gauss_rule().nodes[i];
         node.altitude_km = std::clamp(
             altitude_along_km(shell_, any_.altitude_km, any_.s_km, node.distance_km), 0.0,
             shell_.thickness_km);  // rounding
@@ -106,7 +104,8 @@ void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from
         const Spectrum depth_here = depth_km(node.distance_km);
         node.weight = {};
         for (std::size_t c = 0; c < channels; ++c) {
-            node.weight[c] = width * gauss_rule().weights[i] * exponential(-depth_here[c]);
+            node.weight[c] =
+                width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here[c]);
         }
         for (const SkyLayer& layer : medium_.layers) {
             node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, node.altitude_km)
@@ -141,7 +140,7 @@ void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance
     std::vector<double> sun(count * kMaxChannels);
     std::vector<bool> is_cut(count);
     std::vector<bool> is_hidden(count);
-    const auto nodes_per_piece = gauss_rule().nodes.size();
+    const auto nodes_per_piece = ray_pieces::gauss_rule().nodes.size();
     for (const Piece& piece : pieces_) {
         // The shadow's edge is where (r mu_s)^2 = r^2 - R^2 with the sun below the horizontal:
         // along a ray, a quadratic, whose lit part between two nodes or ends is lost on neither

@@ -282,7 +282,16 @@ const tests = {
 
 async function until(holds) {
     const end = Date.now() + patience;
-    while (!(await holds())) {
+    // A page that is just being left has nothing to say yet.
+    const answer = async () => {
+        try {
+            return await holds();
+        } catch (error) {
+            if (!/context was destroyed/.test(String(error))) throw error;
+            return false;
+        }
+    };
+    while (!(await answer())) {
         if (Date.now() > end) throw new Error('waited in vain');
         await new Promise((resolve) => setTimeout(resolve, 10));
     }

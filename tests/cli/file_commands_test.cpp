@@ -146,6 +146,17 @@ TEST(VerifyCommand, CountsWhatPassed) {
     EXPECT_TRUE(contains(result.out, " checks, all passed\n"));
 }
 
+// What `verify --json` found, but for places of probes: the parameters of the samples are no recipe.
+std::vector<json> failures_of_samples(const std::string& folder) {
+    const json document = json::parse(run_words({"verify", folder, "--json"}).out);
+    EXPECT_EQ(document["passed"], false);
+    std::vector<json> failures;
+    for (const json& failure : document["failures"]) {
+        if (failure["check"] != "probe place") failures.push_back(failure);
+    }
+    return failures;
+}
+
 TEST(VerifyCommand, ListsEveryFailure) {
     const TemporaryFolder folder;
     write_sample_bake(folder.path(), {"transmittance", "second"});
@@ -155,12 +166,10 @@ TEST(VerifyCommand, ListsEveryFailure) {
     EXPECT_EQ(result.code, 1);
     for (const char* piece :
          {"second.exr: file: ", "transmittance.exr: bytes: ", "transmittance.exr: xxh3: ",
-          "transmittance.exr: format: ", "4 failed\n"}) {
+          "transmittance.exr: format: "}) {
         EXPECT_TRUE(contains(result.out, piece)) << piece << "\n" << result.out;
     }
-    const json document = json::parse(run_words({"verify", folder.path().string(), "--json"}).out);
-    EXPECT_EQ(document["passed"], false);
-    EXPECT_EQ(document["failures"].size(), 4u);
+    EXPECT_EQ(failures_of_samples(folder.path().string()).size(), 4u);
 }
 
 TEST(VerifyCommand, TellsAnEditedManifestOnce) {
@@ -179,11 +188,11 @@ TEST(VerifyCommand, TellsAnEditedManifestOnce) {
                          "manifest.json: hash: `assets[1]`, the entry of `second`, has "
                          "been changed since the bake wrote it"))
         << result.out;
-    const json document = json::parse(run_words({"verify", folder.path().string(), "--json"}).out);
+    const std::vector<json> failures = failures_of_samples(folder.path().string());
     // What the manifest says of the units stands in the file too.
-    ASSERT_EQ(document["failures"].size(), 2u) << document;
-    EXPECT_EQ(document["failures"][0]["check"], "hash");
-    EXPECT_EQ(document["failures"][1]["check"], "metadata");
+    ASSERT_EQ(failures.size(), 2u) << json(failures);
+    EXPECT_EQ(failures[0]["check"], "hash");
+    EXPECT_EQ(failures[1]["check"], "metadata");
 }
 
 TEST(VerifyCommand, SaysWhatToDoAboutAnEarlierFormat) {

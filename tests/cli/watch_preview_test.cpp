@@ -105,7 +105,7 @@ TEST(WatchPreview, FollowsTheRecipeAndItsIncludesUntilInterrupted) {
     // A mistake is told, and the last good pictures stay.
     write_bytes(recipe, recipe_of("'many'"));
     // On a busy machine the file may be seen while it is being written.
-    ASSERT_TRUE(becomes_true([&] {
+    ASSERT_TRUE(watcher.becomes_true([&] {
         const json now = watcher.state();
         return now.is_object() && now["diagnostics"].size() == 1 &&
                now["diagnostics"][0]["line"] == 7;

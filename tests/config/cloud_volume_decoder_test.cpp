@@ -173,11 +173,11 @@ TEST(CloudVolumeDecoder, OctavesAreScaled) {
               "1 octave is too fine for 16x32x8: `n` needs 24x32x8");
     const Diagnostic detail = fault("size = [32, 64, 16]", "detail = 'd'\ndetail_scale = 2");
     EXPECT_EQ(detail.code, "W0203") << "of the first channel alone";
-    EXPECT_EQ(detail.message, "1 octave is too fine for 32x64x16: `d` needs 64x64x64");
+    EXPECT_EQ(detail.message, "2 octaves are too fine for 32x64x16: `d` needs 64x64x64");
     const Diagnostic both =
         fault("size = [16, 32, 8]", "noise_scale = [3, 1, 1]\ndetail = 'd'\ndetail_scale = 2");
     EXPECT_EQ(both.message,
-              "3 octaves are too fine for 16x32x8: `d` needs 64x64x64, `n` needs 24x32x8");
+              "4 octaves are too fine for 16x32x8: `d` needs 64x64x64, `n` needs 24x32x8");
     const auto nothing = parse(
         "[noise.n.channels.Y]\ntype = 'perlin'\nfrequency = 4\n[noise.n]\nsampling = 'corners'\n"
         "[clouds.c]\nnoise = 'n'\nnoise_scale = 8\nextent = ['1 m', '1 m', '1 m']\n"

@@ -22,7 +22,7 @@ using Strings = std::vector<std::string>;
 const std::string clouds =
     "[noise.n]\n"
     "[noise.n.channels.Y]\ntype = 'worley'\n"
-    "[clouds.c]\nnoise = 'n'\nextent = ['6 km', '6 km', '1 km']\n"
+    "[clouds.c]\nnoise = 'n'\nextent = ['6 km', '6 km', '3 km']\n"
     "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [32, 32, 16]\n";
 
 Sweep sweep_of(const std::string& lines) { return valid(clouds + "[sweep]\n" + lines).sweep; }

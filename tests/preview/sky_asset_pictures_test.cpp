@@ -47,8 +47,8 @@ TEST(SkyAssetPictures, ShowEachSunOfASkyViewWithItsOwnExposure) {
         "sun_elevations = ['30 deg', '-4 deg']\n");
     const auto pictures = table_pictures(view);
     ASSERT_EQ(pictures.size(), 2u);
-    EXPECT_EQ(pictures[0].name, "a_0");
-    EXPECT_NE(pictures[1].title.find("-4 degrees"), std::string::npos);
+    EXPECT_EQ(pictures[0].name, "a_sun_30");
+    EXPECT_NE(pictures[1].title.find("4 degrees below the horizon"), std::string::npos);
     EXPECT_GT(pictures[1].exposure.value_or(0), pictures[0].exposure.value_or(0));
     for (const PreviewPicture& picture : pictures) EXPECT_FALSE(is_black(picture.picture));
 }

@@ -386,12 +386,12 @@ preset = "stratus"
 [bake.congestus]
 asset = "cloud_volume"
 cloud = "congestus"
-size = [75, 75, 33]
+size = [80, 80, 40]
 formats = ["bin"]
 [bake.stratus]
 asset = "cloud_volume"
 cloud = "stratus"
-size = [65, 65, 17]
+size = [64, 64, 16]
 formats = ["bin"]
 mips = 2
 [bake.congestus_cells]

@@ -67,7 +67,9 @@ sun_elevations = ["20 deg"]
             const double angle = coordinate(probe.at, "above_horizon_deg");
             EXPECT_GE(std::fabs(angle), 0.00999);
             below += angle < 0 ? 1 : 0;
-            if (table == 2) EXPECT_LE(angle, edge - 0.00999);
+            if (table == 2) {
+                EXPECT_LE(angle, edge - 0.00999);
+            }
         }
         EXPECT_GE(below, 3);
     }
