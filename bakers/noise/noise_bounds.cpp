@@ -109,9 +109,11 @@ Interval remapped_bounds(const NoiseChannel& channel, const Interval& bounds) {
 // values before the remap: the step is taken of an interval that has room for it.
 Interval stepped_bounds(const NoiseChannel& channel, const Interval& bounds) {
     constexpr double kRoom = 1e-6;
-    const auto& [low_in, high_in, low_out, high_out] = channel.remap;
-    const auto& [from, to] = *channel.smoothstep;
-    const double slope = std::fabs((high_out - low_out) / (high_in - low_in));
+    const double low_in = channel.remap[0];
+    const double high_in = channel.remap[1];
+    const double from = (*channel.smoothstep)[0];
+    const double to = (*channel.smoothstep)[1];
+    const double slope = std::fabs((channel.remap[3] - channel.remap[2]) / (high_in - low_in));
     const auto step = [&](double value) {
         const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
         return t * t * (3 - 2 * t);

@@ -150,14 +150,14 @@ TEST(WatchPreview, ASaveEndsTheWorkOnWhatWasBefore) {
     const auto large = [](const std::string& seed) {
         std::string text = recipe_of(seed);
         const std::string size = "[128, 64, 32]";
-        return text.replace(text.find(size), size.size(), "[4096, 4096, 2048]\nmips = 1");
+        return text.replace(text.find(size), size.size(), "[1024, 1024, 256]\nmips = 1");
     };
     write_bytes(folder / "noise.toml", noise_text);
     write_bytes(recipe, large("1"));
     Watcher watcher(folder, recipe, {"--draft", "32"});
     ASSERT_TRUE(watcher.reaches(1, 0)) << read_bytes(folder / "error");
     EXPECT_EQ(watcher.quality(), "draft");
-    EXPECT_TRUE(contains(watcher.page(), "\"size\":[32,32,16]"));
+    EXPECT_TRUE(contains(watcher.page(), "\"size\":[32,32,8]"));
     write_bytes(recipe, large("2"));
     ASSERT_TRUE(watcher.reaches(2, 0));
     EXPECT_EQ(watcher.quality(), "draft");
