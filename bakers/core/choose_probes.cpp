@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/tiles.h"
@@ -23,6 +26,9 @@ constexpr double kPlenty = 16;
 
 // Probes are taken until each wrong lookup shows at so many.
 constexpr int kWantedProbes = kSeveralProbes + 1;
+
+// A texture of no more texels is looked at everywhere, if need be.
+constexpr std::int64_t kFewTexels = 4096;
 
 struct ProbeCandidate {
     std::size_t space = 0;
@@ -125,7 +131,7 @@ std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& cand
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (!alone[i]) continue;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            for (const double by : {-0.125, 0.125}) {
+            for (const double by : {-0.5, -0.125, 0.125, 0.5}) {
                 ProbeCandidate near;
                 near.space = candidates[i].space;
                 near.wanted = candidates[i].wanted;
@@ -136,6 +142,42 @@ std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& cand
         }
     }
     return more;
+}
+
+bool shows_at_few(const std::vector<ProbeCandidate>& candidates, std::size_t wrongs) {
+    for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
+        const int places = places_that_show(candidates, wrong);
+        if (places > 0 && places < kSeveralProbes) return true;
+    }
+    return false;
+}
+
+bool has_few_texels(const TextureUse& use) {
+    return std::int64_t{use.size[0]} * use.size[1] * use.size[2] <= kFewTexels;
+}
+
+// Places a quarter of a texel to either side of every texel's middle.
+std::vector<ProbeCandidate> places_in_every_texel(const std::vector<ProbeSpace>& spaces,
+                                                  const TextureUse& use, int dimensions) {
+    std::array<int, 3> places{};
+    for (std::size_t axis = 0; axis < 3; ++axis) places[axis] = 2 * use.size[axis];
+    if (dimensions == 2) places[2] = 1;
+    places[1] /= static_cast<int>(spaces.size());  // one below the other
+    std::vector<ProbeCandidate> candidates;
+    for (std::size_t space = 0; space < spaces.size(); ++space) {
+        for (int i = 0; i < places[0] * places[1] * places[2]; ++i) {
+            const std::array<int, 3> at = {i % places[0], i / places[0] % places[1],
+                                           i / places[0] / places[1]};
+            ProbeCandidate candidate;
+            candidate.space = space;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                candidate.wanted[axis] = (at[axis] + 0.5) / places[axis];
+            }
+            candidate.place = spaces[space].place(candidate.wanted);
+            candidates.push_back(std::move(candidate));
+        }
+    }
+    return candidates;
 }
 
 // Takes candidates one by one.
@@ -161,24 +203,16 @@ class ProbeTaking {
             }
             return sum;
         };
-        while (take_best(gain, 0, candidates_.size(), 0)) {
+        while (take_best(gain, 0)) {
         }
     }
 
-    // Until so many of candidates first ... last - 1 are taken.
-    void fill_up(int count, std::size_t first, std::size_t last) {
-        const auto gain = [](const ProbeCandidate& at) {
-            double sum = 0;
-            for (const double off : at.off) sum += clamped(off);
-            return sum;
-        };
-        const auto taken = [&] {
-            return std::count_if(candidates_.begin() + static_cast<std::ptrdiff_t>(first),
-                                 candidates_.begin() + static_cast<std::ptrdiff_t>(last),
-                                 [](const ProbeCandidate& at) { return at.taken; });
-        };
-        while (taken() < count && take_best(gain, first, last, -1)) {
-        }
+    // Until so many are taken: in all, or of a space.
+    void fill_up(int count) {
+        fill_up_where(count, [](const ProbeCandidate&) { return true; });
+    }
+    void fill_up_space(int count, std::size_t space) {
+        fill_up_where(count, [space](const ProbeCandidate& at) { return at.space == space; });
     }
 
     // Whether a wrong lookup shows anywhere.
@@ -187,16 +221,33 @@ class ProbeTaking {
   private:
     static double clamped(double off) { return std::min(off, kPlenty); }
 
+    template <class Where>
+    void fill_up_where(int count, const Where& where) {
+        const auto gain = [&where](const ProbeCandidate& at) {
+            if (!where(at)) return -1.0;
+            double sum = 0;
+            for (const double off : at.off) sum += clamped(off);
+            return sum;
+        };
+        const auto taken = [&] {
+            return std::count_if(
+                candidates_.begin(), candidates_.end(),
+                [&where](const ProbeCandidate& at) { return at.taken && where(at); });
+        };
+        while (taken() < count && take_best(gain, -1)) {
+        }
+    }
+
     template <class Gain>
-    bool take_best(const Gain& gain, std::size_t first, std::size_t last, double more_than) {
+    bool take_best(const Gain& gain, double more_than) {
         ProbeCandidate* best = nullptr;
         double most = more_than;
-        for (std::size_t i = first; i < last; ++i) {
-            if (candidates_[i].taken) continue;
-            const double gained = gain(candidates_[i]);
+        for (ProbeCandidate& candidate : candidates_) {
+            if (candidate.taken) continue;
+            const double gained = gain(candidate);
             if (gained <= most) continue;
             most = gained;
-            best = &candidates_[i];
+            best = &candidate;
         }
         if (best == nullptr) return false;
         best->taken = true;
@@ -215,9 +266,11 @@ void add_name(const std::string& name, std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-// What the taken candidates catch. Of two wrong lookups with one name both must show.
+// What the taken candidates catch. Of two wrong lookups with one name both must show. Where every
+// texel has been looked at, what shows at few places shows at no more, and is not missed.
 void add_names(const std::vector<ProbeCandidate>& candidates,
-               const std::vector<WrongLookup>& wrongs, const ProbeTaking& choice, ProbeSet& set) {
+               const std::vector<WrongLookup>& wrongs, const ProbeTaking& choice, bool everywhere,
+               ProbeSet& set) {
     std::vector<std::string> unseen;
     for (std::size_t wrong = 0; wrong < wrongs.size(); ++wrong) {
         const auto caught = std::count_if(
@@ -226,7 +279,7 @@ void add_names(const std::vector<ProbeCandidate>& candidates,
         if (caught >= kSeveralProbes) {
             add_name(wrongs[wrong].name, set.catches);
         } else {
-            add_name(wrongs[wrong].name, choice.shows(wrong) ? set.missed : unseen);
+            add_name(wrongs[wrong].name, choice.shows(wrong) && !everywhere ? set.missed : unseen);
         }
     }
     for (const auto& names : {unseen, set.missed}) {
@@ -269,28 +322,34 @@ ProbeValue probe_value(const ProbedTexture& probed, const std::vector<ProbeLooku
 ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>& spaces, int count,
                      const BakeOptions& options) {
     const std::vector<WrongLookup> wrongs = wrong_lookups(texture.texture.use, texture.dimensions);
-    std::vector<ProbeCandidate> candidates = candidates_of(spaces);
-    measure_candidates(0, texture, wrongs, options, candidates);
-    if (options.cancelled()) return {};
-    std::vector<ProbeCandidate> more =
-        places_about(candidates, wrongs.size(), spaces, texture.texture.use);
-    const std::size_t first = candidates.size();
-    std::move(more.begin(), more.end(), std::back_inserter(candidates));
-    measure_candidates(first, texture, wrongs, options, candidates);
+    std::vector<ProbeCandidate> candidates;
+    std::set<std::pair<std::array<double, 3>, double>> known;  // first lookups and their shares
+    const auto add = [&](std::vector<ProbeCandidate> more) {
+        const std::size_t first = candidates.size();
+        for (ProbeCandidate& candidate : more) {
+            const ProbeLookup& lookup = candidate.place.lookups.front();
+            if (!known.emplace(lookup.uvw, lookup.share).second) continue;
+            candidates.push_back(std::move(candidate));
+        }
+        measure_candidates(first, texture, wrongs, options, candidates);
+    };
+    add(candidates_of(spaces));
+    const TextureUse& use = texture.texture.use;
+    if (!options.cancelled()) add(places_about(candidates, wrongs.size(), spaces, use));
+    const bool everywhere = has_few_texels(use) && shows_at_few(candidates, wrongs.size());
+    if (everywhere && !options.cancelled()) {
+        add(places_in_every_texel(spaces, use, texture.dimensions));
+    }
     if (options.cancelled()) return {};
 
     const auto spaces_count = static_cast<int>(spaces.size());
     const int share = (count + spaces_count - 1) / spaces_count;
     ProbeTaking choice(candidates, wrongs.size(), share);
     choice.take_what_is_wanted();
-    std::size_t begin = 0;
-    for (const ProbeSpace& space : spaces) {
-        choice.fill_up(share, begin, begin + space.wanted.size());
-        begin += space.wanted.size();
-    }
-    choice.fill_up(count, 0, candidates.size());
+    for (std::size_t space = 0; space < spaces.size(); ++space) choice.fill_up_space(share, space);
+    choice.fill_up(count);
     ProbeSet set;
-    add_names(candidates, wrongs, choice, set);
+    add_names(candidates, wrongs, choice, everywhere, set);
     for (ProbeCandidate& candidate : candidates) {
         if (!candidate.taken) continue;
         set.probes.push_back({std::move(candidate.place), std::move(candidate.value)});

@@ -4,8 +4,9 @@
 // at a place where it is off by more than twice the tolerance of a probe there, once for the right
 // lookup and once for the wrong one. Probes are taken until each wrong lookup shows at several of
 // them; the rest, and those that are preferred among equals, lie where most wrong lookups show by
-// far. A wrong lookup that shows nowhere is none: constant noise is the same upside down. The
-// probes catch the others, and a manifest says which.
+// far. A wrong lookup that shows nowhere is none: constant noise is the same upside down. Where one
+// shows at few places, a small texture is looked at in every texel: if it has no more such places,
+// probes lie at those there are. The probes catch the others, and a manifest says which.
 #pragma once
 
 #include <array>
@@ -63,7 +64,7 @@ struct TakenProbe {
 struct ProbeSet {
     std::vector<TakenProbe> probes;
     std::vector<std::string> catches;  // names of wrong lookups
-    std::vector<std::string> missed;   // wrong lookups that show, but at fewer than several places
+    std::vector<std::string> missed;   // wrong lookups that show, at fewer than several known places
 };
 
 // Takes `count` probes or more, of several spaces a share of each.

@@ -12,7 +12,12 @@
         const picture = document.querySelector(`figure[data-name="${CSS.escape(place.enlarged)}"] .picture`);
         if (picture) picture.click();
     }
-    if (place.scroll) scrollTo({top: place.scroll, behavior: 'instant'});
+    if (place.scroll) {
+        // Once more when all pictures have their height: the page may still be too short.
+        const goBack = () => scrollTo({top: place.scroll, behavior: 'instant'});
+        goBack();
+        addEventListener('load', goBack, {once: true});
+    }
 
     function reload() {
         const dialog = document.querySelector('dialog[open]');

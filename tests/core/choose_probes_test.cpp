@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "bakers/core/make_probe.h"
 
@@ -10,8 +11,8 @@ namespace skybake {
 namespace {
 
 // 0 but for one texel.
-Image2<float> spot(int x, int y) {
-    Image2<float> image(16, 16, 1);
+Image2<float> spot(int x, int y, int edge = 16) {
+    Image2<float> image(edge, edge, 1);
     image.texel(x, y)[0] = 1;
     return image;
 }
@@ -21,24 +22,31 @@ ProbedTexture texture_of(const Image2<float>& image) {
 }
 
 // Places where the spot is seen from `from` on only; else where nothing is.
-ProbeSpace space_that_sees(double from) {
+ProbeSpace space_that_sees(double from, int edge) {
     ProbeSpace space;
-    space.place = [from](const std::array<double, 3>& wanted) {
-        const std::array<double, 3> uvw = {wanted[0] >= from ? 3.4 / 16 : 0.9, 5.3 / 16, 0.5};
+    space.place = [from, edge](const std::array<double, 3>& wanted) {
+        const double u =
+            wanted[0] >= from ? (3.2 + 0.4 * wanted[0]) / edge : 0.9 + 0.01 * wanted[0];
+        const std::array<double, 3> uvw = {u, 5.3 / edge, 0.5};
         return ProbePlace{{{"x", uvw[0]}}, {{uvw}}};
     };
     for (int i = 0; i < 16; ++i) space.wanted.push_back({i / 16.0, 0.5, 0});
     return space;
 }
 
-TEST(ChooseProbes, RefusesASetThatAWrongFilePasses) {
-    const Image2<float> image = spot(3, 5);
-    // One place of sixteen sees the spot, and none next to it does.
-    ProbeSpace one = space_that_sees(15 / 16.0);
+// A space of which one place of sixteen sees the spot, and none next to it does.
+ProbeSpace space_that_sees_once(int edge) {
+    ProbeSpace one = space_that_sees(15 / 16.0, edge);
     one.place = [seen = one.wanted[7], place = one.place](const std::array<double, 3>& wanted) {
         return place({wanted == seen ? 1.0 : 0.0, 0.5, 0});
     };
-    const ProbeSet blind = take_probes(texture_of(image), {one}, 8, {});
+    return one;
+}
+
+TEST(ChooseProbes, RefusesASetThatAWrongFilePasses) {
+    constexpr int kEdge = 128;  // more texels than are looked at one by one
+    const Image2<float> image = spot(3, 5, kEdge);
+    const ProbeSet blind = take_probes(texture_of(image), {space_that_sees_once(kEdge)}, 8, {});
     EXPECT_EQ(std::count(blind.missed.begin(), blind.missed.end(), "zeros"), 1);
     EXPECT_EQ(std::count(blind.catches.begin(), blind.catches.end(), "zeros"), 0);
     const auto problem = weak_probes("spot", blind);
@@ -47,12 +55,39 @@ TEST(ChooseProbes, RefusesASetThatAWrongFilePasses) {
     EXPECT_NE(problem->message.find("`spot`"), std::string::npos);
     EXPECT_NE(problem->message.find("flip_u"), std::string::npos) << problem->message;
 
-    const ProbeSet seeing = take_probes(texture_of(image), {space_that_sees(0.5)}, 8, {});
+    const ProbeSet seeing = take_probes(texture_of(image), {space_that_sees(0.5, kEdge)}, 8, {});
     EXPECT_TRUE(seeing.missed.empty());
     EXPECT_FALSE(weak_probes("spot", seeing).has_value());
     for (const char* fault : {"zeros", "flip_u", "flip_v", "swap_uv", "shift_u", "shift_v"}) {
         EXPECT_EQ(std::count(seeing.catches.begin(), seeing.catches.end(), fault), 1) << fault;
     }
+}
+
+// A small texture is looked at in every texel. Where that finds no more places, the asset has no
+// more, and the probe that there is must be taken.
+TEST(ChooseProbes, TakesTheOnlyPlaceOfASmallTexture) {
+    const Image2<float> image = spot(3, 5);
+    const ProbeSet set = take_probes(texture_of(image), {space_that_sees_once(16)}, 8, {});
+    EXPECT_FALSE(weak_probes("spot", set).has_value());
+    EXPECT_EQ(std::count(set.catches.begin(), set.catches.end(), "zeros"), 0);
+    EXPECT_EQ(std::count_if(set.probes.begin(), set.probes.end(),
+                            [](const TakenProbe& probe) { return probe.value.value[0] > 0.1; }),
+              1);
+}
+
+TEST(ChooseProbes, LooksIntoEveryTexelOfASmallTexture) {
+    const Image2<float> image = spot(3, 5);
+    ProbeSpace space;
+    space.place = [](const std::array<double, 3>& wanted) {
+        // Places are known by texel, as those of nearest lookups are: none is next to another.
+        const double u = (std::floor(wanted[0] * 16) + 0.25) / 16;
+        const double v = (std::floor(wanted[1] * 16) + 0.25) / 16;
+        return ProbePlace{{{"x", u}}, {{{u, v, 0.5}}}};
+    };
+    space.wanted = {{0.9, 0.9, 0}, {3.5 / 16, 5.5 / 16, 0}};
+    const ProbeSet set = take_probes(texture_of(image), {space}, 3, {});
+    EXPECT_TRUE(set.missed.empty());
+    EXPECT_EQ(std::count(set.catches.begin(), set.catches.end(), "zeros"), 1);
 }
 
 // Where a fault shows at one place, those next to it are looked at.

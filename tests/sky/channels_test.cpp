@@ -71,6 +71,7 @@ size = [4, 2]
 pixel_type = "float"
 [bake.scattering]
 asset = "bruneton"
+combined = false
 size = [8, 4, 2]
 nu_size = 2
 pixel_type = "float"
