@@ -33,4 +33,13 @@ forbid '(thread|mutex|OpenEXR)' config "$none"
 # The reading and writing of files, and the console, are not a baker's business.
 forbid '(iostream|fstream|bakers/io/)' 'bakers/core bakers/atmosphere bakers/cloud bakers/noise' "$none"
 
+# Sources are compiled in batches, where a namespace that one source opens is open in those after it.
+opened=$(grep -rnE '^using namespace ' --include='*.h' --include='*.cpp' config bakers cli |
+    grep -v 'std::string_view_literals;' || true)
+if [[ -n "$opened" ]]; then
+    echo "not allowed outside of functions:"
+    echo "$opened"
+    failures=$((failures + 1))
+fi
+
 exit "$failures"

@@ -17,9 +17,9 @@ const noise = `
 seed = 7
 [noise.shape.channels.Y]
 type = "perlin_worley"
-frequency = 4
+frequency = 2
 octaves = 1
-worley_frequency = 4
+worley_frequency = 2
 worley_octaves = 1
 `;
 const recipe = `
