@@ -333,13 +333,13 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
         }
         measure_candidates(first, texture, wrongs, options, candidates);
     };
-    add(candidates_of(spaces));
     const TextureUse& use = texture.texture.use;
-    if (!options.cancelled()) add(places_about(candidates, wrongs.size(), spaces, use));
+    add(candidates_of(spaces));
+    if (options.cancelled()) return {};  // and not all have been measured
+    add(places_about(candidates, wrongs.size(), spaces, use));
+    if (options.cancelled()) return {};
     const bool everywhere = has_few_texels(use) && shows_at_few(candidates, wrongs.size());
-    if (everywhere && !options.cancelled()) {
-        add(places_in_every_texel(spaces, use, texture.dimensions));
-    }
+    if (everywhere) add(places_in_every_texel(spaces, use, texture.dimensions));
     if (options.cancelled()) return {};
 
     const auto spaces_count = static_cast<int>(spaces.size());

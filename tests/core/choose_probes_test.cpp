@@ -106,6 +106,29 @@ TEST(ChooseProbes, LooksAboutALonelyPlace) {
               kSeveralProbes);
 }
 
+// Interrupts when it has been asked so many times.
+class CancelsAfter : public Progress {
+  public:
+    explicit CancelsAfter(int asked) : left_(asked) {}
+    void advance(std::string_view, double) override {}
+    bool cancelled() const override { return --left_ < 0; }
+
+  private:
+    mutable int left_;
+};
+
+TEST(ChooseProbes, CanBeInterruptedAtAnyStep) {
+    const Image2<float> image = spot(3, 5);
+    ProbeSpace space = space_that_sees_once(16);
+    std::size_t probes = 0;
+    int asked = 0;
+    while (probes == 0) {
+        CancelsAfter progress(asked++);
+        probes = take_probes(texture_of(image), {space}, 8, {1, {}, &progress}).probes.size();
+    }
+    EXPECT_GE(asked, 4);
+}
+
 // Of several tables one below the other each has its share.
 TEST(ChooseProbes, TakesSomeOfEachSpace) {
     Image2<float> image(8, 8, 1);
