@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "config/cloud_channels.h"
 #include "config/cloud_extent.h"
@@ -16,6 +19,27 @@
 namespace skybake::config {
 namespace {
 
+// Whether cubes of this edge fill the extent without rest.
+bool divides(const Cloud& cloud, Length edge) {
+    return std::none_of(cloud.extent.begin(), cloud.extent.end(),
+                        [edge](Length extent) { return whole_voxels(extent, edge).longer; });
+}
+
+// The smallest round edge of cubes that makes at most 640 voxels along each axis and divides the
+// extent; none for extents that no round number divides.
+std::optional<Length> usual_voxel_size(const Cloud& cloud) {
+    constexpr double most_voxels = 640;
+    double longest = 0;
+    for (const Length& extent : cloud.extent) longest = std::max(longest, extent.meters);
+    if (longest <= 0) return std::nullopt;
+    const double decade = std::pow(10, std::floor(std::log10(longest / most_voxels)));
+    for (const double digits : {1.0, 1.25, 2.0, 2.5, 5.0, 10.0, 12.5, 20.0, 25.0, 50.0}) {
+        const Length edge{digits * decade};
+        if (edge.meters >= longest / most_voxels && divides(cloud, edge)) return edge;
+    }
+    return std::nullopt;
+}
+
 // One section while it is resolved.
 struct CloudVolumeResolver {
     DecodedSection& bake;
@@ -28,11 +52,13 @@ struct CloudVolumeResolver {
         return bake.place;
     }
 
-    void report_missing_size() const {
+    void report_missing_size(const Cloud* cloud) const {
         if (!decoder.complete) return;
-        decoder.diagnostics.error("E0105", bake.place,
-                                  fmt::format("`{}` is missing", join_path(bake.path, "size")),
-                                  "give size = [512, 512, 128], or voxel_size = \"12 m\"");
+        const auto usual = cloud ? usual_voxel_size(*cloud) : std::nullopt;
+        decoder.diagnostics.error(
+            "E0105", bake.place, fmt::format("`{}` is missing", join_path(bake.path, "size")),
+            usual ? fmt::format("give voxel_size = \"{}\", or size", spell_length(usual->meters))
+                  : "give size, the voxels along each axis, or voxel_size, the edge of cubes");
     }
 
     void report_too_many(double voxels, std::size_t axis, const Cloud& cloud) const {
@@ -88,7 +114,7 @@ struct CloudVolumeResolver {
     void resolve_size(const Cloud* cloud) const {
         DecodedField& size = bake.at("size");
         const DecodedField& voxel_size = bake.at("voxel_size");
-        if (!size.source && !voxel_size.source) report_missing_size();
+        if (!size.source && !voxel_size.source) report_missing_size(cloud);
         const bool known = cloud && cloud->extent[0].meters > 0 && voxel_size.value;
         if (!known) return;
         size.value.reset();

@@ -59,6 +59,11 @@ TEST(CloudVolumeDecoder, VoxelsHaveASize) {
     EXPECT_EQ(fault("voxel_size = '10 m'\nsize = [16, 16, 16]").code, "E0109");
     EXPECT_EQ(fault("").code, "E0105");
     EXPECT_EQ(fault("").message, "`bake.c.size` is missing");
+    EXPECT_EQ(fault("").label, "give voxel_size = \"5 m\", or size");
+    std::string odd = volume_recipe("");
+    odd.replace(odd.find("2 km"), 4, "1234.567 m");
+    EXPECT_EQ(only_diagnostic(odd).label,
+              "give size, the voxels along each axis, or voxel_size, the edge of cubes");
     EXPECT_EQ(std::get<CloudVolumeBake>(
                   valid(volume_recipe("size = [16, 16, 16]"), {"bake.c.voxel_size=50 m"})
                       .parameters.bakes[0]
