@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "bakers/core/low_discrepancy.h"
+#include "bakers/core/stored_source.h"
 #include "bakers/core/stored_voxels.h"
 
 namespace skybake {
@@ -151,6 +154,18 @@ void add_peaks(const VolumeLevel& level, config::PixelType type, std::vector<Uni
     }
 }
 
+// A small level with its voxels in memory: making all of them once is cheaper than making the eight
+// of every lookup.
+VolumeLevel held_if_small(const VolumeLevel& level, const BakeOptions& options) {
+    constexpr std::int64_t kSmall = 1 << 18;
+    VolumeLevel held = level;
+    const auto channels = static_cast<int>(level.statistics.size());
+    if (VoxelBox{{}, level.size}.count() <= kSmall) {
+        held.voxels = std::make_shared<StoredSource>(*level.voxels, level.size, channels, options);
+    }
+    return held;
+}
+
 ProbePlace texture_place(const UnitPlace& uvw) {
     return {{{"u", uvw[0]}, {"v", uvw[1]}, {"w", uvw[2]}}, {{uvw}}};
 }
@@ -174,10 +189,11 @@ std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
                                                     const BakeOptions& options,
                                                     VolumeLevel& level) {
     ProbeSpace space{place ? place : texture_place, {}};
-    add_seams(level, space.wanted);
+    const VolumeLevel readable = held_if_small(level, options);
+    add_seams(readable, space.wanted);
     add_even_places(space.wanted);
-    add_peaks(level, type, space.wanted);
-    ProbeSet set = take_probes(probed_volume(level, type), {space}, kVolumeProbes, options);
+    add_peaks(readable, type, space.wanted);
+    ProbeSet set = take_probes(probed_volume(readable, type), {space}, kVolumeProbes, options);
     if (const auto problem = weak_probes(asset, set)) return problem;
     level.probes.clear();
     for (TakenProbe& taken : set.probes) level.probes.push_back(volume_probe(std::move(taken)));
