@@ -302,9 +302,9 @@ std::string particle_init_text(const Preset& preset) {
                        {text_entry("asset", "phase"), text_entry("content", "inverse_cumulative"),
                         text_entry("particles", name)});
     text += fmt::format(
-        "\n# In a recipe with an atmosphere, this is a layer of them:\n#   "
-        "[atmosphere.layers.{0}]\n#   profile = \"exponential\"\n#   scale_height = \"1 km\"\n#   "
-        "phase = {{ mie = \"{0}\" }}\n#   number_density = \"10 /cm3\"\n",
+        "\n# In a recipe with an atmosphere, this is a layer of them:\n"
+        "#   [atmosphere.layers.{0}]\n#   profile = \"exponential\"\n#   scale_height = \"1 km\"\n"
+        "#   phase = {{ mie = \"{0}\" }}\n#   number_density = \"10 /cm3\"\n",
         name);
     return text + sweep_text("wavelengths", "[[\"680 nm\"], [\"550 nm\"], [\"440 nm\"]]");
 }

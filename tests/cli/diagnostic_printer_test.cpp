@@ -22,7 +22,7 @@ std::vector<Diagnostic> samples() {
          "E0110",
          "`atmosphere.layers.mie.g` is out of range: 1.2",
          {"earth.toml", 22, 5, 3, "g = 1.2"},
-         "must be in (-1, 1); typical haze 0.76"},
+         "must be in (-1, 1); typical haze has 0.76"},
         {Severity::error,
          "E0107",
          "a length is wanted here, not an angle",
@@ -46,7 +46,7 @@ error[E0110]: `atmosphere.layers.mie.g` is out of range: 1.2
  --> earth.toml:22:5
    |
 22 | g = 1.2
-   |     ^^^ must be in (-1, 1); typical haze 0.76
+   |     ^^^ must be in (-1, 1); typical haze has 0.76
 error[E0107]: a length is wanted here, not an angle
  --> --set `clouds.cumulus.base_altitude=40deg`
 3 errors
@@ -125,7 +125,7 @@ TEST(DiagnosticPrinter, ShortIsOneLineEach) {
               "[atmosphere.layers.rayleigh]; "
               "did you mean `scale_height`?\n"
               "earth.toml:22:5: error[E0110]: `atmosphere.layers.mie.g` is out of range: 1.2; "
-              "must be in (-1, 1); typical haze 0.76\n"
+              "must be in (-1, 1); typical haze has 0.76\n"
               "--set `clouds.cumulus.base_altitude=40deg`: error[E0107]: a length is wanted here, "
               "not an angle\n");
 }

@@ -58,7 +58,7 @@ const std::vector<Fault> faults = {
     {"E0109", layer + "extinction = \"1e-6 /m\"\nabsorption = \"0 /m\"", 6, 1, 10,
      "`extinction` is given already (line 5): keep one"},
     {"E0110", layer + "phase = \"cornette_shanks\"\ng = 1.2", 6, 5, 3,
-     "must be in (-1, 1); typical haze 0.76"},
+     "must be in (-1, 1); typical haze has 0.76"},
     {"E0111", layer + "half_width = \"1 km\"", 5, 1, 10,
      "profile = \"exponential\" comes from test.toml:3"},
     {"E0112", layer + "scattering = \"2e-6 /m\"\nextinction = \"1e-6 /m\"", 6, 14, 9,
