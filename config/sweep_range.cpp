@@ -266,13 +266,12 @@ std::optional<std::vector<SweepValue>> range_values(const SweptRange& range,
     for (int i = 1; i + 1 < *range.count; ++i) {
         const double number = evenly_spaced(range, i, *range.count);
         if (range.whole && number != std::floor(number)) {
-            decoder.diagnostics.error(
-                "E0135", entry.value.place,
-                fmt::format("`{}` takes whole numbers, and {} is not one", path,
-                            spell_number(number)),
-                fmt::format(
-                    "choose a count that divides {} to {} into whole steps, or list the values",
-                    range.first.plain, range.last.plain));
+            decoder.diagnostics.error("E0135", entry.value.place,
+                                      fmt::format("`{}` takes whole numbers, and {} is not one",
+                                                  path, spell_number(number)),
+                                      fmt::format("choose a count that divides the range from {} "
+                                                  "to {} into whole steps, or list the values",
+                                                  range.first.plain, range.last.plain));
             return std::nullopt;
         }
         values.push_back(spelled(range, number));

@@ -329,7 +329,7 @@ TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
 
     const Result above = scene.preview({scene.baked, "--altitude", "170 km"});
     EXPECT_EQ(above.code, 2);
-    EXPECT_TRUE(contains(above.error, "top of the air, 100 km")) << above.error;
+    EXPECT_TRUE(contains(above.error, "top of the atmosphere, 100 km")) << above.error;
 }
 
 TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
@@ -343,7 +343,7 @@ TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
     const Result result = scene.preview({volume});
     EXPECT_EQ(result.code, 0);
     EXPECT_TRUE(contains(result.error, "W0304")) << result.error;
-    EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "other bytes than manifest.json"));
+    EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "does not match manifest.json"));
 }
 
 // Shows the sky of the bake, whatever lies in its folder.

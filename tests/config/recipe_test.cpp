@@ -78,7 +78,7 @@ const std::vector<Fault> faults = {
     {"E0126", shape + "size = [10000, 10000, 10000]", 6, 8, 21,
      "at most 68719476736 (2^36) voxels"},
     {"E0128", perlin + "lacunarity = 16\noctaves = 6", 4, 11, 1,
-     "at most 1048576 cells per tile: fewer octaves, or a lower lacunarity"},
+     "at most 1048576 cells per tile are allowed: use fewer octaves or a lower lacunarity"},
     {"E0129", perlin + "[noise.n.channels.R]\ntype = \"perlin\"", 3, 19, 1,
      "expected Y alone, R alone, R, G, B, or R, G, B, A"},
     {"E0130", perlin + "[bake.n]\nasset = \"noise_volume\"\nnoise = \"m\"", 5, 9, 3,
@@ -94,7 +94,7 @@ const std::vector<Fault> faults = {
              "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
      9, 11, 3, "channel is Y"},
     {"E0135", perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 4, count = 3 }", 4, 18, 31,
-     "choose a count that divides the way from 1 to 4, or list the values"},
+     "choose a count that divides the range from 1 to 4 into whole steps, or list the values"},
     {"E0136",
      perlin + "[sweep]\n\"noise.n.seed\" = [1, 2]\nzip = [\"noise.n.seed\", \"noise.n.pack\"]", 5,
      7, 32, "zip takes paths that vary, each once, with as many values as the others"},
@@ -198,7 +198,7 @@ TEST(Recipe, BakesDifferInMoreThanCapitals) {
     ASSERT_EQ(outcome.diagnostics.size(), 2u);
     EXPECT_EQ(outcome.diagnostics[0].code, "W0209");
     EXPECT_EQ(outcome.diagnostics[0].message,
-              "[bake.sun] and [bake.Sun] are one file on macOS and Windows");
+              "[bake.sun] and [bake.Sun] are the same file on macOS and Windows");
     EXPECT_EQ(outcome.diagnostics[0].where.line, 4);
 }
 

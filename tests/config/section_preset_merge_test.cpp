@@ -65,7 +65,7 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
 
 TEST(SectionPresetMerge, PresetsOfTheOtherKindAreSentHome) {
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'earth'\n").label,
-              "it is a preset of an atmosphere: preset = \"earth\" at the top level");
+              "it is a preset of an atmosphere: write preset = \"earth\" at the top level");
     const Diagnostic diagnostic = only_diagnostic("preset = 'nubis_shape'\n");
     EXPECT_EQ(diagnostic.code, "E0115");
     EXPECT_EQ(diagnostic.label, "a preset of noises: it stands below [noise.NAME]");
