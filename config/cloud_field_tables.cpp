@@ -146,7 +146,7 @@ const std::array cloud_table = {
          .range = softness_range,
          .fallback = "0.05",
          .documentation = "how far above the threshold the edge reaches; 0 gives a hard edge",
-         .hint = "density = v * smoothstep(threshold, threshold + edge_softness, v)",
+         .hint = "the density is v * smoothstep(threshold, threshold + edge_softness, v)",
          .citation = olajos_2016},
         &Cloud::edge_softness},
     CloudField{{.key = "threshold_at",

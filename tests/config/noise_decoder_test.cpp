@@ -148,7 +148,7 @@ TEST(NoiseDecoder, PackingsTakeTheirChannels) {
     const Diagnostic diagnostic = only_diagnostic(with_channels("RGBA", "pack = 'detail'"));
     EXPECT_EQ(diagnostic.code, "E0129");
     EXPECT_EQ(diagnostic.message,
-              "`noise.n.pack` packs channels R, G, B, but there are R, G, B, A");
+              "`noise.n.pack` packs channels R, G, B, but the noise has R, G, B, A");
     EXPECT_EQ(diagnostic.where.line, 2);
 }
 

@@ -54,7 +54,7 @@ const std::vector<Fault> faults = {
     {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
      "expected a length with a unit, such as \"8 km\""},
     {"E0108", vacuum + "[atmosphere]\nground_albedo = [0.1, 0.2]", 3, 17, 10,
-     "one value, or 3: one per wavelength"},
+     "expected one value, or 3: one per wavelength"},
     {"E0109", layer + "extinction = \"1e-6 /m\"\nabsorption = \"0 /m\"", 6, 1, 10,
      "`extinction` is given already (line 5): keep one"},
     {"E0110", layer + "phase = \"cornette_shanks\"\ng = 1.2", 6, 5, 3,
@@ -76,7 +76,7 @@ const std::vector<Fault> faults = {
      "did you mean `multiple_scattering`?"},
     {"E0119", vacuum + "format = 2", 2, 10, 1, "must be 1"},
     {"E0126", shape + "size = [10000, 10000, 10000]", 6, 8, 21,
-     "at most 68719476736 (2^36) voxels"},
+     "at most 68719476736 (2^36) voxels are allowed"},
     {"E0128", perlin + "lacunarity = 16\noctaves = 6", 4, 11, 1,
      "at most 1048576 cells per tile are allowed: use fewer octaves or a lower lacunarity"},
     {"E0129", perlin + "[noise.n.channels.R]\ntype = \"perlin\"", 3, 19, 1,
@@ -101,7 +101,7 @@ const std::vector<Fault> faults = {
     {"E0137",
      perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 99999, count = 99999 }\n"
               "\"noise.n.size\" = [[8, 8, 8], [4, 4, 4]]",
-     5, 1, 14, "at most 100000"},
+     5, 1, 14, "at most 100000 are allowed"},
     {"E0138",
      "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
      "orders = \"single\"\nlayers = [\"mei\"]",

@@ -211,11 +211,11 @@ TEST(MapImageFails, ForOtherFiles) {
 }
 
 TEST(MapImageFails, ForChannelsThatAreNotThere) {
-    expect_refused(data / "rgba8.png", "it has no channel `Y`, but `R`, `G`, `B`, `A`", "Y");
+    expect_refused(data / "rgba8.png", "it has no channel `Y`, only `R`, `G`, `B`, `A`", "Y");
     expect_refused(data / "half_and_float.exr",
-                   "it has no channel `coverge`, but `Y`, `coverage`; did you mean `coverage`?",
+                   "it has no channel `coverge`, only `Y`, `coverage`; did you mean `coverage`?",
                    "coverge");
-    expect_refused(data / "two_parts.exr", "it has no channel `y`, but `Y`", "y");
+    expect_refused(data / "two_parts.exr", "it has no channel `y`, only `Y`", "y");
 }
 
 TEST(MapImageFails, ForValuesThatAreNoShares) {
