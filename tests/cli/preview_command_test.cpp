@@ -378,7 +378,7 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
         0);
     ASSERT_EQ(scene.preview({sweep, "--sun-elevation", "25"}).code, 0);
     const std::string caption = data_of(scene.page())["sweep"]["pictures"][0]["caption"];
-    EXPECT_TRUE(contains(caption, "All have exposure ")) << caption;
+    EXPECT_TRUE(contains(caption, "They all have exposure ")) << caption;
     EXPECT_TRUE(contains(caption, "the sun 25 degrees above the horizon")) << caption;
 }
 

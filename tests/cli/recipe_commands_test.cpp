@@ -124,7 +124,7 @@ TEST(InitCommand, WritesARecipeOfACloud) {
         contains(run_words({"init", "-", "--preset", "stratus"}).out, "\n[clouds.stratus]\n"));
     const Result ambiguous = run_words({"init", "-", "--preset", "thesis"});
     EXPECT_EQ(ambiguous.code, 2);
-    EXPECT_TRUE(contains(ambiguous.error, "ask for noise.thesis or clouds.thesis"))
+    EXPECT_TRUE(contains(ambiguous.error, "name it with its kind: noise.thesis or clouds.thesis"))
         << ambiguous.error;
     EXPECT_TRUE(
         contains(run_words({"init", "-", "--preset", "noise.thesis"}).out, "\n[noise.thesis]\n"));
