@@ -25,7 +25,7 @@ std::vector<Diagnostic> samples() {
          "must be in (-1, 1); typical haze has 0.76"},
         {Severity::error,
          "E0107",
-         "a length is wanted here, not an angle",
+         "expected a length, not an angle",
          {"--set `clouds.cumulus.base_altitude=40deg`", 0, 0, 0, ""},
          ""},
     };
@@ -47,7 +47,7 @@ error[E0110]: `atmosphere.layers.mie.g` is out of range: 1.2
    |
 22 | g = 1.2
    |     ^^^ must be in (-1, 1); typical haze has 0.76
-error[E0107]: a length is wanted here, not an angle
+error[E0107]: expected a length, not an angle
  --> --set `clouds.cumulus.base_altitude=40deg`
 3 errors
 )");
@@ -126,7 +126,7 @@ TEST(DiagnosticPrinter, ShortIsOneLineEach) {
               "did you mean `scale_height`?\n"
               "earth.toml:22:5: error[E0110]: `atmosphere.layers.mie.g` is out of range: 1.2; "
               "must be in (-1, 1); typical haze has 0.76\n"
-              "--set `clouds.cumulus.base_altitude=40deg`: error[E0107]: a length is wanted here, "
+              "--set `clouds.cumulus.base_altitude=40deg`: error[E0107]: expected a length, "
               "not an angle\n");
 }
 

@@ -63,7 +63,7 @@ inline void check_layer(const Layer& layer, std::size_t channels) {
 
 inline void check_octaves(const NoiseOctaves& octaves) {
     require(!octaves.frequencies.empty() && octaves.frequencies.size() <= 16, "1 to 16 octaves");
-    require(octaves.gains.size() == octaves.frequencies.size(), "give one gain per octave");
+    require(octaves.gains.size() == octaves.frequencies.size(), "one gain per octave");
     for (const auto& frequency : octaves.frequencies) {
         for (const int cells : frequency)
             require(cells >= 1 && cells <= 1048576, "frequency in range");
