@@ -133,7 +133,7 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     if (!read.value || check.result().lost == 0) return "";
     const occupancy::OccupancyCheckResult& found = check.result();
     return fmt::format(
-        "{} of {} samples of {} are above {} in cells that are called empty; the greatest is {} in "
+        "{} of {} samples of {} are above {} in cells that are marked empty; the largest is {} in "
         "cell ({}, {}, {})",
         found.lost, found.points, volume.name, grid.threshold, found.worst_value, found.cell[0],
         found.cell[1], found.cell[2]);

@@ -116,7 +116,7 @@ ExitCode run_cache(const Invocation& invocation, Console& console) {
     const std::string folder = cache_folder(invocation);
     if (folder.empty()) {
         return console.report(std::array{usage_error(
-            "no cache folder is given", "name it by --cache-dir or $SKYBAKE_CACHE_DIR")});
+            "no cache folder is given", "name one with --cache-dir or $SKYBAKE_CACHE_DIR")});
     }
     const bool json = console.display().json;
     if (what == "stats") return stats(folder, json, console);
@@ -124,7 +124,7 @@ ExitCode run_cache(const Invocation& invocation, Console& console) {
     if (what != "gc") {
         return console.report(
             std::array{usage_error(fmt::format("`skybake cache` has no action `{}`", what),
-                                   "it has stats, gc and verify")});
+                                   "its actions are stats, gc and verify")});
     }
     if (!invocation.has("max-size")) {
         return console.report(std::array{
@@ -140,13 +140,13 @@ Command cache_command() {
             .brief = "look after the asset cache",
             .summary = "inspect, verify and trim the asset cache",
             .arguments = {{.name = "stats|gc|verify",
-                           .help = "show what it holds, remove old assets, check its files"}},
+                           .help = "show its contents, remove old assets, or check its files"}},
             .options = {{.name = "cache-dir",
                          .value = "FOLDER",
                          .help = "the folder of the cache (default: $SKYBAKE_CACHE_DIR)"},
                         {.name = "max-size",
                          .value = "SIZE",
-                         .help = "gc: remove the least recently used assets beyond this size"}},
+                         .help = "let gc remove the least recently used assets beyond this size"}},
             .examples = {{"skybake cache stats --cache-dir ~/.cache/skybake", "shows its contents"},
                          {"skybake cache gc --cache-dir ~/.cache/skybake --max-size 10GiB",
                           "keeps at most 10 GiB"}},

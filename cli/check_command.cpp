@@ -77,7 +77,7 @@ Command check_command() {
         .options = {set_option()},
         .examples = {{"skybake check earth.toml", "shows every error with its line and a remedy"},
                      {"skybake check - < earth.toml", "checks the text that an editor pipes in"},
-                     {"skybake check earth.toml --json", "tells a program"}},
+                     {"skybake check earth.toml --json", "reports the errors to a program"}},
         .exit_codes = {ExitCode::io},
         .run = run_check};
 }

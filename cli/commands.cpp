@@ -30,7 +30,7 @@ const std::vector<Command>& commands() {
 const std::vector<Option>& global_options() {
     static const std::vector<Option> table = {
         {.name = "help", .short_name = 'h', .help = "show this help, or the help of a command"},
-        {.name = "version", .short_name = 'V', .help = "show the release"},
+        {.name = "version", .short_name = 'V', .help = "show the version"},
         {.name = "quiet", .short_name = 'q', .help = "print only errors and warnings"},
         {.name = "verbose", .short_name = 'v', .help = "print more"},
         {.name = "json", .help = "print results and failures as JSON Lines on stdout"},

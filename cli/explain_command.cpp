@@ -48,7 +48,7 @@ Command explain_command() {
     return {
         .name = "explain",
         .brief = "explain a key or a code",
-        .summary = "explain a key of recipes or the code of a diagnostic",
+        .summary = "explain a key of a recipe or the code of a diagnostic",
         .arguments = {{.name = "name",
                        .help = "a key's path or its tail, a table, or a code (default: all keys)",
                        .required = false}},

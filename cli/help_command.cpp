@@ -36,15 +36,14 @@ void show_help(const Command* command, Console& console) {
 }
 
 Command help_command() {
-    return {
-        .name = "help",
-        .brief = "show help",
-        .summary = "show this help, or the help of a command",
-        .arguments = {{.name = "command",
-                       .help = "the command to explain (default: all commands, in one line each)",
-                       .required = false}},
-        .examples = {{"skybake help bake", "shows what `skybake bake --help` shows"}},
-        .run = run_help};
+    return {.name = "help",
+            .brief = "show help",
+            .summary = "show this help, or the help of a command",
+            .arguments = {{.name = "command",
+                           .help = "the command to explain (default: all commands, one line each)",
+                           .required = false}},
+            .examples = {{"skybake help bake", "shows what `skybake bake --help` shows"}},
+            .run = run_help};
 }
 
 }  // namespace skybake::cli

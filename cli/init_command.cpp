@@ -39,7 +39,7 @@ std::string preset_list() {
         text += table.text();
     }
     return text +
-           "\n`skybake init FILE --preset NAME` writes a recipe from a preset of any kind but "
+           "\n`skybake init FILE --preset NAME` writes a recipe from a preset of any kind except "
            "layers\n";
 }
 
@@ -63,7 +63,7 @@ config::Outcome<KnownPreset> preset_of(const std::string& name) {
     if (presets.empty()) return {{}, {unknown_preset(name)}};
     config::Diagnostic diagnostic =
         usage_error(fmt::format("several presets have the name `{}`", name),
-                    fmt::format("ask for {}", full_names(presets)));
+                    fmt::format("name it with its kind: {}", full_names(presets)));
     diagnostic.code = "E0115";
     return {{}, {std::move(diagnostic)}};
 }
@@ -141,9 +141,10 @@ Command init_command() {
                      .fallback = "earth"},
                     {.name = "list", .help = "list the presets of each kind and write nothing"},
                     {.name = "force", .help = "overwrite an existing file"}},
-        .examples = {{"skybake init earth.toml", "writes the Earth, every value with its meaning"},
+        .examples = {{"skybake init earth.toml",
+                      "writes the Earth's atmosphere, with the meaning of every value"},
                      {"skybake init mars.toml --preset mars", "writes another planet"},
-                     {"skybake init noise.toml --preset nubis_shape", "writes a cloud noise"},
+                     {"skybake init noise.toml --preset nubis_shape", "writes a noise for clouds"},
                      {"skybake init cloud.toml --preset clouds.thesis", "writes a cloud"},
                      {"skybake init fog.toml --preset fog", "writes the droplets of fog"},
                      {"skybake init --list", "lists the presets, one per line"}},

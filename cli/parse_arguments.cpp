@@ -121,7 +121,7 @@ config::Diagnostic stray_option(const std::string& option, std::span<const std::
 
 config::Diagnostic unknown_choice(const Option& option, const std::string& value) {
     std::string hint = config::did_you_mean(value, option.choices);
-    if (hint.empty()) hint = fmt::format("one of {}", fmt::join(option.choices, ", "));
+    if (hint.empty()) hint = fmt::format("use one of {}", fmt::join(option.choices, ", "));
     return usage_error(fmt::format("{} cannot be `{}`", dashed(option.name), value),
                        std::move(hint));
 }

@@ -97,7 +97,7 @@ config::Diagnostic unknown_preset(const std::string& name) {
     config::Diagnostic diagnostic =
         of_layer
             ? usage_error(
-                  fmt::format("`{}` is the preset of a layer and makes no recipe", name),
+                  fmt::format("`{}` is the preset of a layer and not of a whole recipe", name),
                   fmt::format("write preset = \"{}\" below [atmosphere.layers.ANY_NAME]", name))
             : usage_error(fmt::format("there is no preset `{}`", name), preset_hint(name));
     diagnostic.code = "E0115";

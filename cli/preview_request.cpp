@@ -33,22 +33,23 @@ Subject subject_of(const fs::path& path) {
 void check_combination(const Invocation& invocation, const PreviewRequest& request,
                        std::vector<Diagnostic>& problems) {
     if (request.paths.size() > 1 && request.subject != Subject::files) {
-        problems.push_back(usage_error("one recipe or one folder at a time",
-                                       "several files are possible: a.exr b.exr"));
+        problems.push_back(usage_error("preview takes one recipe or one folder at a time",
+                                       "it takes several files: a.exr b.exr"));
     }
     if (request.watch && is_standard_input(request.paths[0].string())) {
         problems.push_back(usage_error("--watch needs a recipe in a file",
                                        "standard input cannot be read a second time"));
     }
     if (request.subject == Subject::sweep && request.report) {
-        problems.push_back(usage_error("--report is not for sweeps",
-                                       "its variants are folders: one of them may be reported on"));
+        problems.push_back(
+            usage_error("--report does not work with a sweep",
+                        "each of its variants is a folder: preview one of those with --report"));
     }
     if (request.subject == Subject::recipe) return;
     for (const char* option : {"set", "only", "watch"}) {
         if (!invocation.has(option)) continue;
         problems.push_back(usage_error(
-            fmt::format("--{} is for recipes", option),
+            fmt::format("--{} works only with a recipe", option),
             fmt::format("`{}` is baked already", config::printable(request.paths[0].string()))));
     }
 }
@@ -72,13 +73,14 @@ config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     if (request.output.empty()) problems.push_back(usage_error("-o: the folder's name is empty"));
     if (request.watch && request.report) {
         problems.push_back(usage_error("--watch and --report exclude each other",
-                                       "a report takes longer than a glance"));
+                                       "a report takes too long to follow every save"));
     }
     check_combination(invocation, request, problems);
     request.options = read_preview_options(invocation, problems);
     request.draft_edge = read_draft_edge(invocation, problems).value_or(request.draft_edge);
     if (invocation.has("draft") && !request.watch) {
-        problems.push_back(usage_error("--draft is for --watch", "other previews have no drafts"));
+        problems.push_back(
+            usage_error("--draft works only with --watch", "other previews make no drafts"));
     }
     const config::Outcome<int> threads = jobs_of(invocation);
     problems.insert(problems.end(), threads.diagnostics.begin(), threads.diagnostics.end());

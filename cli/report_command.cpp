@@ -29,13 +29,13 @@ using config::Outcome;
 
 ExitCode run_report(const Invocation& invocation, Console& console) {
     if (invocation.has("json") && invocation.has("csv")) {
-        return console.report(std::array{
-            usage_error("--json and --csv exclude each other", "the folder holds both anyway")});
+        return console.report(std::array{usage_error("--json and --csv exclude each other",
+                                                     "the folder gets both in any case")});
     }
     if (invocation.has("truth")) return report_truth(invocation, console);
     if (invocation.has("truth-paths")) {
-        return console.report(std::array{
-            usage_error("--truth-paths needs --truth", "it sets how many paths trace the sky")});
+        return console.report(std::array{usage_error(
+            "--truth-paths needs --truth", "it sets the number of paths that trace the sky")});
     }
     const auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;

@@ -136,16 +136,14 @@ std::string title_of(const AssetReport& asset) {
 std::string asset_text(const AssetReport& asset) {
     if (asset.rows.empty()) return fmt::format("{}\n{}", title_of(asset), notes_text(asset));
     std::string text = fmt::format(
-        "{}\n"
-        "  error: {}, against {} ({} lookups, up to {} texels)\n"
-        "  time: {}, median of {}\n"
-        "{}"
-        "  front: no other variant has a smaller error in as little time (within 5 %), of lookups "
-        "or of texels at one size{}\n\n",
+        "{}\n  error: {}, against {} ({} lookups, up to {} texels)\n  time: {}, median of {}\n{}  "
+        "front: no other variant has a smaller error of lookups, or of texels at one size, in as "
+        "little time (within 5 %){}\n\n",
         title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points,
         asset.timing, asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
-        asset.volume ? "; errors to two digits; bytes: none has a smaller error in as few bytes"
-                     : "");
+        asset.volume
+            ? "; errors have two digits; bytes: no other has a smaller error in as few bytes"
+            : "");
     text += rows_text(asset);
     return text + notes_text(asset);
 }

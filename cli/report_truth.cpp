@@ -82,7 +82,7 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
     if (invocation.has("only")) {
         return {{},
                 {usage_error("--only and --truth exclude each other",
-                             "the sky needs all of the atmosphere")}};
+                             "the sky needs the whole recipe")}};
     }
     const auto paths = mean_paths_of(invocation);
     if (!paths.value) return {{}, paths.diagnostics};
@@ -124,7 +124,7 @@ std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
         if (!fs::exists(path, error)) continue;
         Diagnostic diagnostic = file_error(
             "E0303", path.string(),
-            fmt::format("`{}` already exists and is no report of skybake", path.string()));
+            fmt::format("`{}` already exists and is not a report of skybake", path.string()));
         diagnostic.label = "overwrite it with --force, or choose another folder with -o";
         problems.push_back(std::move(diagnostic));
     }
@@ -141,7 +141,7 @@ std::vector<Diagnostic> keep_in_cache(const fs::path& path, const std::string& t
     for (Diagnostic& problem : problems) {
         problem.severity = config::Severity::warning;
         problem.code = "W0301";
-        problem.message = "the cache does not keep the traced sky: " + problem.message;
+        problem.message = "the cache could not keep the traced sky: " + problem.message;
     }
     return problems;
 }

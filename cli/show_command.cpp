@@ -228,7 +228,8 @@ Command show_command() {
         .summary = "show every resolved value and where it came from",
         .arguments = {{.name = "recipe.toml", .help = recipe_help},
                       {.name = "path",
-                       .help = "show only values at or below this path; * stands for any name",
+                       .help =
+                           "show only values at or below this path, in which * matches any name",
                        .required = false}},
         .options = {set_option()},
         .examples = {{"skybake show earth.toml", "shows all values and the zenith optical depths"},

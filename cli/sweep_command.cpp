@@ -91,7 +91,7 @@ Outcome<std::pair<int, int>> shard_of(const Invocation& invocation) {
     if (shard && shards && *shard <= *shards) return {std::pair(*shard, *shards), {}};
     return {{},
             {usage_error(fmt::format("`--shard` cannot be `{}`", text),
-                         "it takes I/N, part I of N: 1/N to N/N")}};
+                         "it takes I/N, which is part I of N, from 1/N to N/N")}};
 }
 
 std::vector<Diagnostic> contradictions(const Invocation& invocation) {
@@ -322,7 +322,7 @@ ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, b
 // Variants are written whole, one by one.
 std::string interrupted_text(int made) {
     if (made == 0) return "interrupted; nothing was written\n";
-    return fmt::format("interrupted; {} {} written, and the next run goes on from there\n", made,
+    return fmt::format("interrupted; {} {} written, and the next run continues from there\n", made,
                        made == 1 ? "variant was" : "variants were");
 }
 
@@ -413,7 +413,7 @@ Command sweep_command() {
               .choices = {"slurm", "commands", "ninja"}},
              {.name = "tasks",
               .value = "N",
-              .help = "tasks in that script (default: one per variant, up to 1000)"},
+              .help = "split the script into N tasks (default: one per variant, up to 1000)"},
              {.name = "certify",
               .value = "HOW",
               .help = "how thoroughly to measure errors",

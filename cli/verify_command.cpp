@@ -83,7 +83,7 @@ Command verify_command() {
                            .help = "the output folder of a bake, or its manifest.json"}},
             .examples = {{"skybake verify out",
                           "lists every mismatch in hashes, metadata, values and probes"},
-                         {"skybake verify out --json", "tells a program"}},
+                         {"skybake verify out --json", "reports the mismatches to a program"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},
             .run = run_verify};
 }

@@ -104,13 +104,13 @@ std::optional<OpenBake> read_bake(const std::string& name, const Place& place, c
     if (!is_bare_key(name)) {
         decoder.diagnostics.error("E0117", place,
                                   fmt::format("[{}] cannot be the name of a file", shorten(path)),
-                                  "letters, digits, `_` and `-`");
+                                  "use only letters, digits, `_` and `-`");
     }
     const std::optional<AssetName> asset = asset_name(name, place, table);
     if (!asset) {
         decoder.diagnostics.error("E0103", find_entry(table, "asset")->value.place,
-                                  fmt::format("`{}` must be text", join_path(path, "asset")),
-                                  fmt::format("one of {}", fmt::join(asset_names(), ", ")));
+                                  fmt::format("`{}` must be a string", join_path(path, "asset")),
+                                  fmt::format("use one of {}", fmt::join(asset_names(), ", ")));
         return std::nullopt;
     }
     const Section* section = find_section("bake.*", asset->name);
@@ -152,8 +152,8 @@ void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& deco
         if (is_new) continue;
         decoder.diagnostics.warning(
             "W0209", entry->key_place,
-            fmt::format("[bake.{}] and [bake.{}] are one file on macOS and Windows", entry->key,
-                        earlier->second->key),
+            fmt::format("[bake.{}] and [bake.{}] are the same file on macOS and Windows",
+                        entry->key, earlier->second->key),
             "choose names that differ in more than capital letters");
     }
 }

@@ -53,7 +53,7 @@ struct CloudReader {
         if (map.file.empty()) {
             decoder.diagnostics.error("E0110", file.source->place,
                                       fmt::format("`{}` is empty", join_path(section.path, "file")),
-                                      "the name of a picture");
+                                      "give the name of a picture");
             return;
         }
         const Source* source = file.source->place.source;
@@ -141,7 +141,8 @@ void check_scale(const DecodedSection& section, std::string_view key, const Nois
             "E0128", decoded.source ? decoded.source->place : section.place,
             fmt::format("`{}` times frequency {} of noise `{}` is {}", join_path(section.path, key),
                         frequency[axis], noise->name, product),
-            fmt::format("at most {} cells per tile: a lower scale, or fewer octaves", most));
+            fmt::format("at most {} cells per tile are allowed: use a lower scale or fewer octaves",
+                        most));
         return;
     }
 }
@@ -163,7 +164,7 @@ Cloud decode_cloud(const std::string& name, const Place& place, const Table& tab
     if (!is_bare_key(name)) {
         decoder.diagnostics.error("E0117", place,
                                   fmt::format("[{}] cannot be the name of a cloud", shorten(path)),
-                                  "letters, digits, `_` and `-`");
+                                  "use only letters, digits, `_` and `-`");
     }
     Cloud cloud;
     cloud.name = name;

@@ -31,7 +31,7 @@ constexpr std::array threshold_at_choices = {
 };
 constexpr std::array channels_choices = {
     Choice{"density", "one channel, the density"},
-    Choice{"noise", "as many as the noise has: R and G shaped, B and A plain"},
+    Choice{"noise", "the channels of the noise: R and G are shaped, B and A are plain"},
 };
 constexpr std::array height_profile_choices = {
     Choice{"thesis", "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
@@ -39,19 +39,19 @@ constexpr std::array height_profile_choices = {
     Choice{"stratus", "a thin sheet near the base"},
     Choice{"stratocumulus", "between stratus and cumulus"},
     Choice{"blended", "stratus, stratocumulus and cumulus at cloud_type 0, 0.5 and 1"},
-    Choice{"tabulated", "linear between the entries of table, its end values beyond"},
+    Choice{"tabulated", "linear between the entries of table, and constant beyond them"},
 };
 constexpr std::array wrap_choices = {
     Choice{"repeat", "the picture tiles"},
-    Choice{"clamp", "its border goes on for ever"},
+    Choice{"clamp", "the picture's border continues outwards"},
 };
 constexpr std::array filter_choices = {
-    Choice{"nearest", "the pixel that a point lies in"},
+    Choice{"nearest", "the pixel in which a point lies"},
     Choice{"linear", "bilinear between the centres of pixels"},
 };
 constexpr std::array color_space_choices = {
     Choice{"linear", "numbers as they are stored"},
-    Choice{"srgb", "through the sRGB curve to linear light"},
+    Choice{"srgb", "numbers converted from the sRGB curve to linear light"},
 };
 
 // For which profiles, and for which place of the threshold, a key has a meaning.
@@ -64,7 +64,7 @@ const std::array cloud_table = {
     CloudField{
         {.key = "preset",
          .kind = Kind::text,
-         .documentation = "name of a cloud preset to start from; the section's keys override",
+         .documentation = "name of a cloud preset to start from, which the section's keys override",
          .only_shown = true},
         {}},
     CloudField{{.key = "noise",
@@ -79,12 +79,13 @@ const std::array cloud_table = {
                 .documentation = "repeats of the noise across the cloud (x, y, z)",
                 .hint = "it multiplies the noise's frequencies"},
                &Cloud::noise_scale},
-    CloudField{{.key = "detail",
-                .kind = Kind::text,
-                .documentation = "NAME of the [noise.NAME] that erodes the edges; left out: none",
-                .hint = "\"\" takes that of a preset away",
-                .citation = schneider_2015},
-               &Cloud::detail},
+    CloudField{
+        {.key = "detail",
+         .kind = Kind::text,
+         .documentation = "NAME of the [noise.NAME] that erodes the edges; without it nothing does",
+         .hint = "\"\" removes the preset's",
+         .citation = schneider_2015},
+        &Cloud::detail},
     CloudField{{.key = "detail_scale",
                 .kind = Kind::frequency,
                 .range = scale_range,
@@ -120,7 +121,7 @@ const std::array cloud_table = {
                 .range = base_altitude_range,
                 .fallback = R"("0 m")",
                 .documentation = "altitude of the cloud's base above the ground",
-                .hint = "cumulus 0.5 to 2 km"},
+                .hint = "cumulus has 0.5 to 2 km"},
                &Cloud::base_altitude},
     CloudField{{.key = "coverage",
                 .kind = Kind::fraction,
@@ -136,17 +137,18 @@ const std::array cloud_table = {
                 .range = density_range,
                 .fallback = "0",
                 .documentation = "densities at or below this become empty",
-                .hint = "the thesis has 0.35",
+                .hint = "the thesis uses 0.35",
                 .citation = olajos_2016},
                &Cloud::threshold},
-    CloudField{{.key = "edge_softness",
-                .kind = Kind::number,
-                .range = softness_range,
-                .fallback = "0.05",
-                .documentation = "how far above the threshold the edge reaches; 0: a hard edge",
-                .hint = "density = v * smoothstep(threshold, threshold + edge_softness, v)",
-                .citation = olajos_2016},
-               &Cloud::edge_softness},
+    CloudField{
+        {.key = "edge_softness",
+         .kind = Kind::number,
+         .range = softness_range,
+         .fallback = "0.05",
+         .documentation = "how far above the threshold the edge reaches; 0 gives a hard edge",
+         .hint = "the density is v * smoothstep(threshold, threshold + edge_softness, v)",
+         .citation = olajos_2016},
+        &Cloud::edge_softness},
     CloudField{{.key = "threshold_at",
                 .kind = Kind::choice,
                 .choices = threshold_at_choices,
@@ -160,7 +162,7 @@ const std::array cloud_table = {
          .range = full_range,
          .documentation = "the value v from which the density is 1; a lower one gives denser "
                           "cores and sharper edges; without it the density is v",
-         .hint = "cumulus 0.1 to 0.3",
+         .hint = "cumulus has 0.1 to 0.3",
          .selector = "threshold_at",
          .selected_by = at_bake},
         &Cloud::full_at},
@@ -176,18 +178,19 @@ const std::array cloud_table = {
                 .range = coefficient_range,
                 .fallback = R"("40 /km")",
                 .documentation = "extinction where the density is 1, for the files' metadata",
-                .hint = "water clouds 10 to 100 /km"},
+                .hint = "water clouds have 10 to 100 /km"},
                &Cloud::extinction_scale},
 };
 
 const std::array height_profile_table = {
-    HeightProfileField{{.key = "type",
-                        .kind = Kind::choice,
-                        .choices = height_profile_choices,
-                        .fallback = R"("cumulus")",
-                        .documentation = "how full the cloud is at height h, 0 base and 1 top",
-                        .citation = schneider_2015},
-                       &HeightProfile::type},
+    HeightProfileField{
+        {.key = "type",
+         .kind = Kind::choice,
+         .choices = height_profile_choices,
+         .fallback = R"("cumulus")",
+         .documentation = "how full the cloud is at height h, from 0 at the base to 1 at the top",
+         .citation = schneider_2015},
+        &HeightProfile::type},
     HeightProfileField{{.key = "bottom_sharpness",
                         .kind = Kind::number,
                         .range = sharpness_range,
@@ -210,24 +213,25 @@ const std::array height_profile_table = {
                         .kind = Kind::number,
                         .range = unit_range,
                         .fallback = "1",
-                        .documentation = "0 stratus, 0.5 stratocumulus, 1 cumulus",
+                        .documentation = "0 is stratus, 0.5 stratocumulus and 1 cumulus",
                         .citation = schneider_2015,
                         .selector = "type",
                         .selected_by = blended},
                        &HeightProfile::cloud_type},
-    HeightProfileField{{.key = "table",
-                        .kind = Kind::height_table,
-                        .range = density_range,
-                        .required = true,
-                        .documentation = "pairs [height, value], heights increasing within [0, 1]",
-                        .selector = "type",
-                        .selected_by = tabulated_height},
-                       &HeightProfile::table},
+    HeightProfileField{
+        {.key = "table",
+         .kind = Kind::height_table,
+         .range = density_range,
+         .required = true,
+         .documentation = "pairs [height, value] with increasing heights within [0, 1]",
+         .selector = "type",
+         .selected_by = tabulated_height},
+        &HeightProfile::table},
 };
 
 // Both maps have the same keys, and differ in what their numbers mean.
 constexpr std::string_view coverage_file = "picture whose numbers multiply coverage";
-constexpr std::string_view type_file = "picture whose numbers stand in place of cloud_type";
+constexpr std::string_view type_file = "picture whose numbers replace cloud_type";
 
 std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
     return {
@@ -239,7 +243,7 @@ std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
                       &CloudMap::file},
         CloudMapField{{.key = "channel",
                        .kind = Kind::text,
-                       .documentation = "channel of the picture; left out: its first",
+                       .documentation = "channel of the picture; its first by default",
                        .hint = "\"R\""},
                       &CloudMap::channel},
         CloudMapField{{.key = "wrap",
@@ -271,7 +275,7 @@ const std::array tower_table = {
                 .kind = Kind::pair,
                 .range = center_range,
                 .required = true,
-                .documentation = "x and y of its middle, in tiles",
+                .documentation = "x and y of the tower's middle, in tiles",
                 .hint = "[0.5, 0.5] is the middle of the cloud",
                 .citation = olajos_2016},
                &Tower::center},
@@ -279,7 +283,7 @@ const std::array tower_table = {
                 .kind = Kind::pair,
                 .range = sigma_range,
                 .required = true,
-                .documentation = "standard deviations along its own axes, in tiles",
+                .documentation = "standard deviations along the tower's own axes, in tiles",
                 .hint = "[0.03, 0.06]",
                 .citation = olajos_2016},
                &Tower::sigma},
@@ -287,19 +291,19 @@ const std::array tower_table = {
                 .kind = Kind::angle,
                 .range = angle_range,
                 .fallback = R"("0 deg")",
-                .documentation = "of its axes against x and y, counterclockwise"},
+                .documentation = "angle of the tower's axes against x and y, counterclockwise"},
                &Tower::rotation},
     TowerField{{.key = "correlation",
                 .kind = Kind::number,
                 .range = correlation_range,
                 .fallback = "0",
-                .documentation = "between its own axes, before rotation"},
+                .documentation = "correlation between the tower's own axes, before rotation"},
                &Tower::correlation},
     TowerField{{.key = "amplitude",
                 .kind = Kind::number,
                 .range = density_range,
                 .required = true,
-                .documentation = "what it adds to the height profile at its middle",
+                .documentation = "what the tower adds to the height profile at its middle",
                 .citation = olajos_2016},
                &Tower::amplitude},
 };
@@ -314,26 +318,26 @@ const std::array tower_scatter_table = {
     TowerScatterField{{.key = "seed",
                        .kind = Kind::seed,
                        .fallback = "0",
-                       .documentation = "another seed, other places"},
+                       .documentation = "another seed gives other places"},
                       &TowerScatter::seed},
     TowerScatterField{{.key = "sigma",
                        .kind = Kind::bounds,
                        .range = scatter_sigma_range,
                        .fallback = "[0.02, 0.05]",
-                       .documentation = "standard deviation of the smaller axis, in tiles: from, "
-                                        "to; its logarithm is uniform"},
+                       .documentation = "range of the standard deviation along the smaller axis, "
+                                        "in tiles; its logarithm is uniform"},
                       &TowerScatter::sigma},
     TowerScatterField{{.key = "aspect",
                        .kind = Kind::bounds,
                        .range = tower_aspect_range,
                        .fallback = "[1, 2]",
-                       .documentation = "the greater axis over the smaller one: from, to"},
+                       .documentation = "range of the ratio of the larger axis to the smaller one"},
                       &TowerScatter::aspect},
     TowerScatterField{{.key = "amplitude",
                        .kind = Kind::bounds,
                        .range = density_range,
                        .fallback = "[0.2, 0.5]",
-                       .documentation = "what each adds to the height profile: from, to"},
+                       .documentation = "range of what a tower adds to the height profile"},
                       &TowerScatter::amplitude},
 };
 

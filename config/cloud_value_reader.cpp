@@ -48,7 +48,7 @@ std::optional<std::array<double, 2>> read_bounds(const Reader& reader, const Val
 }
 
 std::optional<std::array<double, 3>> read_lengths(const Reader& reader, const Value& value) {
-    return read_some<3>(reader, value, "three lengths: along x, y and z");
+    return read_some<3>(reader, value, "expected three lengths, along x, y and z");
 }
 
 std::optional<double> read_power_of_two(const Reader& reader, const Value& value) {

@@ -66,7 +66,7 @@ struct CloudVolumeResolver {
             "E0110", size_place(),
             fmt::format("`{}` makes {} voxels along {}", join_path(bake.path, "voxel_size"),
                         spell_number(voxels), "xyz"[axis]),
-            fmt::format("at most {} of {}", bake.at("size").field->range.maximum,
+            fmt::format("at most {} of {} are allowed", bake.at("size").field->range.maximum,
                         spell_length(cloud.extent[axis].meters)));
     }
 
@@ -108,7 +108,7 @@ struct CloudVolumeResolver {
                 spell_length(cloud.extent[0].meters), spell_length(cloud.extent[1].meters),
                 spell_length(cloud.extent[2].meters), spell_length(extent[0]),
                 spell_length(extent[1]), spell_length(extent[2])),
-            "voxels have just this size, and the cloud is stretched to whole ones");
+            "voxels have exactly this size, and the cloud is stretched to a whole number of them");
     }
 
     void resolve_size(const Cloud* cloud) const {

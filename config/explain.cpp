@@ -76,7 +76,7 @@ std::string line(std::string_view title, std::string_view text) {
 std::string describe_default(const Field& field) {
     if (!field.fallback.empty()) return std::string(field.fallback);
     if (field.key == "asset") return "the section's name";
-    return field.required ? "none: must be given" : "none";
+    return field.required ? "none: it must be given" : "none";
 }
 
 std::string others_of_group(const Section& section, const Field& field) {

@@ -39,9 +39,9 @@ std::optional<FieldValue> read_channels(const Reader& reader, const Value& value
     if (!numbers) return std::nullopt;
     const std::size_t count = channels ? static_cast<std::size_t>(*channels) : numbers->size();
     if (numbers->empty() || (numbers->size() != 1 && numbers->size() != count)) {
-        const std::string label = count > 1
-                                      ? fmt::format("one value, or {}: one per wavelength", count)
-                                      : "expected one value";
+        const std::string label =
+            count > 1 ? fmt::format("expected one value, or {}: one per wavelength", count)
+                      : "expected one value";
         report_count(reader, value, numbers->size(), label);
         return std::nullopt;
     }
@@ -96,7 +96,7 @@ bool add_choice(const Reader& reader, const Value& item, std::vector<ChoiceIndex
     for (const ChoiceIndex earlier : choices) {
         if (earlier.index != choice->index) continue;
         reader.error("E0108", item, fmt::format("`{}` names {} twice", reader.path, written(item)),
-                     "once is enough");
+                     "name it once");
         return false;
     }
     choices.push_back(*choice);
@@ -110,7 +110,7 @@ std::optional<FieldValue> read_choice_list(const Reader& reader, const Value& va
         for (const Value& item : *array) valid = add_choice(reader, item, choices) && valid;
         if (array->empty()) {
             report_count(reader, value, 0,
-                         fmt::format("at least {}", describe_choices(reader.field)));
+                         fmt::format("expected at least {}", describe_choices(reader.field)));
             valid = false;
         }
     } else {
@@ -203,9 +203,9 @@ std::optional<FieldValue> read_field(const Field& field, std::string_view path, 
         case Kind::fractions:
             return read_channels(reader, value, channels);
         case Kind::size:
-            return read_size<2>(reader, value, "two whole numbers: width and height");
+            return read_size<2>(reader, value, "expected two whole numbers, width and height");
         case Kind::voxels:
-            return read_size<3>(reader, value, "three whole numbers: along x, y and z");
+            return read_size<3>(reader, value, "expected three whole numbers, along x, y and z");
         case Kind::density_table:
             return as_field_value(read_density_table(reader, value));
         case Kind::height_table:

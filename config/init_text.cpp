@@ -302,7 +302,7 @@ std::string particle_init_text(const Preset& preset) {
                        {text_entry("asset", "phase"), text_entry("content", "inverse_cumulative"),
                         text_entry("particles", name)});
     text += fmt::format(
-        "\n# A layer of them, in a recipe with an atmosphere:\n"
+        "\n# In a recipe with an atmosphere, this is a layer of them:\n"
         "#   [atmosphere.layers.{0}]\n#   profile = \"exponential\"\n#   scale_height = \"1 km\"\n"
         "#   phase = {{ mie = \"{0}\" }}\n#   number_density = \"10 /cm3\"\n",
         name);

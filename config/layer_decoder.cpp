@@ -42,7 +42,8 @@ void check_extinction(const DecodedSection& layer, Decoder& decoder) {
                         channel_name(channel, upper->size()),
                         spell_inverse_length((*upper)[channel]),
                         spell_inverse_length((*lower)[channel])),
-            "extinction is scattering plus absorption; if this is absorption, call it so");
+            "extinction is scattering plus absorption; if this is absorption, name it "
+            "`absorption`");
         return;
     }
 }
@@ -127,8 +128,9 @@ void leave_coefficients_to_particles(DecodedSection& layer, Decoder& decoder) {
         if (!decoded.source) continue;
         decoder.diagnostics.error(
             "E0139", decoded.source->place,
-            fmt::format("`{}` is given besides particles", join_path(layer.path, key)),
-            "phase = \"mie\" has it from their number and size; leave it out");
+            fmt::format("`{}` cannot be given for a layer of particles",
+                        join_path(layer.path, key)),
+            "phase = \"mie\" computes it from their number and size; leave it out");
     }
 }
 

@@ -41,7 +41,7 @@ NoiseChannel decode_channel(const std::string& name, const std::string& path, co
 void report_unknown_channel(const Entry& entry, const std::string& path, Decoder& decoder) {
     decoder.diagnostics.error("E0102", entry.key_place,
                               fmt::format("unknown channel `{}` in [{}]", shorten(entry.key), path),
-                              "channels are R, G, B and A, or Y alone");
+                              "a noise has the channels R, G, B and A, or Y alone");
 }
 
 // The entries of [noise.NAME.channels] that are channels, in the order R, G, B, A, Y.
@@ -84,8 +84,9 @@ void report_set(const std::string& set, const std::string& path, const Place& pl
         "E0129", place,
         set.empty() ? fmt::format("[{}] has no channels", path)
                     : fmt::format("[{}] has channels {}", path, fmt::join(set, ", ")),
-        is_pair ? "expected R, G, B; type = \"constant\" and value = 0 make up the missing one"
-                : "expected Y; or R; or R, G, B; or R, G, B, A");
+        is_pair
+            ? "expected R, G, B; type = \"constant\" and value = 0 can stand in for the missing one"
+            : "expected Y alone, R alone, R, G, B, or R, G, B, A");
 }
 
 // A packing takes the channels that its formula names.
@@ -98,7 +99,7 @@ void check_packing(const DecodedSection& section, const std::string& set, Decode
     if (set == wanted) return;
     decoder.diagnostics.error(
         "E0129", pack.source->place,
-        fmt::format("`{}` packs channels {}, but there are {}", join_path(section.path, "pack"),
+        fmt::format("`{}` packs channels {}, but the noise has {}", join_path(section.path, "pack"),
                     fmt::join(wanted, ", "), fmt::join(set, ", ")),
         fmt::format("expected {}", fmt::join(wanted, ", ")));
 }
@@ -138,7 +139,7 @@ Noise decode_noise(const std::string& name, const Place& place, const Table& tab
     if (!is_bare_key(name)) {
         decoder.diagnostics.error("E0117", place,
                                   fmt::format("[{}] cannot be the name of a noise", shorten(path)),
-                                  "letters, digits, `_` and `-`");
+                                  "use only letters, digits, `_` and `-`");
     }
     const DecodedSection section =
         decode_section(*find_section("noise.*"), path, place, table, Absent::filled_in, decoder);

@@ -42,8 +42,9 @@ struct SeriesResolver {
             "E0128", place(octaves.source ? octaves : first),
             fmt::format("octave {} of `{}` has frequency {}", octave + 1, path(keys.frequency),
                         frequency),
-            fmt::format("at most {} cells per tile: fewer octaves, or a lower lacunarity",
-                        static_cast<int>(range.maximum)));
+            fmt::format(
+                "at most {} cells per tile are allowed: use fewer octaves or a lower lacunarity",
+                static_cast<int>(range.maximum)));
     }
 
     // frequency * lacunarity^i along each axis.
@@ -99,7 +100,7 @@ struct SeriesResolver {
             "E0108", latest_place(),
             fmt::format("`{}` has {} value{} for {} octave{}", path(keys.gains), count,
                         count == 1 ? "" : "s", octaves, octaves == 1 ? "" : "s"),
-            "one gain per octave");
+            "give one gain per octave");
     }
 
     void resolve_gains(std::size_t octaves) const {

@@ -45,7 +45,8 @@ const Array* octave_list(const Reader& reader, const Value& value) {
         return nullptr;
     }
     if (array->empty() || array->size() > std::size_t{most_octaves}) {
-        report_count(reader, value, array->size(), fmt::format("one to {} octaves", most_octaves));
+        report_count(reader, value, array->size(),
+                     fmt::format("give one to {} octaves", most_octaves));
         return nullptr;
     }
     return array;
@@ -77,7 +78,8 @@ std::optional<std::array<int, 3>> read_frequency(const Reader& reader, const Val
         return std::nullopt;
     }
     if (array && array->size() != 3) {
-        report_count(reader, value, array->size(), "one whole number, or three: along x, y and z");
+        report_count(reader, value, array->size(),
+                     "expected one whole number, or three: along x, y and z");
         return std::nullopt;
     }
     std::array<int, 3> frequency{};
@@ -123,7 +125,8 @@ std::optional<std::array<double, 4>> read_remap(const Reader& reader, const Valu
         return std::nullopt;
     }
     if (array->size() != 4) {
-        report_count(reader, value, array->size(), "four: [in_low, in_high, out_low, out_high]");
+        report_count(reader, value, array->size(),
+                     "expected four numbers: [in_low, in_high, out_low, out_high]");
         return std::nullopt;
     }
     const std::optional<std::vector<double>> numbers = read_numbers(reader, value);

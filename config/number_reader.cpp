@@ -95,7 +95,7 @@ void report_quantity(const Reader& reader, const Value& value, const QuantityErr
             const std::vector<std::string_view> names = unit_names(wanted);
             label = error.part.starts_with(',') ? "write a decimal point, not a comma"
                                                 : did_you_mean(error.part, names);
-            if (label.empty() && !names.empty()) label = "units here: " + list_units(wanted);
+            if (label.empty() && !names.empty()) label = "the units here are " + list_units(wanted);
             if (label.empty()) label = "expected a number without a unit";
             break;
         }

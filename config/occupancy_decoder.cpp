@@ -98,7 +98,7 @@ struct OccupancyResolver {
         decoder.diagnostics.error(
             "E0129", decoded.source->place,
             fmt::format("`{}` has two channels", join_path(bake.path, "contents")),
-            "a picture has one, three or four channels: give one more, or bake them apart");
+            "a picture has one, three or four channels: add one, or bake them as two assets");
         return count;
     }
 
@@ -137,7 +137,7 @@ struct OccupancyResolver {
                 "E0150", mips.source->place,
                 fmt::format("the {} cells of [{}] along {} cannot be halved {} time{}", cells[axis],
                             bake.path, "xyz"[axis], halvings, halvings == 1 ? "" : "s"),
-                fmt::format("at most {} levels, or another size", done + 1));
+                fmt::format("use at most {} levels, or another size", done + 1));
             return;
         }
     }

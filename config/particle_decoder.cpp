@@ -29,8 +29,9 @@ void check_material(const DecodedSection& section, const Particles& particles,
         if (real * real + imaginary * imaginary >= least_contrast * least_contrast) return;
         decoder.diagnostics.error(
             "E0144", place_of("refractive_index"),
-            fmt::format("[{}] scatters no light: its index is that of air", section.path),
-            "another refractive_index than 1, or an absorption_index above 0");
+            fmt::format("[{}] scatters no light: its refractive index is that of air",
+                        section.path),
+            "give a refractive_index other than 1, or an absorption_index above 0");
         return;
     }
     for (const Length wavelength : wavelengths) {
@@ -38,10 +39,12 @@ void check_material(const DecodedSection& section, const Particles& particles,
             wavelength.meters <= longest_in_water.meters) {
             continue;
         }
-        decoder.diagnostics.error("E0144", place_of("material"),
-                                  fmt::format("[{}]: the index of water is not known at {}",
-                                              section.path, spell_wavelength(wavelength.meters)),
-                                  "200 nm to 4000 nm; or material = \"constant\"");
+        decoder.diagnostics.error(
+            "E0144", place_of("material"),
+            fmt::format("[{}]: the refractive index of water is not known at {}", section.path,
+                        spell_wavelength(wavelength.meters)),
+            "it is known from 200 nm to 4000 nm; give other wavelengths, or material = "
+            "\"constant\"");
         return;
     }
 }
@@ -54,7 +57,7 @@ Particles decode_particles(const std::string& name, const Place& place, const Ta
     if (!is_bare_key(name)) {
         decoder.diagnostics.error(
             "E0117", place, fmt::format("[{}] cannot be the name of particles", shorten(path)),
-            "letters, digits, `_` and `-`");
+            "use only letters, digits, `_` and `-`");
     }
     const DecodedSection section = decode_section(*find_section("particles.*"), path, place, table,
                                                   Absent::filled_in, decoder);

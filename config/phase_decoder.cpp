@@ -14,9 +14,10 @@ void check_phase(const DecodedSection& bake, const Parameters& recipe, Decoder& 
     const DecodedField& layer = bake.at("layer");
     if (!particles.source && !layer.source) {
         if (!decoder.complete) return;
-        decoder.diagnostics.error("E0141", bake.place,
-                                  fmt::format("[{}] does not say whose phase function", bake.path),
-                                  "give `particles` or `layer`, a name");
+        decoder.diagnostics.error(
+            "E0141", bake.place,
+            fmt::format("[{}] does not say whose phase function to bake", bake.path),
+            "name `particles` or a `layer`");
         return;
     }
     if (particles.value) {

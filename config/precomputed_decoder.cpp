@@ -72,7 +72,7 @@ void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, D
         report_size(bake,
                     fmt::format("`{}` is {}: its table has {} ax{}", join_path(bake.path, "size"),
                                 spell_voxels(size), axes, axes == 1 ? "is" : "es"),
-                    is_axis ? "each of them has two texels or more" : "give 1 along the others",
+                    is_axis ? "each of them needs two texels or more" : "give 1 along the others",
                     decoder);
         return;
     }
@@ -86,7 +86,7 @@ void check_nu(const DecodedSection& bake, const VoxelCounts& size, Decoder& deco
     report_size(bake,
                 fmt::format("`{}` does not divide {} texels into sub-images: {}",
                             join_path(bake.path, "nu_size"), size[0], nu_size),
-                "two sub-images or more, of two texels or more", decoder);
+                "it needs at least two sub-images, each of at least two texels", decoder);
 }
 
 // Courses of paths have their own texels along u, two or more of each.
@@ -94,9 +94,9 @@ void check_courses(const DecodedSection& bake, const VoxelCounts& size, int leas
                    Decoder& decoder) {
     if (size[0] >= least) return;
     report_size(bake,
-                fmt::format("`{}` is {}: its first axis is divided among the courses of paths",
+                fmt::format("`{}` is {}: its first axis is divided among the kinds of paths",
                             join_path(bake.path, "size"), spell_voxels(size)),
-                fmt::format("{} texels or more along it", least), decoder);
+                fmt::format("give it at least {} texels", least), decoder);
 }
 
 // What any table needs once its size is known.
@@ -115,7 +115,7 @@ void check_halves(const DecodedSection& bake, const VoxelCounts& size, Decoder& 
     if (size[1] % 2 == 0) return;
     report_size(bake,
                 fmt::format("`{}` has {} texels along v", join_path(bake.path, "size"), size[1]),
-                "an even number: half of them for rays to the ground", decoder);
+                "give an even number: half of them are for rays to the ground", decoder);
 }
 
 bool is_peaked(const Layer& layer) {
@@ -142,7 +142,7 @@ void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder&
     const DecodedField& convention = bake.at("convention");
     decoder.diagnostics.error("E0143", convention.source ? convention.source->place : bake.place,
                               fmt::format("`{}`: {}", join_path(bake.path, "convention"), *problem),
-                              "convention = \"bruneton\" has any atmosphere");
+                              "convention = \"bruneton\" takes any atmosphere");
 }
 
 // What the package's loader takes for granted, so that a file of another kind is looked up wrongly.
@@ -163,7 +163,7 @@ void warn_of_loader(const DecodedSection& bake, BrunetonTable table, Decoder& de
         "W0205", decoded.source ? decoded.source->place : bake.place,
         fmt::format("`{}` is not what @takram/three-atmosphere loads",
                     join_path(bake.path, unusual)),
-        "its sizes are those of the default; half floats, one stack, no mips");
+        "it loads the default sizes, half floats and one stack, without mips");
 }
 
 // Orders above the first, of which there are none with one.
@@ -173,7 +173,7 @@ void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
     decoder.diagnostics.error(
         "E0110", orders.source->place,
         fmt::format("`{}` is out of range: 1", join_path(bake.path, "orders")),
-        "higher_orders are the second and above: at least 2, or \"all\"");
+        "higher_orders holds the second order and above: give at least 2, or \"all\"");
 }
 
 std::vector<double> default_solar_irradiance(BrunetonConvention convention, std::size_t channels) {
@@ -229,7 +229,7 @@ void resolve_optical_depth(DecodedSection& bake, const Atmosphere& atmosphere, D
         decoder.diagnostics.error(
             "E0129", kinds.source ? kinds.source->place : bake.place,
             fmt::format("`{}` has {} layers", join_path(bake.path, "kinds"), count),
-            "a channel each: one to four; name them");
+            "each has a channel, of which there are one to four; name the layers");
     }
     const int axes = *table == OpticalDepthTable::to_top    ? 2
                      : *table == OpticalDepthTable::between ? 3

@@ -129,7 +129,7 @@ class Loader {
                                                    : parse_toml_key(trim(text.substr(0, equals)));
         const auto names = key ? split_path(*key) : std::nullopt;
         if (!names) {
-            diagnostics_.error("E0122", place, "--set wants KEY=VALUE with a dotted key",
+            diagnostics_.error("E0122", place, "--set takes KEY=VALUE with a dotted key",
                                "for example --set atmosphere.ground_albedo=0.3");
             return;
         }
@@ -197,7 +197,7 @@ class Loader {
             result_.complete = false;
             if (!reported_most_files_) {
                 diagnostics_.error("E0125", value.place, "too many includes",
-                                   fmt::format("a recipe reads at most {} files", most_files));
+                                   fmt::format("a recipe may read at most {} files", most_files));
             }
             reported_most_files_ = true;
             return;
@@ -223,7 +223,7 @@ class Loader {
         const std::vector<std::string_view> names = preset_names();
         std::string label = did_you_mean(name, names);
         if (const SectionPresets* kind = find_section_presets(name)) {
-            label = fmt::format("a preset of {}s: it stands below [{}.NAME]", kind->noun,
+            label = fmt::format("it is a preset of {}s: name it below [{}.NAME]", kind->noun,
                                 kind->section);
         } else if (label.empty()) {
             label = fmt::format("choose one of {}", fmt::join(names, ", "));
@@ -238,7 +238,7 @@ class Loader {
         if (error.too_large) {
             diagnostics_.error("E0120", asked_at,
                                fmt::format("`{}` is too large for a recipe", name),
-                               fmt::format("at most {} MiB", most_recipe_bytes >> 20));
+                               fmt::format("at most {} MiB are read", most_recipe_bytes >> 20));
         } else {
             diagnostics_.error("E0300", asked_at,
                                fmt::format("cannot read `{}`: {}", name, error.reason));

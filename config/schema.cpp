@@ -275,10 +275,11 @@ Json noise_schema() {
     for (const char* name : {"R", "G", "B", "A", "Y"}) channels[name] = reference("noise_channel");
     Json schema = section_schema(*find_section("noise.*"));
     schema["properties"]["preset"]["examples"] = noise_preset_names();
-    schema["properties"]["channels"] = {{"type", "object"},
-                                        {"description", "R; R, G, B; R, G, B, A; or Y"},
-                                        {"properties", channels},
-                                        {"additionalProperties", false}};
+    schema["properties"]["channels"] = {
+        {"type", "object"},
+        {"description", "the channels R alone; R, G, B; R, G, B, A; or Y alone"},
+        {"properties", channels},
+        {"additionalProperties", false}};
     return schema;
 }
 

@@ -143,7 +143,7 @@ struct SectionReader {
             result.path.empty() ? "at the top level" : fmt::format("in [{}]", result.path);
         std::string label = home_of(entry.key);
         if (label.empty()) label = did_you_mean(entry.key, known);
-        if (label.empty()) label = "no such key";
+        if (label.empty()) label = "there is no such key";
         decoder.diagnostics.error("E0102", entry.key_place,
                                   fmt::format("unknown key `{}` {}", shorten(entry.key), where),
                                   std::move(label));

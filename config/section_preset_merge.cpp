@@ -22,12 +22,12 @@ namespace {
 // Where a preset of another kind belongs; empty if there is none of that name.
 std::string home_of(const std::string& name) {
     if (find_preset(name)) {
-        return fmt::format("it is a preset of an atmosphere: preset = \"{}\" at the top level",
-                           name);
+        return fmt::format(
+            "it is a preset of an atmosphere: write preset = \"{}\" at the top level", name);
     }
     const SectionPresets* kind = find_section_presets(name);
     if (!kind) return "";
-    return fmt::format("it is a preset of a {}: it stands below [{}.NAME]", kind->noun,
+    return fmt::format("it is a preset of a {}: name it below [{}.NAME]", kind->noun,
                        kind->section);
 }
 

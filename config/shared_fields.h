@@ -17,12 +17,13 @@ inline constexpr std::array compression_choices = {
 inline constexpr Field asset_field{
     .key = "asset",
     .kind = Kind::text,
-    .documentation = "what to bake; left out: what the section's name says"};
+    .documentation = "asset to bake; by default the one that the section's name says"};
 
-inline constexpr Field compression_field{.key = "compression",
-                                         .kind = Kind::choice,
-                                         .choices = compression_choices,
-                                         .fallback = R"("zip")",
-                                         .documentation = "of the EXR file, always lossless"};
+inline constexpr Field compression_field{
+    .key = "compression",
+    .kind = Kind::choice,
+    .choices = compression_choices,
+    .fallback = R"("zip")",
+    .documentation = "compression of the EXR file, always lossless"};
 
 }  // namespace skybake::config

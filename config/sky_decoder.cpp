@@ -54,7 +54,7 @@ void check_channels(const DecodedSection& bake, Decoder& decoder) {
     decoder.diagnostics.error(
         "E0129", content.source ? content.source->place : bake.place,
         fmt::format("`{}` has two channels with one wavelength", join_path(bake.path, "content")),
-        "bake content = \"in_scatter\" and content = \"transmittance\" apart");
+        "bake content = \"in_scatter\" and content = \"transmittance\" as two assets");
 }
 
 }  // namespace
@@ -72,12 +72,13 @@ void check_layer_names(const DecodedSection& bake, std::string_view key, const T
         const bool is_off = !known && is_in_recipe(root, *name);
         if ((known && !again) || (is_off && decoder.diagnostics.has_errors())) continue;
         const std::string path = join_path(bake.path, key);
-        const std::string_view problem = again    ? "names a layer twice"
-                                         : is_off ? "names a layer that is switched off"
-                                                  : "names no layer of the atmosphere";
+        const std::string_view problem = again ? "names a layer twice"
+                                         : is_off
+                                             ? "names a layer that is switched off"
+                                             : "names a layer that the atmosphere does not have";
         decoder.diagnostics.error("E0138", decoded->source->place,
                                   fmt::format("`{}` {}: `{}`", path, problem, shorten(*name)),
-                                  again ? "once is enough" : what_there_is(*name, atmosphere));
+                                  again ? "name it once" : what_there_is(*name, atmosphere));
     }
 }
 

@@ -11,13 +11,13 @@ namespace skybake::config {
 namespace {
 
 constexpr std::array irradiance_content_choices = {
-    Choice{"direct", "by the sun alone"},
-    Choice{"sky", "by the sky alone"},
-    Choice{"total", "by both"},
+    Choice{"direct", "light of the sun alone"},
+    Choice{"sky", "light of the sky alone"},
+    Choice{"total", "light of both"},
 };
 constexpr std::array sun_mapping_choices = {
-    Choice{"hillaire", "linear in sun cosine and altitude, end points on texel centres"},
-    Choice{"twilight", "texels gathered at the terminator"},
+    Choice{"hillaire", "linear in sun cosine and altitude, with end points on texel centres"},
+    Choice{"twilight", "more texels near sunrise and sunset"},
 };
 
 constexpr std::array sky_method_choices = {
@@ -33,20 +33,21 @@ const std::array scene_table = {
                 .kind = Kind::length_bounds,
                 .range = camera_altitude_range,
                 .fallback = R"(["0 km", "3 km"])",
-                .documentation = "of the cameras, from the lowest to the highest"},
+                .documentation = "altitudes of the cameras, from the lowest to the highest"},
                &Scene::altitude},
-    SceneField{{.key = "sun_elevation",
-                .kind = Kind::angle_bounds,
-                .range = elevation_range,
-                .fallback = R"(["-90 deg", "90 deg"])",
-                .documentation = "of the sun at the cameras, from the lowest to the highest",
-                .hint = "-18 deg is the end of twilight on Earth"},
-               &Scene::sun_elevation},
+    SceneField{
+        {.key = "sun_elevation",
+         .kind = Kind::angle_bounds,
+         .range = elevation_range,
+         .fallback = R"(["-90 deg", "90 deg"])",
+         .documentation = "elevations of the sun at the cameras, from the lowest to the highest",
+         .hint = "-18 deg is the end of twilight on Earth"},
+        &Scene::sun_elevation},
     SceneField{{.key = "view_distance",
                 .kind = Kind::length,
                 .range = view_distance_range,
                 .fallback = R"("64 km")",
-                .documentation = "how far the cameras see what stands on the ground"},
+                .documentation = "distance up to which the cameras see things on the ground"},
                &Scene::view_distance},
 };
 
@@ -60,13 +61,14 @@ const std::array sky_view_table = {
                   .citation = hillaire_2020},
                  &SkyViewBake::size},
     SkyViewField{camera_altitude_field, &SkyViewBake::altitude},
-    SkyViewField{{.key = "sun_elevations",
-                  .kind = Kind::angles,
-                  .range = elevation_range,
-                  .required = true,
-                  .documentation = "one table each, stacked in one file, the first at v = 0",
-                  .hint = "-90 deg to 90 deg"},
-                 &SkyViewBake::sun_elevations},
+    SkyViewField{
+        {.key = "sun_elevations",
+         .kind = Kind::angles,
+         .range = elevation_range,
+         .required = true,
+         .documentation = "suns with a table each, stacked in one file, the first at v = 0",
+         .hint = "-90 deg to 90 deg"},
+        &SkyViewBake::sun_elevations},
     SkyViewField{orders_field, &SkyViewBake::orders},
     SkyViewField{layers_field, &SkyViewBake::layers},
     SkyViewField{{.key = "sky",
@@ -109,7 +111,7 @@ const std::array irradiance_table = {
          .kind = Kind::fraction,
          .range = texel_error_range,
          .fallback = R"("0.2 %")",
-         .documentation = "error of a texel by quadrature; sets the number of directions"},
+         .documentation = "quadrature error of a texel, which sets the number of directions"},
         &IrradianceBake::max_texel_error},
     IrradianceField{{.key = "mapping",
                      .kind = Kind::choice,

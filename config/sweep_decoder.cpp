@@ -68,8 +68,8 @@ struct SweepReader {
         const Entry& entry = *swept.entry;
         if (list.empty() || list.size() > std::size_t{most_variants}) {
             error(list.empty() ? "E0108" : "E0137", entry.value.place,
-                  fmt::format("`{}` has {} values to take", swept.key.path, list.size()),
-                  fmt::format("1 to {}", most_variants));
+                  fmt::format("`{}` has {} values", swept.key.path, list.size()),
+                  fmt::format("give 1 to {}", most_variants));
             return false;
         }
         bool valid = true;
@@ -106,7 +106,7 @@ struct SweepReader {
         if (const auto* list = std::get_if<Array>(&value.data)) return read_list(*list, swept);
         if (as_table(value)) return read_range_of(swept);
         error("E0103", value.place,
-              fmt::format("`{}` is to vary, and {} is one value", swept.key.path,
+              fmt::format("`{}` should vary, but {} is one value", swept.key.path,
                           shorten(spell_value(value))),
               "expected a list [...], or { from = ..., to = ..., count = ... }");
         return false;
@@ -137,7 +137,7 @@ struct SweepReader {
             listed += asked_values(entry->value);
             if (keys.size() == most_keys || listed > most_values) {
                 error("E0137", entry->key_place, "too much varies",
-                      fmt::format("at most {} keys, with {} values together", most_keys,
+                      fmt::format("at most {} keys may vary, with {} values together", most_keys,
                                   most_values));
                 return;
             }
@@ -186,7 +186,7 @@ struct SweepReader {
                     error(
                         "E0136", own_key("zip")->value.place,
                         fmt::format("`{}` cannot be zipped: it {}", shorten(path), fault),
-                        "zip wants paths that vary, each once, with as many values as the others");
+                        "zip takes paths that vary, each once, with as many values as the others");
                     return;
                 }
                 swept->group = i;
@@ -201,7 +201,7 @@ struct SweepReader {
         const auto without_count = std::count_if(
             keys.begin(), keys.end(), [](const Swept& swept) { return swept.range.has_value(); });
         if (own_key("sobol") && without_count == 0 && !decoder.diagnostics.has_errors()) {
-            error("E0135", own_key("sobol")->key_place, "`sobol` has no range to cover",
+            error("E0135", own_key("sobol")->key_place, "there is no range for `sobol` to cover",
                   "it covers the ranges without a count");
         }
         if (without_count > sobol_dimensions) {
@@ -213,7 +213,7 @@ struct SweepReader {
             if (!swept.range || own_key("sobol")) continue;
             error("E0135", swept.entry->key_place,
                   fmt::format("the range of `{}` has no count", swept.key.path),
-                  "give it a `count`, or [sweep] a `sobol` = number of points");
+                  "give it a `count`, or give [sweep] `sobol`, a number of points");
         }
     }
 
@@ -265,8 +265,8 @@ struct SweepReader {
         }
         if (count > most_variants) {
             error("E0137", keys.back().entry->key_place,
-                  fmt::format("everything that varies makes {:.3g} variants", count),
-                  fmt::format("at most {}", most_variants));
+                  fmt::format("the values make {:.3g} variants", count),
+                  fmt::format("at most {} are allowed", most_variants));
             return sweep;
         }
         for (const auto& walkers : axes) sweep.axes.push_back(make_axis(walkers));

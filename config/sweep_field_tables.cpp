@@ -10,18 +10,19 @@ constexpr Range points_range{1, most_variants};
 
 constexpr std::array scale_choices = {
     Choice{"linear", "equal differences"},
-    Choice{"log", "equal ratios; from and to above 0"},
+    Choice{"log", "equal ratios, which need from and to above 0"},
 };
 
 constexpr std::array sweep_table = {
     Field{.key = "zip",
           .kind = Kind::path_groups,
-          .documentation = "keys varied in lockstep instead of crossed; equally many values each"},
+          .documentation =
+              "keys varied in lockstep instead of crossed, with equally many values each"},
     Field{.key = "sobol",
           .kind = Kind::integer,
           .range = points_range,
           .documentation = "points of a Sobol sequence that cover all ranges without a count",
-          .hint = "a power of two covers best",
+          .hint = "a power of two covers them best",
           .citation = "Joe and Kuo 2008, Constructing Sobol sequences with better two-dimensional "
                       "projections"},
 };
@@ -30,7 +31,7 @@ constexpr std::array range_table = {
     Field{.key = "from",
           .kind = Kind::swept,
           .required = true,
-          .documentation = "the first value, as the key that varies takes it"},
+          .documentation = "the first value, written as the key takes it"},
     Field{.key = "to",
           .kind = Kind::swept,
           .required = true,
@@ -38,7 +39,7 @@ constexpr std::array range_table = {
     Field{.key = "count",
           .kind = Kind::integer,
           .range = value_count_range,
-          .documentation = "how many values, both ends among them; left out: `sobol` says"},
+          .documentation = "number of values, with both ends; without it `sobol` says how many"},
     Field{.key = "scale",
           .kind = Kind::choice,
           .choices = scale_choices,

@@ -135,7 +135,7 @@ void add_sweep_options(const SweepOptions& options, RecipeSources& sources,
             add_setting_tree(sources, source, in_sweep(std::move(*entry)));
             continue;
         }
-        diagnostics.error("E0122", {&source}, "--vary wants KEY=FROM:TO:COUNT or KEY=VALUE,VALUE",
+        diagnostics.error("E0122", {&source}, "--vary takes KEY=FROM:TO:COUNT or KEY=VALUE,VALUE",
                           "for example --vary clouds.cumulus.coverage=0.2:0.8:4");
     }
     if (!options.zip.empty()) {

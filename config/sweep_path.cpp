@@ -61,7 +61,7 @@ struct PathReader {
     }
 
     void report_no_path() const {
-        error(fmt::format("`{}` in [sweep] is no path of a key", shorten(path)),
+        error(fmt::format("`{}` in [sweep] is not the path of a key", shorten(path)),
               "for example \"clouds.cumulus.coverage\", in quotes");
     }
 
@@ -73,7 +73,7 @@ struct PathReader {
     void report_no_key(const Section& section, const std::string& table,
                        const std::string& key) const {
         std::string label = did_you_mean(key, field_keys(section));
-        if (label.empty()) label = "no such key";
+        if (label.empty()) label = "there is no such key";
         const std::string where =
             table.empty() ? "at the top level" : fmt::format("in [{}]", shorten(table));
         error(fmt::format("unknown key `{}` {}", shorten(key), where), std::move(label));

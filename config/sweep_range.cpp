@@ -186,13 +186,14 @@ struct RangeReader {
         const double largest = std::max(std::fabs(range.from), std::fabs(range.to));
         const double most = range.whole ? largest_whole_end : largest_end;
         if (!std::isfinite(range.from) || !std::isfinite(range.to) || largest > most) {
-            error(to.place, fmt::format("the range of `{}` goes too far", path),
-                  fmt::format("at most {}; list the values in place of it", spell_number(most)));
+            error(
+                to.place, fmt::format("the range of `{}` goes too far", path),
+                fmt::format("at most {} are allowed; list the values instead", spell_number(most)));
             return false;
         }
         if (range.from == range.to) {
             error(to.place, fmt::format("the range of `{}` ends where it begins", path),
-                  "give `to` another value, or list the one there is: [...]");
+                  "give `to` another value, or list the one value: [...]");
             return false;
         }
         if (range.log && !(std::min(range.from, range.to) >= smallest_log_end)) {
@@ -227,7 +228,7 @@ std::optional<SweptRange> read_range(const Field& field, const std::string& path
                                      const Entry& entry, Decoder& decoder) {
     const RangeReader reader{field, path, entry, decoder};
     if (!takes_one_number(field.kind)) {
-        reader.error(entry.key_place, fmt::format("`{}` has no ranges", path),
+        reader.error(entry.key_place, fmt::format("`{}` cannot vary over a range", path),
                      fmt::format("list its values, each {}", describe_kind(field.kind)));
         return std::nullopt;
     }
@@ -265,11 +266,12 @@ std::optional<std::vector<SweepValue>> range_values(const SweptRange& range,
     for (int i = 1; i + 1 < *range.count; ++i) {
         const double number = evenly_spaced(range, i, *range.count);
         if (range.whole && number != std::floor(number)) {
-            decoder.diagnostics.error(
-                "E0135", entry.value.place,
-                fmt::format("`{}` takes whole numbers, and {} is none", path, spell_number(number)),
-                fmt::format("choose a count that divides the way from {} to {}, or list the values",
-                            range.first.plain, range.last.plain));
+            decoder.diagnostics.error("E0135", entry.value.place,
+                                      fmt::format("`{}` takes whole numbers, and {} is not one",
+                                                  path, spell_number(number)),
+                                      fmt::format("choose a count that divides the range from {} "
+                                                  "to {} into whole steps, or list the values",
+                                                  range.first.plain, range.last.plain));
             return std::nullopt;
         }
         values.push_back(spelled(range, number));

@@ -53,7 +53,7 @@ std::optional<Pair> read_pair(const Reader& reader, const Columns& columns, cons
     if (!pair || pair->size() != 2) {
         reader.error(
             "E0114", value,
-            fmt::format("`{}` has an entry that is no pair: {}", reader.path, written(value)),
+            fmt::format("`{}` has an entry that is not a pair: {}", reader.path, written(value)),
             fmt::format("each entry is {}, such as {}", pair_words(columns), columns.example));
         return std::nullopt;
     }
@@ -86,7 +86,7 @@ std::optional<std::vector<Pair>> read_table(const Reader& reader, const Columns&
     }
     if (array->size() < columns.fewest) {
         reader.error("E0114", value, fmt::format("`{}` has {}", reader.path, columns.too_few),
-                     fmt::format("at least {} {} pair{}", columns.fewest == 1 ? "one" : "two",
+                     fmt::format("give at least {} {} pair{}", columns.fewest == 1 ? "one" : "two",
                                  pair_words(columns), columns.fewest == 1 ? "" : "s"));
         return std::nullopt;
     }

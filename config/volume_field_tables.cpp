@@ -14,23 +14,26 @@ constexpr Range cell_range{1, 16};
 
 // Choices, each in the order of its enumeration in parameters.h.
 constexpr std::array filter_choices = {
-    Choice{"nearest", "the voxel that a point lies in"},
+    Choice{"nearest", "the voxel in which a point lies"},
     Choice{"trilinear", "between the eight nearest voxels, as GPUs do"},
     Choice{"tricubic", "cubic B-spline over 64 voxels"},
 };
 constexpr std::array rule_choices = {
     Choice{"exact", "a cell is empty only where no filtered sample in it is above 0"},
-    Choice{"thesis", "8 of 64 voxels of a cell, then a ring around; loses thin wisps"},
+    Choice{"thesis",
+           "samples 8 of 64 voxels of a cell and marks a ring around occupied cells; loses thin "
+           "wisps"},
 };
 constexpr std::array occupancy_content_choices = {
     Choice{"occupied", "1, or 0 where the cell is empty"},
-    Choice{"leap", "cells to the nearest occupied one, by the greatest of the three axes"},
-    Choice{"minimum", "no filtered sample in the cell is below"},
-    Choice{"maximum", "no filtered sample in the cell is above"},
+    Choice{"leap", "cells to the nearest occupied one, along the longest of the three axes"},
+    Choice{"minimum", "the smallest filtered sample in the cell"},
+    Choice{"maximum", "the largest filtered sample in the cell"},
 };
 
 constexpr std::array aerial_content_choices = {
-    Choice{"in_scatter_and_transmittance", "R, G, B light, and A the channels' mean transmittance"},
+    Choice{"in_scatter_and_transmittance",
+           "light in R, G, B and the channels' mean transmittance in A"},
     Choice{"in_scatter", "light alone"},
     Choice{"transmittance", "transmittance alone, of each channel"},
 };
@@ -53,8 +56,8 @@ const std::array noise_volume_table = {
     NoiseVolumeField{{.key = "size",
                       .kind = Kind::voxels,
                       .range = voxel_range,
-                      .documentation = "voxels along x, y and z; left out: the noise's size",
-                      .hint = "1 along z is a picture"},
+                      .documentation = "voxels along x, y and z; by default the noise's size",
+                      .hint = "1 along z gives a picture"},
                      &NoiseVolumeBake::size},
 };
 
@@ -77,23 +80,22 @@ const std::array cloud_volume_table = {
         {.key = "extent",
          .kind = Kind::lengths,
          .range = cloud_extent_range,
-         .documentation = "what the voxels span, to which the cloud is stretched; left "
-                          "out: the cloud's extent",
+         .documentation =
+             "what the voxels span, to which the cloud is stretched; by default the cloud's extent",
          .hint = "voxel_size sets it where it does not divide the cloud's extent",
          .exclusive_group = "size",
          .exclusive_side = "counted"},
         &CloudVolumeBake::extent},
-    CloudVolumeField{
-        {.key = "voxel_size",
-         .kind = Kind::length,
-         .range = voxel_size_range,
-         .documentation = "edge of a voxel, a cube, in place of size; the cloud's extent "
-                          "is rounded up to whole voxels",
-         .hint = "\"12 m\"",
-         .exclusive_group = "size",
-         .exclusive_side = "measured",
-         .only_shown = true},
-        {}},
+    CloudVolumeField{{.key = "voxel_size",
+                      .kind = Kind::length,
+                      .range = voxel_size_range,
+                      .documentation = "edge of a cubic voxel, in place of size; the cloud's "
+                                       "extent is rounded up to whole voxels",
+                      .hint = "\"12 m\"",
+                      .exclusive_group = "size",
+                      .exclusive_side = "measured",
+                      .only_shown = true},
+                     {}},
 };
 
 const std::array occupancy_table = {
@@ -105,8 +107,8 @@ const std::array occupancy_table = {
                    &OccupancyBake::of},
     OccupancyField{{.key = "channel",
                     .kind = Kind::text,
-                    .documentation = "channel of that volume; left out: its first",
-                    .hint = "R, G, B or A; Y where it has one"},
+                    .documentation = "channel of that volume; its first by default",
+                    .hint = "R, G, B or A, or Y for a volume of one channel"},
                    &OccupancyBake::channel},
     OccupancyField{{.key = "cell",
                     .kind = Kind::power_of_two,
@@ -133,19 +135,20 @@ const std::array occupancy_table = {
                     .kind = Kind::choice_list,
                     .choices = occupancy_content_choices,
                     .fallback = R"(["occupied", "leap", "minimum", "maximum"])",
-                    .documentation = "what the channels hold, in this order: one, three or four"},
+                    .documentation = "what the one, three or four channels hold, in this order"},
                    &OccupancyBake::contents},
 };
 
 const std::array aerial_perspective_table = {
     AerialPerspectiveField{asset_field, {}},
-    AerialPerspectiveField{{.key = "size",
-                            .kind = Kind::voxels,
-                            .range = voxel_range,
-                            .fallback = "[32, 32, 32]",
-                            .documentation = "voxels across the picture, down it, and slices",
-                            .citation = hillaire_2020},
-                           &AerialPerspectiveBake::size},
+    AerialPerspectiveField{
+        {.key = "size",
+         .kind = Kind::voxels,
+         .range = voxel_range,
+         .fallback = "[32, 32, 32]",
+         .documentation = "voxels across and down the picture, and the number of slices",
+         .citation = hillaire_2020},
+        &AerialPerspectiveBake::size},
     AerialPerspectiveField{{.key = "content",
                             .kind = Kind::choice,
                             .choices = aerial_content_choices,
@@ -157,7 +160,7 @@ const std::array aerial_perspective_table = {
                             .kind = Kind::angle,
                             .range = elevation_range,
                             .required = true,
-                            .documentation = "of the sun at the camera",
+                            .documentation = "elevation of the sun at the camera",
                             .hint = "-90 deg to 90 deg"},
                            &AerialPerspectiveBake::sun_elevation},
     AerialPerspectiveField{{.key = "heading",
@@ -184,11 +187,12 @@ const std::array aerial_perspective_table = {
                             .fallback = "1.7777777777777777",
                             .documentation = "width of the picture over its height"},
                            &AerialPerspectiveBake::aspect},
-    AerialPerspectiveField{{.key = "view_distance",
-                            .kind = Kind::length,
-                            .range = view_distance_range,
-                            .documentation = "at w = 1; left out: that of [scene], or its default"},
-                           &AerialPerspectiveBake::view_distance},
+    AerialPerspectiveField{
+        {.key = "view_distance",
+         .kind = Kind::length,
+         .range = view_distance_range,
+         .documentation = "distance at w = 1; by default that of [scene], or its default"},
+        &AerialPerspectiveBake::view_distance},
     AerialPerspectiveField{{.key = "slices",
                             .kind = Kind::choice,
                             .choices = slices_choices,
@@ -221,7 +225,7 @@ std::span<const OccupancyField> occupancy_fields() {
     static const auto table = with_file_fields(
         occupancy_table,
         {.formats = R"(["exr"])",
-         .mips = "levels of the pyramid of minima and maxima, the cells themselves among them"});
+         .mips = "levels of the pyramid of minima and maxima, with the cells themselves"});
     return table;
 }
 

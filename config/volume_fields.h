@@ -21,10 +21,10 @@ inline constexpr std::array format_choices = {
     Choice{"bin", "the voxels alone, little-endian, x fastest; any pixel type"},
 };
 inline constexpr std::array pixel_type_choices = {
-    Choice{"float", "32 bits a channel"},
-    Choice{"half", "16 bits a channel: 3 digits, 6e-8 to 65504"},
-    Choice{"unorm8", "8 bits a channel for 0 to 1; bin only"},
-    Choice{"unorm16", "16 bits a channel for 0 to 1; bin only"},
+    Choice{"float", "32 bits per channel"},
+    Choice{"half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
+    Choice{"unorm8", "8 bits per channel for 0 to 1; bin only"},
+    Choice{"unorm16", "16 bits per channel for 0 to 1; bin only"},
 };
 inline constexpr std::array layout_choices = {
     Choice{"stack", "slices below each other, slice 0 first"},
@@ -40,7 +40,7 @@ inline constexpr std::string_view atlas[] = {"atlas"};
 // What the keys of files say differently in one asset and the other.
 struct FileWords {
     std::string_view formats;  // the default
-    std::string_view mips = "levels of detail, the volume itself among them";
+    std::string_view mips = "number of levels of detail, with the volume itself";
     std::string_view pixel_type = R"("half")";  // the default
 };
 
@@ -59,21 +59,20 @@ std::vector<Row> with_file_fields(const std::array<Row, count>& own, const FileW
           .kind = Kind::choice,
           .choices = pixel_type_choices,
           .fallback = words.pixel_type,
-          .documentation = "numbers in the files"},
+          .documentation = "type of the numbers in the files"},
          &VolumeFiles::pixel_type},
         {{.key = "layout",
           .kind = Kind::choice,
           .choices = layout_choices,
           .fallback = R"("stack")",
-          .documentation = "where the slices lie in the EXR file; left out: an atlas where a stack "
-                           "would have more than 16384 rows"},
+          .documentation = "where the slices lie in the EXR file; by default an atlas where a "
+                           "stack would have more than 16384 rows"},
          &VolumeFiles::layout},
         {{.key = "columns",
           .kind = Kind::integer,
           .range = column_range,
           .documentation =
-              "slices in a row of the atlas; left out: a divisor of the slices, near to "
-              "a square",
+              "slices in a row of the atlas; by default a divisor of the slices, near to a square",
           .selector = "layout",
           .selected_by = atlas},
          &VolumeFiles::columns},
@@ -89,7 +88,7 @@ std::vector<Row> with_file_fields(const std::array<Row, count>& own, const FileW
           .kind = Kind::choice,
           .choices = vdb_compression_choices,
           .fallback = R"("blosc")",
-          .documentation = "of the VDB file, always lossless"},
+          .documentation = "compression of the VDB file, always lossless"},
          &VolumeFiles::vdb_compression},
     };
     rows.insert(rows.end(), std::begin(file_rows), std::end(file_rows));

@@ -75,8 +75,8 @@ bool has_good_columns(const DecodedSection& bake, const VoxelCounts& size, Decod
         "E0110", decoded.source->place,
         fmt::format("`{}` is out of range: {}", join_path(bake.path, "columns"),
                     static_cast<int>(*columns)),
-        *columns > size[2] ? fmt::format("there are {} slices", size[2])
-                           : fmt::format("an atlas is at most {} voxels wide: {} columns",
+        *columns > size[2] ? fmt::format("the volume has {} slices", size[2])
+                           : fmt::format("an atlas is at most {} voxels wide, which is {} columns",
                                          widest_sheet, widest_sheet / size[0]));
     return false;
 }
@@ -119,7 +119,7 @@ void warn_of_large_sheet(const DecodedSection& bake, const VoxelCounts& size,
                     "at most {}",
                     bake.path, width, height, largest_image_edge),
         sheet.columns == 1 ? "layout = \"atlas\" lays the slices side by side"
-                           : "other programs than engines may read it");
+                           : "programs other than engines may read it");
 }
 
 void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
@@ -131,8 +131,7 @@ void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
     decoder.diagnostics.warning(
         "W0213", layout_place(bake),
         fmt::format(
-            "the atlas of [{}] has {} cells for {} slices, and engines take all of them for "
-            "slices",
+            "the atlas of [{}] has {} cells for {} slices, and engines read every cell as a slice",
             bake.path, cells, size[2]),
         has_full ? fmt::format("columns = {} leaves no cell empty", full.columns)
                  : fmt::format("{} slices fill no atlas of at most {} by {} texels", size[2],
@@ -201,7 +200,7 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
         fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
                     fmt::join(without, " and "),
                     decoded.field->choices[static_cast<std::size_t>(*type)].name),
-        "unorm8 and unorm16 go with formats = [\"bin\"] alone; float and half with all");
+        "unorm8 and unorm16 need formats = [\"bin\"]; float and half go with every format");
 }
 
 void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
@@ -222,7 +221,7 @@ void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
         "W0211", size_place,
         fmt::format("the voxels of [{}] are not cubes: {:.5g} x {:.5g} x {:.5g} m", bake.path,
                     edges[0], edges[1], edges[2]),
-        "many programs take the voxels of VDB files for cubes; `voxel_size` makes cubes");
+        "many programs assume that the voxels of a VDB file are cubes; `voxel_size` makes cubes");
 }
 
 void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,
@@ -235,7 +234,7 @@ void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std:
         "E0126", size_place,
         fmt::format("[{}] has {} voxels ({}) and would need {} bytes ({})", bake.path, voxels,
                     spell_voxels(size), bytes, spell_bytes(bytes)),
-        fmt::format("at most {} (2^36) voxels", most_voxels));
+        fmt::format("at most {} (2^36) voxels are allowed", most_voxels));
 }
 
 }  // namespace skybake::config

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what skybake needs on Debian 12, as root or with sudo. Does nothing where all is there.
-#   examples/install_packages.sh            to build and run
-#   examples/install_packages.sh --tests    to run the tests as well; those of pages where npm is there
-#   examples/install_packages.sh --browser  to run those of pages: Debian's npm has some 300 packages
-#   examples/install_packages.sh --all      to run all of them: Blender, Slurm and more, some 400
+# Installs what skybake needs on Debian 12, as root or with sudo. It does nothing if all is installed.
+#   examples/install_packages.sh            installs what building and running need
+#   examples/install_packages.sh --tests    also for the tests, those of pages only if npm is installed
+#   examples/install_packages.sh --browser  also for those of pages: Debian's npm needs some 300 packages
+#   examples/install_packages.sh --all      also for all others: Blender, Slurm and more, some 400 packages
 set -euo pipefail
 
 packages=(
@@ -22,7 +22,7 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     elif [[ "$1" != --tests ]]; then
         packages+=(chromium nodejs npm)
     fi
-    # What programs of others make of the files, and sweeps on a farm.
+    # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ "$1" == --all ]]; then
         packages+=(
             blender ffmpeg libopenvdb-tools munge openimageio-tools python3-openvdb slurm-wlm
@@ -39,12 +39,12 @@ done
 
 as_root=()
 if ((EUID != 0)); then
-    command -v sudo >/dev/null || { echo "install as root: ${missing[*]}" >&2; exit 1; }
+    command -v sudo >/dev/null || { echo "these packages must be installed as root: ${missing[*]}" >&2; exit 1; }
     as_root=(sudo)
 fi
 echo "installing: ${missing[*]}" >&2
 export DEBIAN_FRONTEND=noninteractive
-# debconf remarks on packages that it would use to ask questions, of which there are none.
+# debconf warns that it lacks packages for asking questions, but there are no questions.
 quietly() { "${as_root[@]}" "$@" >/dev/null 2> >(grep -v '^debconf: ' >&2); }
 quietly apt-get update -qq
 quietly apt-get install -y -qq --no-install-recommends "${missing[@]}"

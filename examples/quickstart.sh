@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh Debian 12 to the first tables: installs packages, builds, bakes examples/earth.toml.
-#   examples/quickstart.sh              all of it
+#   examples/quickstart.sh              does all of it
 #   examples/quickstart.sh --configure  stops before the build
 set -euo pipefail
 cd "$(dirname "$0")/.."

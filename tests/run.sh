@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds and runs them through CTest. At the end stands what each label
-# and folder took, and every test that was skipped or left out.
-#   tests/run.sh          everything but the tests labelled `slow`, with the programs that are there
-#   tests/run.sh --all    those too, and installs every program that a test uses
-#   tests/run.sh --hard   just the hard cases, and their table
+# Installs what the tests need, builds them and runs them through CTest. At the end it prints the time
+# that each label and folder took, and every test that was skipped or left out.
+#   tests/run.sh          runs all tests but those labelled `slow`, with the programs that are installed
+#   tests/run.sh --all    runs those too, and installs every program that a test uses
+#   tests/run.sh --hard   runs only the hard cases, and prints their table
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

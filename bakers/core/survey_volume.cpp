@@ -360,10 +360,11 @@ class Survey {
             const bool is_half = volume_.pixel_type == PixelType::half;
             result.label = fmt::format(
                 "{}bake it as {}",
-                is_noise ? fmt::format("bring it into {} by the channel's remap, smoothstep or "
-                                       "clamp, or ",
-                                       range_text(volume_.pixel_type))
-                         : "",
+                is_noise
+                    ? fmt::format(
+                          "bring it into {} with the channel's remap, smoothstep or clamp, or ",
+                          range_text(volume_.pixel_type))
+                    : "",
                 is_half ? "float" : "half or float");
         }
         return result;

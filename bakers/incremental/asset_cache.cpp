@@ -235,7 +235,7 @@ void AssetCache::offer(const ReadyAsset& asset) {
         Diagnostic warning = problem;
         warning.severity = config::Severity::warning;
         warning.code = "W0301";
-        warning.message = "the cache does not keep this asset: " + problem.message;
+        warning.message = "the cache could not keep this asset: " + problem.message;
         if (problems_.empty()) problems_.push_back(std::move(warning));
     }
 }

@@ -33,7 +33,7 @@ void add_input_changes(const AssetIdentity& identity, const ManifestAsset& previ
             previous.inputs.begin(), previous.inputs.end(),
             [&input](const ManifestInput& before) { return before.file == input.file; });
         if (same_file != previous.inputs.end() && same_file->xxh3 != input.xxh3) {
-            reasons.push_back(fmt::format("{} has other content", input.file));
+            reasons.push_back(fmt::format("{} has changed content", input.file));
         }
     }
 }

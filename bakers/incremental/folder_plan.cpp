@@ -41,7 +41,7 @@ std::vector<std::string> file_faults(const fs::path& folder, const ManifestAsset
         if (!print.value) {
             faults.push_back(fmt::format("{} cannot be read", file.path));
         } else if (print.value->xxh3 != file.xxh3) {
-            faults.push_back(fmt::format("{} has other bytes than manifest.json says", file.path));
+            faults.push_back(fmt::format("{} does not match manifest.json", file.path));
         }
     }
     if (listed != file_names(bake)) faults.emplace_back("manifest.json lists other files");

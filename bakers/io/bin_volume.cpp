@@ -73,8 +73,8 @@ config::Outcome<bool> read_bin_volume(const std::filesystem::path& path,
         return {
             {},
             {file_error("E0304", path.string(),
-                        fmt::format("`{}` has {} bytes, {} x {} x {} voxels take {}", path.string(),
-                                    file.value->size(), size[0], size[1], size[2],
+                        fmt::format("`{}` has {} bytes, but {} x {} x {} voxels take {}",
+                                    path.string(), file.value->size(), size[0], size[1], size[2],
                                     static_cast<std::uint64_t>(voxels) * voxel_bytes))}};
     }
     const std::int64_t most = std::max<std::int64_t>(1, (std::int64_t{1} << 20) / channels);

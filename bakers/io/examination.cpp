@@ -17,7 +17,7 @@ std::string first_difference(const std::string& found, const std::string& wanted
     const auto line = [begin](const std::string& text) {
         return text.substr(std::min(begin, text.size()), text.find('\n', begin) - begin);
     };
-    return fmt::format("`{}`, the manifest says `{}`", line(found), line(wanted));
+    return fmt::format("`{}`, but the manifest says `{}`", line(found), line(wanted));
 }
 
 bool shows(const ReadableTexture& texture, const CaughtProbe& probe, const WrongLookup& wrong) {
@@ -61,11 +61,11 @@ void check_catches(Examination& examination, const ReadableTexture& texture, int
     for (const std::string& name : catches) {
         const auto entry = shown.find(name);
         if (!examination.expect(entry != shown.end(), "catches",
-                                fmt::format("{} is no fault that probes can catch", name))) {
+                                fmt::format("{} is not a fault that probes can catch", name))) {
             continue;
         }
         examination.expect(entry->second >= kSeveralProbes, "catches",
-                           fmt::format("{} probes tell {}, {} or more are wanted", entry->second,
+                           fmt::format("{} probes detect {}, but {} or more must", entry->second,
                                        name, kSeveralProbes));
     }
 }
@@ -84,7 +84,7 @@ void check_lookup(Examination& examination, const std::string& place,
     }
     examination.expect(
         holds, "probe",
-        fmt::format("at {} the file gives ({}), the manifest says ({}) ± ({})", place,
+        fmt::format("at {} the file gives ({}), but the manifest says ({}) ± ({})", place,
                     fmt::join(found, ", "), fmt::join(value, ", "), fmt::join(tolerance, ", ")));
 }
 

@@ -196,7 +196,7 @@ std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t
     const std::int32_t magic = read_integer(stream);
     int version = read_integer(stream);
     if (magic != Imf::MAGIC || !Imf::supportsFlags(Imf::getFlags(version))) {
-        return "it is no OpenEXR file";
+        return "it is not an OpenEXR file";
     }
     if (auto reason = oversized_attribute(stream, bytes)) return reason;
     stream.seekg(first_attribute);

@@ -34,7 +34,7 @@ class Node {
     }
 
     Node operator[](const char* key) const {
-        if (!json_->is_object()) fail("an object is wanted");
+        if (!json_->is_object()) fail("an object is expected");
         const auto member = json_->find(key);
         if (member == json_->end()) fail(fmt::format("`{}` is missing", key));
         return {*member, place_.empty() ? key : fmt::format("{}.{}", place_, key)};
@@ -43,15 +43,15 @@ class Node {
     bool has(const char* key) const { return json_->is_object() && json_->contains(key); }
 
     std::string text() const {
-        if (!json_->is_string()) fail("a text is wanted");
+        if (!json_->is_string()) fail("a string is expected");
         return json_->get<std::string>();
     }
     bool flag() const {
-        if (!json_->is_boolean()) fail("true or false is wanted");
+        if (!json_->is_boolean()) fail("true or false is expected");
         return json_->get<bool>();
     }
     double number() const {
-        if (!json_->is_number()) fail("a number is wanted");
+        if (!json_->is_number()) fail("a number is expected");
         return json_->get<double>();
     }
     template <class Integer>
@@ -64,11 +64,11 @@ class Node {
                 return static_cast<Integer>(value);
             }
         }
-        fail(fmt::format("a whole number from {} on is wanted", minimum));
+        fail(fmt::format("a whole number of at least {} is expected", minimum));
     }
 
     std::vector<Node> elements() const {
-        if (!json_->is_array()) fail("an array is wanted");
+        if (!json_->is_array()) fail("an array is expected");
         std::vector<Node> nodes;
         for (std::size_t i = 0; i < json_->size(); ++i) {
             nodes.emplace_back((*json_)[i], fmt::format("{}[{}]", place_, i));
@@ -77,11 +77,11 @@ class Node {
     }
     std::vector<Node> elements(std::size_t count) const {
         auto nodes = elements();
-        if (nodes.size() != count) fail(fmt::format("{} values are wanted", count));
+        if (nodes.size() != count) fail(fmt::format("{} values are expected", count));
         return nodes;
     }
     std::vector<std::pair<std::string, Node>> members() const {
-        if (!json_->is_object()) fail("an object is wanted");
+        if (!json_->is_object()) fail("an object is expected");
         std::vector<std::pair<std::string, Node>> nodes;
         for (const auto& [key, value] : json_->items()) {
             nodes.emplace_back(key, Node(value, fmt::format("{}.{}", place_, key)));
@@ -117,7 +117,7 @@ std::string path_within_folder(const Node& node) {
     const std::filesystem::path path(text);
     const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
     if (text.empty() || path.is_absolute() || climbs || text.find('\0') != std::string::npos) {
-        node.fail("a path within the manifest's folder is wanted");
+        node.fail("a path within the manifest's folder is expected");
     }
     return text;
 }
@@ -132,7 +132,7 @@ int extent(const Node& node) {
 
 SliceLayout read_layout(const Node& node) {
     const auto kind = volume_layout_of(node["kind"].text());
-    if (!kind) node["kind"].fail("no such layout");
+    if (!kind) node["kind"].fail("there is no such layout");
     return {*kind, extent(node["columns"]), extent(node["rows"]),
             node.has("flipped") && node["flipped"].flag()};
 }
@@ -142,9 +142,10 @@ ManifestFile read_file_entry(const Node& node, bool of_volume) {
     file.path = path_within_folder(node["path"]);
     file.format = node["format"].text();
     const bool is_companion = of_volume && file.format == "json";
-    if (!is_companion && !volume_format_of(file.format)) node["format"].fail("no such format");
+    if (!is_companion && !volume_format_of(file.format))
+        node["format"].fail("there is no such format");
     const auto type = pixel_type_of(node["pixel_type"].text());
-    if (!type) node["pixel_type"].fail("no such pixel type");
+    if (!type) node["pixel_type"].fail("there is no such pixel type");
     file.pixel_type = *type;
     file.bytes = node["bytes"].integer<std::uint64_t>(0);
     file.xxh3 = node["xxh3"].text();
@@ -310,7 +311,7 @@ void read_table(const Node& node, ManifestAsset& asset) {
     const auto size = node["size"].elements(2);
     asset.size = {size[0].integer<int>(1), size[1].integer<int>(1)};
     const auto compression = compression_of(node["compression"].text());
-    if (!compression) node["compression"].fail("no such compression");
+    if (!compression) node["compression"].fail("there is no such compression");
     asset.compression = *compression;
     for (const Node& probe : node["probes"].elements()) asset.probes.push_back(read_probe(probe));
     asset.catches = texts(node["catches"]);

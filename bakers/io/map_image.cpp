@@ -42,7 +42,7 @@ Diagnostic not_a_map(const config::CloudMap& map, const std::string& reason) {
 std::string no_such_channel(const std::string& channel, const std::vector<std::string>& known) {
     const std::vector<std::string_view> names(known.begin(), known.end());
     const std::string suggestion = config::did_you_mean(channel, names);
-    return fmt::format("it has no channel `{}`, but `{}`{}{}", channel, fmt::join(known, "`, `"),
+    return fmt::format("it has no channel `{}`, only `{}`{}{}", channel, fmt::join(known, "`, `"),
                        suggestion.empty() ? "" : "; ", suggestion);
 }
 

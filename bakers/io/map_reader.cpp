@@ -58,7 +58,7 @@ const char* format_of(const std::filesystem::path& path) {
     const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& known) {
         return begin.substr(0, known.first_bytes.size()) == known.first_bytes;
     });
-    expect(format != formats.end(), "it is none of PNG, TIFF and OpenEXR");
+    expect(format != formats.end(), "it is neither PNG nor TIFF nor OpenEXR");
     if (format->name == "png"sv) {
         if (const auto damage = png_damage(file)) throw Refused(*damage);
     }

@@ -74,7 +74,7 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
 
     OutputFolder result{folder, std::nullopt, {}};
     std::error_code error;
-    std::string manifest_fault = "is no manifest of skybake";
+    std::string manifest_fault = "is not a manifest of skybake";
     const bool has_manifest = fs::exists(fs::symlink_status(folder / manifest_name, error));
     if (has_manifest) {
         config::Outcome<Manifest> manifest = read_manifest(folder);

@@ -46,7 +46,8 @@ config::Outcome<std::string> read_file(const std::filesystem::path& path, std::u
     if (!S_ISREG(status.st_mode)) return read_failure(path, "it is not a regular file");
     const auto size = static_cast<std::uintmax_t>(status.st_size);
     if (size > limit) {
-        return read_failure(path, fmt::format("it has {} bytes, at most {} are read", size, limit));
+        return read_failure(
+            path, fmt::format("it has {} bytes, but at most {} may be read", size, limit));
     }
     config::Outcome<std::string> outcome;
     try {

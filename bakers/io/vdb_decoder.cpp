@@ -53,7 +53,8 @@ class Input : public io::Archive {
         stream_.seekg(0, std::ios::end);
         file_size_ = stream_.tellg();
         stream_.seekg(0);
-        expect(read_raw<std::int64_t>(stream_) == openvdb::OPENVDB_MAGIC, "it begins otherwise");
+        expect(read_raw<std::int64_t>(stream_) == openvdb::OPENVDB_MAGIC,
+               "it does not begin as a VDB file");
         const auto format = read_raw<std::uint32_t>(stream_);
         expect(format >= oldest_format && format <= newest_format, "its format is not known");
         stream_.seekg(0);

@@ -118,7 +118,7 @@ config::Diagnostic lost_cell(const BakedVolume& volume, const occupancy::LostCel
     config::Diagnostic diagnostic;
     diagnostic.code = "E0405";
     diagnostic.message =
-        fmt::format("`{}`: cell ({}, {}, {}) is called empty, but a lookup in it reaches {}",
+        fmt::format("`{}`: cell ({}, {}, {}) is marked empty, but a lookup in it reaches {}",
                     volume.name, lost.cell[0], lost.cell[1], lost.cell[2], lost.value);
     return diagnostic;
 }

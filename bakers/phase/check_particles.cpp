@@ -39,7 +39,7 @@ std::vector<config::Diagnostic> check_particles(const config::Parameters& parame
             fmt::format("[particles.{}]: the largest spheres have a circumference of {:.3g} "
                         "wavelengths, above {:g}",
                         particles.name, largest, kLargestSizeParameter),
-            "give smaller ones, or longer wavelengths"));
+            "give smaller spheres or longer wavelengths"));
     }
     // Their cross-sections are not to be asked for.
     if (!problems.empty()) return problems;

@@ -81,7 +81,7 @@ class BrunetonPictures {
             captions.push_back(caption(z));
         }
         return {entry_.name + suffix, title,
-                fmt::format("The texels {}; {}.", axes, tone_text(exposure)),
+                fmt::format("The picture shows the texels {}; {}.", axes, tone_text(exposure)),
                 contact_sheet(pictures, captions, slices_.size() > 1 ? 2 : 1), exposure};
     }
 

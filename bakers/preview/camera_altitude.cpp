@@ -15,8 +15,9 @@ std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
     if (*options.altitude_m <= top_m) return std::nullopt;
     config::Diagnostic diagnostic;
     diagnostic.code = "E0110";
-    diagnostic.message = fmt::format("--altitude: {:g} km is above the top of the air, {:g} km",
-                                     *options.altitude_m / 1000, top_m / 1000);
+    diagnostic.message =
+        fmt::format("--altitude: {:g} km is above the top of the atmosphere, {:g} km",
+                    *options.altitude_m / 1000, top_m / 1000);
     return diagnostic;
 }
 

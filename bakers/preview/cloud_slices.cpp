@@ -165,8 +165,9 @@ PreviewPicture grid_picture(const PreviewAsset& grid, const GridChannel& channel
     PreviewPicture picture;
     picture.name = fmt::format("{}_{}_{}", grid.entry.name, channel.name, axis_name);
     picture.title = fmt::format("{}, cells {} = {}", channel.name, axis_name, at);
-    picture.caption = fmt::format("The grid's channel `{}`{}, one square per cell.", channel.name,
-                                  channel.is_leap ? ", leap distances in cells" : "");
+    picture.caption =
+        fmt::format("The picture shows the grid's channel `{}`{}, one square per cell.",
+                    channel.name, channel.is_leap ? ", leap distances in cells" : "");
     picture.kind = PictureKind::plot;
     picture.picture =
         false_colour_chart(field, scale_of(field, channel.name), picture.title, across, up);
@@ -229,9 +230,8 @@ PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::strin
     picture.title = "Optical depth from above";
     picture.kind = PictureKind::plot;
     picture.caption = fmt::format(
-        "Extinction integrated over each column, on a logarithmic scale from {:.3g} to the "
-        "maximum, "
-        "{:.3g}; {:.0f} % of the columns are empty.",
+        "The picture shows extinction integrated over each column, on a logarithmic scale from "
+        "{:.3g} to the maximum, {:.3g}; {:.0f} % of the columns are empty.",
         scale.low, greatest,
         100.0 * static_cast<double>(clear) / static_cast<double>(optical_depth.texels.size()));
     picture.picture =
@@ -249,7 +249,7 @@ PreviewPicture slice_picture(const CloudMedium& medium, const PreviewAsset& volu
         fmt::format("{}_slice_{}", volume.entry.name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Slice at {}", place_of(medium, axis, at));
     picture.kind = PictureKind::plot;
-    picture.caption = fmt::format("{} as the file stores it, channel {}.",
+    picture.caption = fmt::format("The picture shows {} as the file stores it, in channel {}.",
                                   medium.optics.has_edge ? "Value before its threshold" : "Density",
                                   volume.entry.channels.front());
     picture.picture =
@@ -291,9 +291,9 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
         fmt::format("{}_cells_{}", grid_name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Cells at {}", place_of(medium, axis, at));
     picture.caption = fmt::format(
-        "Cells of {} voxels per edge over the {} (grey). Occupied cells are framed, {:.1f} % of "
-        "all; "
-        "the bluer an empty cell is, the farther a ray may leap from it, up to {:.0f} cells.",
+        "Cells of {} voxels per edge lie over the {} (grey). Occupied cells, {:.1f} % of all, are "
+        "framed; the bluer an empty cell is, the farther a ray may leap from it, up to {:.0f} "
+        "cells.",
         cell, value_title(medium),
         100.0 * static_cast<double>(occupied) / static_cast<double>(leaps.size()),
         double{greatest});

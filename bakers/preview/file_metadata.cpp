@@ -170,12 +170,12 @@ std::optional<ManifestAsset> entry_of(const VdbFile& vdb) {
 
 Outcome<ManifestAsset> named(std::optional<ManifestAsset> asset, const fs::path& path) {
     if (!asset) {
-        config::Diagnostic diagnostic = file_error(
-            "E0304", path.string(),
-            fmt::format("`{}` does not say what it holds, or holds something else: it is no "
-                        "whole file of skybake's",
-                        path.string()));
-        diagnostic.label = "a manifest.json in its folder may say it";
+        config::Diagnostic diagnostic =
+            file_error("E0304", path.string(),
+                       fmt::format("`{}` does not say what it holds, or holds something else: "
+                                   "skybake did not write it, or it is incomplete",
+                                   path.string()));
+        diagnostic.label = "a manifest.json in its folder may describe it";
         return {{}, {std::move(diagnostic)}};
     }
     std::error_code error;

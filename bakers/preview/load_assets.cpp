@@ -78,7 +78,7 @@ std::optional<Diagnostic> other_bytes(const fs::path& path, const ManifestFile& 
     if (file.xxh3.empty() || !found.value || found.value->xxh3 == file.xxh3) return std::nullopt;
     Diagnostic warning = file_error(
         "W0304", path.string(),
-        fmt::format("`{}` has other bytes than {} says: its figures are not those of this file",
+        fmt::format("`{}` does not match {}: the figures there are those of another file",
                     path.string(), manifest_name));
     warning.severity = config::Severity::warning;
     return warning;
@@ -124,7 +124,8 @@ void add_recipe(const Manifest& manifest, const ManifestPlace& place, PreviewAss
         shown.recipe = std::move(*recipe.value);
         return;
     }
-    shown.notes.push_back("no sky and no lit clouds: " + recipe.diagnostics.front().message);
+    shown.notes.push_back("there is no sky and no lit cloud: " +
+                          recipe.diagnostics.front().message);
 }
 
 // The parameters that a cloud's file carries are a recipe of it; those of a table lack what others

@@ -91,7 +91,7 @@ config::Outcome<PreviewSweep> load_sweep(const fs::path& folder) {
     const fs::path file = folder / sweep_manifest_name;
     const config::Outcome<std::string> text = read_file(file, largest);
     if (!text.value) return {{}, text.diagnostics};
-    std::string reason = "it is none of this tool's";
+    std::string reason = "skybake did not write it";
     try {
         std::optional<PreviewSweep> sweep = read_sweep(Json::parse(*text.value));
         if (sweep) return {std::move(sweep), {}};

@@ -84,7 +84,7 @@ class Preview {
         if ((transmittance == nullptr && scattering == nullptr) || !assets_.recipe) return;
         if (transmittance == nullptr || scattering == nullptr) {
             page_.notes.emplace_back(
-                "no sky: it takes both a transmittance and a multiple_scattering table");
+                "there is no sky: it needs both a transmittance and a multiple_scattering table");
             return;
         }
         begin_stage("sky");
@@ -96,8 +96,8 @@ class Preview {
         });
         page_.scenes.push_back(
             {"Sky",
-             "As a runtime renders it: marched rays, with the baked tables for the sun's light and "
-             "for light scattered more than once.",
+             "The sky as a runtime renders it: it marches rays, and takes sunlight and light "
+             "scattered more than once from the baked tables.",
              std::move(pictures)});
     }
 

@@ -109,10 +109,10 @@ class NoisePictures {
                 captions.push_back(plane_words(channel, axis, middle(axis)));
             }
         }
-        const std::string planes =
-            is_flat ? "Each channel, y up. "
-                    : "Each channel (rows) in the middle planes across x, y and z. z is up in the "
-                      "first two, y in the last. ";
+        const std::string planes = is_flat
+                                       ? "Each channel is shown with y up. "
+                                       : "Each row shows a channel in the middle planes across x, "
+                                         "y and z. z is up in the first two, y in the last. ";
         add("slices", "slices", planes + scale_words(),
             contact_sheet(slices, captions, is_flat ? 2 : 3));
     }
@@ -131,7 +131,7 @@ class NoisePictures {
             lines.push_back(std::move(line));
         }
         const bool over_decades = entry_.mapping == "phase_functions";
-        add("curves", "curves", fmt::format("The file's texels: {}.", entry_.content),
+        add("curves", "curves", fmt::format("These are the file's texels: {}.", entry_.content),
             line_chart(lines, entry_.name, "u", "value", false, over_decades));
         pictures_.back().kind = PictureKind::plot;
     }
@@ -148,8 +148,8 @@ class NoisePictures {
             }
         }
         add("tiled", "two by two tiles",
-            fmt::format("The tile repeated: a seam would show as a line through the middle. The "
-                        "seam error measured is {:.3g}. {}",
+            fmt::format("The tile is repeated: a seam would show as a line through the middle. The "
+                        "measured seam error is {:.3g}. {}",
                         entry_.seam_error, scale_words()),
             contact_sheet(tiles, captions, 2));
     }
@@ -161,8 +161,8 @@ class NoisePictures {
             lines.push_back(histogram_line(statistics[i], entry_.channels[i]));
         }
         add("histogram", "histogram",
-            "How often each value occurs: the density over each channel's value; the area below a "
-            "curve is the share of voxels." +
+            "The curves show how often each value of a channel occurs; the area below a curve is "
+            "the share of voxels." +
                 without_spectrum(),
             line_chart(lines, entry_.name + ": histogram", "value", "density", false, false));
         pictures_.back().kind = PictureKind::plot;
@@ -238,9 +238,9 @@ class NoisePictures {
             lines.push_back(std::move(line));
         }
         add("spectrum", "spectrum",
-            fmt::format("Variance by frequency, the mean of {} slices across x, y and z, all "
-                        "directions together, up to half a cycle per voxel. A curve that rises "
-                        "towards the right end aliases.{}",
+            fmt::format("The curves show the variance by frequency up to half a cycle per voxel, "
+                        "averaged over {} slices across x, y and z and over all directions. A "
+                        "channel whose curve rises towards the right end aliases.{}",
                         spectrum_slices(volume_.size), constant_words()),
             line_chart(lines, entry_.name + ": spectrum", "frequency (cycles per tile)",
                        "variance per cycle", true, true));

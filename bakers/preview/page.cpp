@@ -57,7 +57,8 @@ int svg_extent(std::string_view svg, std::string_view attribute) {
 PagePicture report_plot(const PageAsset& asset) {
     return {asset.entry.name + "_report",
             "Speed against error",
-            "What accuracy costs: time of the bake against error, for many variants.",
+            "The plot shows what accuracy costs: the time of the bake against its error, for many "
+            "variants.",
             svg_extent(asset.plot_svg, "width"),
             svg_extent(asset.plot_svg, "height"),
             "",

@@ -248,7 +248,7 @@
             gallery(asset.pictures),
             facts(asset),
             asset.error && asset.error.worst ? element('p', {class: 'advice'},
-                `Largest lookup error at ${asset.error.worst}${asset.error.advice ? '; ' + asset.error.advice : ''}.`) : null,
+                `The largest lookup error is at ${asset.error.worst}${asset.error.advice ? '; ' + asset.error.advice : ''}.`) : null,
             element('div', {class: 'more'},
                 asset.statistics.length > 0 ? folded('Values', channelTable(asset)) : null,
                 folded('Mapping', axisTable(asset)),

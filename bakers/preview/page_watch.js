@@ -51,10 +51,10 @@
     function tell(state) {
         const wrong = state.diagnostics.some((diagnostic) => diagnostic.severity === 'error');
         sign.className = state.ended ? 'watch ended' : wrong ? 'watch wrong' : 'watch';
-        sign.textContent = state.ended ? 'no longer watched'
+        sign.textContent = state.ended ? 'the recipe is no longer watched'
             : wrong ? 'watching: the pictures are those before the mistake'
-            : state.quality === 'full' ? `watching: full quality, made in ${state.seconds.toFixed(1)} s`
-            : `watching: a draft, made in ${state.seconds.toFixed(2)} s; full quality is on its way`;
+            : state.quality === 'full' ? `watching: full quality, rendered in ${state.seconds.toFixed(1)} s`
+            : `watching: a draft, rendered in ${state.seconds.toFixed(2)} s; full quality is on its way`;
         if (told === JSON.stringify(state.diagnostics)) return;
         told = JSON.stringify(state.diagnostics);
         const box = line('div', '', wrong ? 'notice wrong' : 'notice');

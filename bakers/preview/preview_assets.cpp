@@ -37,11 +37,11 @@ ManifestAsset at_level(const ManifestAsset& asset, std::size_t level) {
 std::string level_note(const ManifestAsset& asset, std::optional<std::size_t> level) {
     const std::string size = fmt::format("{}", fmt::join(asset.size, " x "));
     if (level) {
-        return fmt::format("{}: {} voxels are more than a preview holds; shown is level {}",
+        return fmt::format("{}: {} voxels are more than a preview holds; it shows level {}",
                            asset.name, size, *level);
     }
     return fmt::format(
-        "{}: {} voxels are more than a preview holds, and it has no `mips` that are fewer",
+        "{}: {} voxels are more than a preview holds, and no level of its `mips` is small enough",
         asset.name, size);
 }
 

@@ -30,10 +30,10 @@ std::vector<const PagePicture*> pictures_of(const PreviewPage& page) {
 }
 
 config::Diagnostic foreign_file(const fs::path& path) {
-    config::Diagnostic diagnostic =
-        file_error("E0303", path.string(),
-                   fmt::format("`{}` is there already, and no preview made it", path.string()));
-    diagnostic.label = "--force overwrites it, -o chooses another folder";
+    config::Diagnostic diagnostic = file_error(
+        "E0303", path.string(),
+        fmt::format("`{}` already exists and was not written by a preview", path.string()));
+    diagnostic.label = "overwrite it with --force, or choose another folder with -o";
     return diagnostic;
 }
 

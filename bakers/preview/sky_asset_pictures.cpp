@@ -133,9 +133,10 @@ class AerialPictures {
             pictures.push_back(tone_mapped(
                 fitted(slice_of(asset_, z, 0, channels), slice_width, 2 * slice_width), exposure));
         }
-        return {asset_.entry.name + "_light", asset_.entry.name + ": light added by the air",
-                fmt::format("Slices of the camera's picture, upright; {}.", tone_text(exposure)),
-                sheet(pictures), exposure};
+        return {
+            asset_.entry.name + "_light", asset_.entry.name + ": light added by the air",
+            fmt::format("The slices show the camera's picture, upright; {}.", tone_text(exposure)),
+            sheet(pictures), exposure};
     }
 
     PreviewPicture transmittance(int first, int count) const {
@@ -145,7 +146,8 @@ class AerialPictures {
                 as_shares(fitted(slice_of(asset_, z, first, count), slice_width, 2 * slice_width)));
         }
         return {asset_.entry.name + "_transmittance", asset_.entry.name + ": transmittance",
-                "Slices of the camera's picture, upright; white is 1, black 0.", sheet(pictures)};
+                "The slices show the camera's picture, upright; white is 1, black is 0.",
+                sheet(pictures)};
     }
 
     const PreviewAsset& asset_;
@@ -175,8 +177,9 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
             AxisTicks::angles};
         pictures.push_back(
             {fmt::format("{}_{}", entry.name, sun_stem(sun)), title,
-             fmt::format("The texels of this sun; {}. The sun's disc is not in them.",
-                         tone_text(exposure)),
+             fmt::format(
+                 "The picture shows the texels of this sun; {}. The sun's disc is not in them.",
+                 tone_text(exposure)),
              framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, azimuth,
                     angle),
              exposure});
@@ -203,7 +206,8 @@ std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
                              AxisTicks::decimal};
     return {
         {entry.name + "_texels", title,
-         fmt::format("The file's texels, its first row at the bottom; {}.", tone_text(exposure)),
+         fmt::format("The picture shows the file's texels, with its first row at the bottom; {}.",
+                     tone_text(exposure)),
          framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, sun,
                 altitude),
          exposure}};

@@ -106,8 +106,9 @@ PreviewPicture picture_of(const SkyMethod& method, const SkyMethod& reference,
     result.name = "sky_error_" + method.key;
     result.title = fmt::format("The sky's error: {}, {}", method.family, method.name);
     result.caption = fmt::format(
-        "{}. Of each pixel the channel that is furthest off, relative to max(reference, 1e-3 of "
-        "the channel's largest); the reference is {}, {}. Camera at {:g} km, the sun upwards.",
+        "{}. Each pixel shows the channel with the largest error, relative to the reference or to "
+        "1e-3 of the channel's largest value, whichever is larger; the reference is {}, {}. The "
+        "camera is at {:g} km; the sun is towards the top.",
         result.title, reference.family, reference.name, options.camera_altitude_km);
     result.picture = contact_sheet(charts, captions, static_cast<int>(charts.size()));
     return result;

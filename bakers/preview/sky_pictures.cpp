@@ -146,10 +146,9 @@ std::string percent_text(double share) { return number_text(100 * share) + " %";
 // What every caption of a sky says of light and camera.
 std::string how_shown(const SkyScene& scene) {
     return fmt::format(
-        "The camera is at {:g} km; each ray is marched in {} steps. Radiance is per solar "
-        "irradiance "
-        "of 1 in each channel, so that sunlight outside of the air is white; channels are shown as "
-        "linear sRGB",
+        "The camera is at {:g} km; each ray is marched in {} steps. Radiance is for a solar "
+        "irradiance of 1 in each channel, so that sunlight outside the atmosphere is white; "
+        "channels are shown as linear sRGB",
         scene.camera_altitude_km, kSkySteps);
 }
 
@@ -178,13 +177,11 @@ void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_
         3);
     result.caption += fmt::format(
         " The middle shows the reference of every method, the solved sky: all orders of "
-        "scattering, "
-        "as the asset `sky_view` bakes them, without the sun's disc. The right shows how far the "
-        "tables are from it: {}; of each pixel the channel that is furthest off, relative to the "
-        "reference or to 1e-3 of the channel's largest value, whichever is larger. The colour "
-        "scale "
-        "is clipped at +-{:g} %. Marching in {} steps costs, by itself and with the same tables: "
-        "{}.",
+        "scattering, as the asset `sky_view` bakes them, without the sun's disc. The right shows "
+        "how far the tables are from it: {}; each pixel shows the channel with the largest error, "
+        "relative to the reference or to 1e-3 of the channel's largest value, whichever is larger. "
+        "The colour scale is clipped at +-{:g} %. The error of marching in {} steps alone, with "
+        "the same tables, is {}.",
         difference, percent_shown(cost.difference.relative), kSkySteps, marching);
 }
 
@@ -198,8 +195,9 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     result.name = "sky_" + sun_stem(sun_elevation_degrees);
     result.title = fmt::format("Sky, {}", sun_text(sun_elevation_degrees));
     result.exposure = exposure;
-    result.caption = fmt::format("A fisheye of the upper hemisphere, the sun upwards. {}; {}.",
-                                 how_shown(scene), tone_text(exposure));
+    result.caption = fmt::format(
+        "This is a fisheye view of the upper hemisphere with the sun towards the top. {}; {}.",
+        how_shown(scene), tone_text(exposure));
     const Picture dome = dome_picture(radiance, view, exposure);
     if (scene.solved) {
         compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
@@ -226,10 +224,9 @@ PreviewPicture panoramas(const SkyScene& scene) {
     result.kind = PictureKind::scene;
     result.title = "Sky all around";
     result.caption = fmt::format(
-        "The sky from the tables, azimuth from -180 to 180 deg about the sun's, elevation from "
-        "{:g} "
-        "to {:g} deg. {}; tone curve {}. The ground is lit by the sun and, through the table of "
-        "multiple scattering, by a sky that is taken as equally bright all over.",
+        "The panorama shows the sky from the tables, with azimuths from -180 to 180 deg around the "
+        "sun's and elevations from {:g} to {:g} deg. {}; tone curve {}. The ground is lit by the "
+        "sun and, through the table of multiple scattering, by a sky of uniform brightness.",
         kLowestDegrees, kHighestDegrees, how_shown(scene), tone_curve_name());
     result.picture = contact_sheet(pictures, captions, 1);
     return result;

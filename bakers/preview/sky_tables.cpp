@@ -67,16 +67,16 @@ config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
         outcome.diagnostics.push_back(not_wanted(asset, reason));
     };
     if (!is_table(transmittance, "transmittance")) {
-        refuse(transmittance, "it is no table of transmittance");
+        refuse(transmittance, "it is not a table of transmittance");
     } else if (transmittance_mapping != "bruneton" && transmittance_mapping != "ue") {
         refuse(transmittance, fmt::format("its mapping `{}` is unknown", transmittance_mapping));
     }
     if (!is_table(multiple_scattering, "multiple_scattering")) {
-        refuse(multiple_scattering, "it is no table of multiple scattering");
+        refuse(multiple_scattering, "it is not a table of multiple scattering");
     } else if (sun_mapping != "hillaire" && sun_mapping != "twilight") {
         refuse(multiple_scattering, fmt::format("its mapping `{}` is unknown", sun_mapping));
     } else if (multiple_scattering.table.channels != transmittance.table.channels) {
-        refuse(multiple_scattering, "it has other channels than the transmittance");
+        refuse(multiple_scattering, "its channels are not those of the transmittance");
     }
     if (!outcome.diagnostics.empty()) return outcome;
 

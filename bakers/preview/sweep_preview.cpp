@@ -152,8 +152,8 @@ class SweepPreview {
         sheet.name = "contact_sheet";
         sheet.kind = PictureKind::scene;
         sheet.title = "All variants";
-        sheet.caption = "Each picture with the values that vary.";
-        if (!light_.empty()) sheet.caption += fmt::format(" All have {}.", light_);
+        sheet.caption = "Each picture is shown with the values that vary.";
+        if (!light_.empty()) sheet.caption += fmt::format(" They all have {}.", light_);
         if (pictures_.size() < sweep_.variants.size()) {
             sheet.title =
                 fmt::format("{} of {} variants", pictures_.size(), sweep_.variants.size());

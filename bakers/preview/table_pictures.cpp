@@ -169,9 +169,11 @@ PreviewPicture texels_picture(const ManifestAsset& entry, const Image2<float>& l
                               double exposure, const ChartAxis& across, const ChartAxis& up) {
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, light.width, light.height);
-    return {entry.name + "_texels", title,
-            fmt::format("The file's texels, its first row at the bottom; {}.", tone_text(exposure)),
-            framed(shown(fitted(light, view_width, 2 * view_width), exposure), title, across, up)};
+    return {
+        entry.name + "_texels", title,
+        fmt::format("The picture shows the file's texels, with its first row at the bottom; {}.",
+                    tone_text(exposure)),
+        framed(shown(fitted(light, view_width, 2 * view_width), exposure), title, across, up)};
 }
 
 // --- Pictures -----------------------------------------------------------------------------------
@@ -217,7 +219,8 @@ class TablePictures {
     }
 
     std::string where_grey() const {
-        return geometry_.is_transmittance() ? " Where it is grey the ray hits the ground." : "";
+        return geometry_.is_transmittance() ? " Where the picture is grey, the ray hits the ground."
+                                            : "";
     }
 
     void add_colours() {
@@ -225,7 +228,8 @@ class TablePictures {
             (geometry_.is_transmittance() ? "Transmittance" : quantity_.heading) +
             std::string(" as colour");
         add("view", title,
-            fmt::format("Bilinear lookups; {}.{}", tone_text(exposure_), where_grey()),
+            fmt::format("The picture shows bilinear lookups; {}.{}", tone_text(exposure_),
+                        where_grey()),
             framed(shown(light_of(view_, entry_), exposure_), title, angle_axis(),
                    altitude_axis()));
     }
@@ -235,7 +239,7 @@ class TablePictures {
         const std::string title = quantity_.heading + ", " + name.title;
         const ColourScale scale = scale_of(table_, channel, quantity_);
         add(name.stem, title,
-            fmt::format("Bilinear lookups over zenith angle and altitude{}.{}",
+            fmt::format("The picture shows bilinear lookups over zenith angle and altitude{}.{}",
                         scale.logarithmic ? ", on a logarithmic scale" : "", where_grey()),
             false_colour_chart(one_channel(view_, channel), scale, title, angle_axis(),
                                altitude_axis(), view_width));
@@ -279,7 +283,7 @@ class TablePictures {
             return std::array<double, 3>{t * horizon, 0.0, t * horizon};
         });
         const std::string title = quantity_.heading + " at the ground";
-        add("ground_profile", title, "Bilinear lookups along the ground, altitude 0.",
+        add("ground_profile", title, "The curves show bilinear lookups at the ground, altitude 0.",
             line_chart(lines, title, quantity_.angle, quantity_.axis, false,
                        quantity_.logarithmic));
         pictures_.back().kind = PictureKind::plot;
@@ -293,7 +297,8 @@ class TablePictures {
         const std::string title =
             quantity_.heading +
             (geometry_.is_transmittance() ? " along the horizontal" : " with the sun at 90°");
-        add("altitude_profile", title, "Bilinear lookups at a zenith angle of 90 degrees.",
+        add("altitude_profile", title,
+            "The curves show bilinear lookups at a zenith angle of 90 degrees.",
             line_chart(lines, title, "altitude (km)", quantity_.axis, false,
                        quantity_.logarithmic));
         pictures_.back().kind = PictureKind::plot;

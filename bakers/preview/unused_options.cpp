@@ -48,16 +48,17 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
                                                const PreviewOptions& options) {
     const bool sky = lit.sky && !(lit.sweep && lit.clouds);
     const bool any = sky || lit.clouds;
-    constexpr std::string_view light = "pictures of a sky or of a lit cloud use it";
+    constexpr std::string_view light = "only pictures of a sky or of a lit cloud use it";
     constexpr std::string_view clouds =
-        "pictures of a lit cloud use it, of a [bake.*] cloud volume";
+        "only pictures of a lit cloud use it, which need a [bake.*] cloud_volume";
     constexpr std::string_view skies =
-        "pictures of a sky use it, of a transmittance and a multiple_scattering table";
+        "only pictures of a sky use it, which need a transmittance and a multiple_scattering table";
     const OptionUse uses[] = {
         {"sun-elevation", !options.sun_elevations_deg.empty(), any, light},
         {"exposure", options.exposure_stops.has_value(), any, light},
         {"altitude", options.altitude_m.has_value(), sky,
-         lit.clouds ? "pictures of a sky use it; --camera places the camera of a cloud" : skies},
+         lit.clouds ? "only pictures of a sky use it; --camera places the camera of a cloud"
+                    : skies},
         {"sun-azimuth", options.sun_azimuth_deg.has_value(), lit.clouds, clouds},
         {"camera", options.camera.has_value(), lit.clouds, clouds},
         {"size", options.picture_size.has_value(), lit.clouds || lit.sweep, clouds},

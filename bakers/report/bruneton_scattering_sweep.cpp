@@ -144,8 +144,8 @@ class ScatteringSweep {
             if (!add_iterated()) return std::nullopt;
         }
         made_.sweep.notes.emplace_back(
-            "solved, fitted: texels are moved so that lookups between them come out right, by up "
-            "to a quarter: that is in their texel errors");
+            "solved, fitted: texels are moved by up to a quarter, so that lookups between them are "
+            "right; their texel errors include the shift");
         return std::move(made_);
     }
 
@@ -229,8 +229,8 @@ class ScatteringSweep {
             }
         }
         made_.sweep.notes.push_back(fmt::format(
-            "iterated: at {} alone, where 4 orders take seconds; its transmittances and first "
-            "order are exact, where the published code has tables of them",
+            "iterated: it is measured only at {}, where 4 orders take seconds; its transmittances "
+            "and first order are exact, where the published code looks them up in tables",
             size_text(iterated_size_)));
         return true;
     }

@@ -152,7 +152,7 @@ Sweep multiple_scattering_sweep(const Medium& medium, const MultipleScatteringBa
                                 int threads) {
     Sweep sweep;
     sweep.timing =
-        "processor time of the texels, one thread; all share tables of sunlight that were made "
+        "processor time of the texels, one thread; all share tables of sunlight that were computed "
         "before";
     // As of --certify=quick, or the first rows of --certify=full.
     sweep.texels = quick ? PointCounts{8, 8} : PointCounts{64, 16};

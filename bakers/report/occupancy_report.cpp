@@ -233,9 +233,10 @@ Outcome<AssetReport> report_occupancy(const config::Recipe& recipe, const config
     report.skipping = SkippingFacts{of.size, asset.cell, options.quick ? kQuickRays : kRays,
                                     measurement.smallest_safe_share(), std::move(*rows)};
     if (of.size != asked) {
-        report.notes.push_back(fmt::format(
-            "{}: left out, too many voxels to be measured{}; all figures are of a smaller volume",
-            size_text(asked), options.quick ? " quickly" : ""));
+        report.notes.push_back(
+            fmt::format("{}: left out, since it has too many voxels to be measured{}; all figures "
+                        "are of a smaller volume",
+                        size_text(asked), options.quick ? " quickly" : ""));
     }
     return {std::move(report), {}};
 }

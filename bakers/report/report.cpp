@@ -85,7 +85,7 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     const bool holds = !misses_texel_bound(baked);
     if (!holds) {
         // All the more reason to show what can be had.
-        report.notes.push_back("`bake` refuses: " + baked.diagnostics.front().message);
+        report.notes.push_back("`bake` refuses it: " + baked.diagnostics.front().message);
         baked = bake_table(recipe, without_texel_bound(subject(bake)), bake_options);
     }
     if (options.progress != nullptr && options.progress->cancelled()) return outcome;

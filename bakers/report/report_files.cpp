@@ -63,7 +63,7 @@ std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
         if (!fs::is_regular_file(path, error) || is_report_text(name, beginning_of(path))) continue;
         config::Diagnostic diagnostic = file_error(
             "E0303", path.string(),
-            fmt::format("`{}` already exists and is no report of skybake", path.string()));
+            fmt::format("`{}` already exists and is not a report of skybake", path.string()));
         diagnostic.label = "overwrite it with --force, or choose another folder with -o";
         diagnostics.push_back(std::move(diagnostic));
     }

@@ -37,12 +37,13 @@ AssetReport describe(const BakedVolume& volume, const VolumeReportSubject& subje
     report.volume = VolumeFacts{volume.channel_names, volume.levels.front().statistics,
                                 volume.seam_error, repetitions.writes};
     if (volume.levels.front().size != subject.asked_size) {
-        report.notes.push_back(fmt::format(
-            "{}: left out, too many voxels to be measured{}; all figures are of smaller volumes",
-            size_text(subject.asked_size), quick ? " quickly" : ""));
+        report.notes.push_back(
+            fmt::format("{}: left out, since it has too many voxels to be measured{}; all figures "
+                        "are of smaller volumes",
+                        size_text(subject.asked_size), quick ? " quickly" : ""));
     }
     if (subject.asked_mips > 1) {
-        report.notes.emplace_back("files are those of the first level of detail");
+        report.notes.emplace_back("files hold only the first level of detail");
     }
     return report;
 }

@@ -26,16 +26,15 @@ config::Diagnostic failure(std::string message) {
 std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
                                               const SolvedLight& light, const std::string& name) {
     if (!(light.left_out <= kMostLeftOut)) {
-        return failure(
-            fmt::format("`{}`: after {} orders of scattering {:.2g} of the light is still left "
-                        "out, more than {:.2g}: air this dense, or with so sharp a phase function, "
-                        "is beyond the solver",
-                        name, light.applications + 1, light.left_out, kMostLeftOut));
+        return failure(fmt::format(
+            "`{}`: after {} orders of scattering {:.2g} of the light is still missing, more than "
+            "{:.2g}: air this dense, or a phase function this sharp, is beyond the solver",
+            name, light.applications + 1, light.left_out, kMostLeftOut));
     }
     if (!(balance.largest_error() <= kEnergyTolerance)) {
         return failure(fmt::format(
-            "`{}`: of the light that enters {:.3g} is not accounted for, more than {:.3g}: air so "
-            "dense, or a phase function so sharp, is beyond the solver",
+            "`{}`: a share of {:.3g} of the light that enters is not accounted for, more than "
+            "{:.3g}: air this dense, or a phase function this sharp, is beyond the solver",
             name, balance.largest_error(), kEnergyTolerance));
     }
     for (int level = 0; level < light.light.levels; ++level) {

@@ -205,7 +205,7 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
         config::Diagnostic failure;
         failure.code = "E0403";
         failure.message =
-            fmt::format("`{}`: no size is looked for with this `content`", table.name);
+            fmt::format("`{}`: max_error does not work with this `content`", table.name);
         failure.label = "give `size` in place of `max_error`";
         outcome.diagnostics.push_back(std::move(failure));
         return outcome;

@@ -2,8 +2,8 @@
 #
 #   skybake_add_assets(<target>
 #       RECIPE <file>             # relative to the current source folder
-#       OUTPUTS <file>...         # which of the files that the recipe makes the build knows of
-#       [FOLDER <folder>]         # where to, relative to the current binary folder; default <target>
+#       OUTPUTS <file>...         # the files of the recipe that the build should know of
+#       [FOLDER <folder>]         # output folder, relative to the current binary folder; default <target>
 #       [SET <key=value>...]      # as `skybake bake --set`
 #       [ONLY <name>...]          # as --only
 #       [CERTIFY quick|full|off]  # as --certify
@@ -15,14 +15,14 @@
 #   add_custom_command(OUTPUT ... DEPENDS sky ${sky_FOLDER}/transmittance.exr ...)
 #
 # skybake runs again when the recipe, one of its includes or images, or the program has changed, or
-# when an output is missing. It bakes what then is stale, and leaves every other file and its time
-# stamp alone, so that what is made of those is not made again. A folder holds one recipe's files.
+# when an output is missing. It bakes what is out of date, and leaves every other file and its time
+# stamp alone, so that nothing made from those is made again. A folder holds one recipe's files.
 
 cmake_policy(PUSH)
-# What follows is to mean the same whatever policies the caller has.
+# What follows must mean the same whatever policies the caller has.
 cmake_policy(VERSION 3.21)
 
-# Two recipes would take each other's files for foreign ones.
+# Two recipes in one folder would treat each other's files as foreign.
 function(_skybake_claim_folder folder target)
     get_property(owner GLOBAL PROPERTY "skybake owner of ${folder}")
     if(owner)
@@ -62,9 +62,9 @@ function(_skybake_add_rule target recipe folder outputs options)
         # ("restat") before it goes on to what depends on it.
         set(byproducts BYPRODUCTS ${files} ${folder}/manifest.json)
     else()
-        # Make knows nothing of by-products. A file that is missing makes the stamp stale by a rule
-        # of its own, which does nothing and has no prerequisites: Make takes what such a rule has
-        # not made for new.
+        # Make knows nothing of by-products. A missing file makes the stamp out of date by a rule
+        # of its own, which does nothing and has no prerequisites: Make assumes that the target of
+        # such a rule is new.
         foreach(file IN LISTS files)
             add_custom_command(OUTPUT ${file} COMMAND ${CMAKE_COMMAND} -E true COMMENT "")
         endforeach()

@@ -1,4 +1,4 @@
-// Lookups of asset = "aerial_perspective". Clamped, trilinear sampler.
+// Lookups of asset = "aerial_perspective". Use a clamped, trilinear sampler.
 //
 // `picture` is the place in the camera's picture, (0, 0) at its upper left; d is the distance along the
 // view ray, in the unit of view_distance. `squared` is true with slices = "squared" and false with
@@ -18,7 +18,7 @@ vec4 aerial_perspective(sampler3D air, vec2 picture, float d, float view_distanc
     return mix(vec4(0.0, 0.0, 0.0, 1.0), value, depth.y);
 }
 
-// content = "transmittance".
+// This looks up content = "transmittance".
 vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
     vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
     vec3 value = texture(air, vec3(picture, depth.x)).rgb;
@@ -27,7 +27,7 @@ vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_dista
 
 // Where a view direction is in the picture of a camera with these axes of length 1 (right: where x grows
 // in the picture), tan(fov / 2) of its vertical angle, and aspect. With heading 0 the camera looks
-// towards the sun's azimuth; a positive heading turns it to the right. Only for directions before it.
+// towards the sun's azimuth; a positive heading turns it to the right. Directions must lie in front of it.
 vec2 aerial_picture(vec3 dir, vec3 forward, vec3 right, vec3 up, float tan_half_fov, float aspect) {
     float depth = dot(dir, forward) * tan_half_fov;
     return 0.5 + 0.5 * vec2(dot(dir, right) / (depth * aspect), -dot(dir, up) / depth);

@@ -1,6 +1,6 @@
 // Lookups of asset = "bruneton": its tables of scattering (scattering, single_mie, higher_orders) and of
 // irradiance, in the layout of Bruneton's implementation of 2017; transmittance.glsl has the third kind.
-// Clamped, trilinear sampler.
+// Use a clamped, trilinear sampler.
 //
 //     sky = scattering.rgb * rayleigh_phase(nu) + single_mie.rgb * mie_phase(nu, g)
 //

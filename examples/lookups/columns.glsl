@@ -1,5 +1,5 @@
-// Lookups of tables of columns (asset = "optical_depth"). Clamped, linear sampler. A lookup of columns
-// returns, one channel a kind of particles, the integral of the density along the path in km, so that
+// Lookups of tables of columns (asset = "optical_depth"). Use a clamped, linear sampler. A lookup of columns
+// returns, with one channel per kind of particles, the integral of the density along the path in km, so that
 //
 //   transmittance = exp(-sum over kinds of extinction_k * column_k)
 //

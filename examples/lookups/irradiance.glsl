@@ -1,5 +1,5 @@
 // Lookup of asset = "irradiance": what falls on a level surface that faces up, for a solar irradiance
-// of 1. Clamped, bilinear sampler. Times albedo / pi it is the radiance of the ground. Light of the sky
+// of 1. Use a clamped, bilinear sampler. Times albedo / pi it is the radiance of the ground. Light of the sky
 // alone, for instance to light a cloud, needs content = "sky", as the default holds the sun's light too.
 //
 // D is the thickness of the air, h the altitude, both in km; sun_mu is the cosine of the sun's zenith

@@ -1,5 +1,5 @@
 // Lookup of asset = "multiple_scattering" with content = "moments" and degree = 2: six tables below each
-// other. Clamped, bilinear sampler. D, h, sun_mu, twilight and crop are those of multiple_scattering.glsl.
+// other. Use a clamped, bilinear sampler. D, h, sun_mu, twilight and crop are those of multiple_scattering.glsl.
 
 // The place in table 0, which is the uppermost.
 vec2 moment_place(sampler2D table, float D, float h, float sun_mu, bool twilight, vec2 crop) {

@@ -1,5 +1,5 @@
 // Lookup of asset = "multiple_scattering" with any content but "moments", in 1/sr: multiply it by the
-// scattering coefficient alone. Clamped, bilinear sampler.
+// scattering coefficient alone. Use a clamped, bilinear sampler.
 //
 // D is the thickness of the air, h the altitude, both in km; sun_mu is the cosine of the sun's zenith
 // angle. `twilight` is true with mapping = "twilight" and false with "hillaire". `crop` are the numbers

@@ -1,4 +1,4 @@
-// Lookups of asset = "noise_volume". Repeating, trilinear sampler. p is a point and `tile` the edges of
+// Lookups of asset = "noise_volume". Use a repeating, trilinear sampler. p is a point and `tile` the edges of
 // a tile, in one unit.
 vec4 noise_volume(sampler3D table, vec3 p, vec3 tile) { return texture(table, p / tile); }
 

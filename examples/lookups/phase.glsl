@@ -1,4 +1,4 @@
-// Lookups of asset = "phase". Clamped, linear sampler; tables of one wavelength have it in r.
+// Lookups of asset = "phase". Use a clamped, linear sampler; tables of one wavelength have it in r.
 //
 // Phase functions of droplets have peaks of a tenth of a degree, where cosines of floats have no digits
 // left: the angle comes as sine and cosine of its half.

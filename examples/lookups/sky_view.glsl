@@ -1,4 +1,4 @@
-// Lookup of asset = "sky_view": radiance in 1/sr for a solar irradiance of 1. Clamped, bilinear sampler.
+// Lookup of asset = "sky_view": radiance in 1/sr for a solar irradiance of 1. Use a clamped, bilinear sampler.
 //
 // R is the ground's radius, D the thickness of the air, h the altitude of the table's camera, all in km.
 // The unit vectors `dir`, `up` and `sun` point along the view ray, away from the planet's centre and to

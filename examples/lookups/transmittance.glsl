@@ -1,6 +1,6 @@
 // Lookups of asset = "transmittance", and of asset = "bruneton" with table = "transmittance": the share
 // of light that comes through from a point to the top of the atmosphere; with content = "optical_depth"
-// the optical depth. Clamped, bilinear sampler.
+// the optical depth. Use a clamped, bilinear sampler.
 //
 // R is the ground's radius, D the thickness of the air (top_radius - ground_radius), h the altitude,
 // from 0 to D, all in km; mu is the cosine of the ray's zenith angle. The ray must not meet the ground.

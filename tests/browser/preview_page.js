@@ -246,7 +246,7 @@ const tests = {
                 const now = await pictures();
                 return now.length > 0 && JSON.stringify(now) !== JSON.stringify(before);
             });
-            const finished = () => page.waitForSelector('.watch:has-text("full quality, made in")');
+            const finished = () => page.waitForSelector('.watch:has-text("full quality, rendered in")');
             await finished();
             await page.evaluate(() => scrollTo(0, 500));
 

@@ -22,10 +22,10 @@ std::vector<Diagnostic> samples() {
          "E0110",
          "`atmosphere.layers.mie.g` is out of range: 1.2",
          {"earth.toml", 22, 5, 3, "g = 1.2"},
-         "must be in (-1, 1); typical haze 0.76"},
+         "must be in (-1, 1); typical haze has 0.76"},
         {Severity::error,
          "E0107",
-         "a length is wanted here, not an angle",
+         "expected a length, not an angle",
          {"--set `clouds.cumulus.base_altitude=40deg`", 0, 0, 0, ""},
          ""},
     };
@@ -46,8 +46,8 @@ error[E0110]: `atmosphere.layers.mie.g` is out of range: 1.2
  --> earth.toml:22:5
    |
 22 | g = 1.2
-   |     ^^^ must be in (-1, 1); typical haze 0.76
-error[E0107]: a length is wanted here, not an angle
+   |     ^^^ must be in (-1, 1); typical haze has 0.76
+error[E0107]: expected a length, not an angle
  --> --set `clouds.cumulus.base_altitude=40deg`
 3 errors
 )");
@@ -125,8 +125,8 @@ TEST(DiagnosticPrinter, ShortIsOneLineEach) {
               "[atmosphere.layers.rayleigh]; "
               "did you mean `scale_height`?\n"
               "earth.toml:22:5: error[E0110]: `atmosphere.layers.mie.g` is out of range: 1.2; "
-              "must be in (-1, 1); typical haze 0.76\n"
-              "--set `clouds.cumulus.base_altitude=40deg`: error[E0107]: a length is wanted here, "
+              "must be in (-1, 1); typical haze has 0.76\n"
+              "--set `clouds.cumulus.base_altitude=40deg`: error[E0107]: expected a length, "
               "not an angle\n");
 }
 

@@ -94,7 +94,8 @@ TEST(ParseArguments, SuggestsTheNearestName) {
               "unknown option `-Z`; `skybake bake --help` lists the options");
     EXPECT_EQ(complaint({"bake", "a", "--level=fulll"}),
               "`--level` cannot be `fulll`; did you mean `full`?");
-    EXPECT_EQ(complaint({"bake", "a", "--level=9"}), "`--level` cannot be `9`; one of quick, full");
+    EXPECT_EQ(complaint({"bake", "a", "--level=9"}),
+              "`--level` cannot be `9`; use one of quick, full");
     EXPECT_EQ(complaint({"--versoin"}), "unknown option `--versoin`; did you mean `--version`?");
 }
 

@@ -329,7 +329,7 @@ TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
 
     const Result above = scene.preview({scene.baked, "--altitude", "170 km"});
     EXPECT_EQ(above.code, 2);
-    EXPECT_TRUE(contains(above.error, "top of the air, 100 km")) << above.error;
+    EXPECT_TRUE(contains(above.error, "top of the atmosphere, 100 km")) << above.error;
 }
 
 TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
@@ -343,7 +343,7 @@ TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
     const Result result = scene.preview({volume});
     EXPECT_EQ(result.code, 0);
     EXPECT_TRUE(contains(result.error, "W0304")) << result.error;
-    EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "other bytes than manifest.json"));
+    EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "does not match manifest.json"));
 }
 
 // Shows the sky of the bake, whatever lies in its folder.
@@ -378,7 +378,7 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
         0);
     ASSERT_EQ(scene.preview({sweep, "--sun-elevation", "25"}).code, 0);
     const std::string caption = data_of(scene.page())["sweep"]["pictures"][0]["caption"];
-    EXPECT_TRUE(contains(caption, "All have exposure ")) << caption;
+    EXPECT_TRUE(contains(caption, "They all have exposure ")) << caption;
     EXPECT_TRUE(contains(caption, "the sun 25 degrees above the horizon")) << caption;
 }
 

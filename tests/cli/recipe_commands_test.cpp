@@ -124,7 +124,7 @@ TEST(InitCommand, WritesARecipeOfACloud) {
         contains(run_words({"init", "-", "--preset", "stratus"}).out, "\n[clouds.stratus]\n"));
     const Result ambiguous = run_words({"init", "-", "--preset", "thesis"});
     EXPECT_EQ(ambiguous.code, 2);
-    EXPECT_TRUE(contains(ambiguous.error, "ask for noise.thesis or clouds.thesis"))
+    EXPECT_TRUE(contains(ambiguous.error, "name it with its kind: noise.thesis or clouds.thesis"))
         << ambiguous.error;
     EXPECT_TRUE(
         contains(run_words({"init", "-", "--preset", "noise.thesis"}).out, "\n[noise.thesis]\n"));
@@ -196,7 +196,7 @@ TEST(CheckCommand, ReportsAllErrorsAtOnce) {
     EXPECT_TRUE(contains(
         result.error, "error[E0102]: unknown key `scale_hieght` in [atmosphere.layers.rayleigh]"));
     EXPECT_TRUE(contains(result.error, "^^^^^^^^^^^^ did you mean `scale_height`?"));
-    EXPECT_TRUE(contains(result.error, "^^^ must be in (-1, 1); typical haze 0.76"));
+    EXPECT_TRUE(contains(result.error, "^^^ must be in (-1, 1); typical haze has 0.76"));
     EXPECT_TRUE(contains(result.error, "--set `atmosphere.layers.ozone.half_width=40deg`"));
     EXPECT_TRUE(contains(result.error, "3 errors"));
 }
@@ -349,7 +349,7 @@ TEST_F(ShowCommand, PrintsToml) {
 // --- explain and schema -------------------------------------------------------------------------
 
 TEST(ExplainCommand, ExplainsKeysAndCodes) {
-    EXPECT_TRUE(contains(run_words({"explain", "layers.*.g"}).out, "typical haze 0.76"));
+    EXPECT_TRUE(contains(run_words({"explain", "layers.*.g"}).out, "typical haze has 0.76"));
     EXPECT_TRUE(contains(run_words({"explain", "E0102"}).out, "E0102: unknown key"));
     EXPECT_TRUE(contains(run_words({"explain"}).out, "[atmosphere.layers.*]"));
     EXPECT_TRUE(contains(run_words({"explain", "noise.shape.channels"}).out, "worley_gains"));

@@ -154,7 +154,7 @@ TEST(CloudDecoder, HeightTablesIncrease) {
         return fault("height_profile = { type = 'tabulated', table = " + rows + " }");
     };
     EXPECT_EQ(table("[]").code, "E0114");
-    EXPECT_EQ(table("[]").label, "at least one [height, value] pair");
+    EXPECT_EQ(table("[]").label, "give at least one [height, value] pair");
     EXPECT_EQ(table("[[0.5, 1], [0.5, 2]]").code, "E0114");
     EXPECT_EQ(table("[[0.5, 1], [0.5, 2]]").message,
               "`clouds.c.height_profile.table` has heights that do not increase: 0.5 after 0.5");

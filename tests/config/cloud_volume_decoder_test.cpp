@@ -54,7 +54,7 @@ TEST(CloudVolumeDecoder, VoxelsHaveASize) {
     const Diagnostic small = fault("voxel_size = '1 cm'");
     EXPECT_EQ(small.code, "E0110");
     EXPECT_EQ(small.message, "`bake.c.voxel_size` makes 100000 voxels along x");
-    EXPECT_EQ(small.label, "at most 16384 of 1000 m");
+    EXPECT_EQ(small.label, "at most 16384 of 1000 m are allowed");
     EXPECT_EQ(small.where.line, 4);
     EXPECT_EQ(fault("voxel_size = '10 m'\nsize = [16, 16, 16]").code, "E0109");
     EXPECT_EQ(fault("").code, "E0105");
@@ -164,7 +164,7 @@ TEST(CloudVolumeDecoder, FilesAreThoseOfVolumes) {
     EXPECT_EQ(fault("size = [16, 32, 8]\nmips = 7").code, "E0110");
     EXPECT_EQ(fault("size = [16, 32, 8]\npixel_type = 'unorm8'").code, "E0131");
     EXPECT_EQ(fault("size = [16, 32, 8]\nlayout = 'atlas'\ncolumns = 9").label,
-              "there are 8 slices");
+              "the volume has 8 slices");
     EXPECT_EQ(fault("size = [8, 8, 16385]").code, "E0110");
 }
 
@@ -174,8 +174,7 @@ TEST(CloudVolumeDecoder, OctavesAreScaled) {
     const Diagnostic coarse = fault("size = [16, 32, 8]", "noise_scale = [3, 1, 1]");
     EXPECT_EQ(coarse.code, "W0203");
     EXPECT_EQ(coarse.where.line, 4);
-    EXPECT_EQ(coarse.message,
-              "1 octave is too fine for 16x32x8: `n` needs 24x32x8");
+    EXPECT_EQ(coarse.message, "1 octave is too fine for 16x32x8: `n` needs 24x32x8");
     const Diagnostic detail = fault("size = [32, 64, 16]", "detail = 'd'\ndetail_scale = 2");
     EXPECT_EQ(detail.code, "W0203") << "of the first channel alone";
     EXPECT_EQ(detail.message, "2 octaves are too fine for 32x64x16: `d` needs 64x64x64");

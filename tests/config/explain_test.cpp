@@ -17,7 +17,7 @@ TEST(Explain, KnowsAKeyByItsPathOrItsTail) {
          {"atmosphere.layers.mie.g", "atmosphere.layers.*.g", "layers.*.g", "mie.g", "g"}) {
         const auto text = explain(path);
         EXPECT_TRUE(mentions(text, "atmosphere.layers.*.g\n")) << path;
-        EXPECT_TRUE(mentions(text, "in (-1, 1); typical haze 0.76")) << path;
+        EXPECT_TRUE(mentions(text, "in (-1, 1); typical haze has 0.76")) << path;
         EXPECT_TRUE(mentions(text, "Cornette and Shanks 1992")) << path;
     }
 }

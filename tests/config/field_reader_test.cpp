@@ -169,7 +169,7 @@ TEST(FieldReader, SuggestsUnits) {
     EXPECT_EQ(result.diagnostics[0].message, "`key` has an unknown unit: `mkm`");
     EXPECT_EQ(result.diagnostics[0].label, "did you mean `mm`?");
     EXPECT_EQ(read(length, "\"8 furlongs\"").diagnostics[0].label,
-              "units here: nm, um, mm, cm, m, km");
+              "the units here are nm, um, mm, cm, m, km");
 }
 
 TEST(FieldReader, ReportsEveryItemOfAList) {

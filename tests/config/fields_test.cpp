@@ -57,8 +57,8 @@ TEST(Fields, DescribesRangesAndChoices) {
     EXPECT_EQ(describe_choices(*find_field(*find_section("bake.*", "transmittance"), "mapping")),
               "one of `bruneton`, `ue`");
     EXPECT_EQ(describe_field(*find_field(layer, "g")),
-              "asymmetry of the phase function: forward positive, back negative; in (-1, 1); "
-              "typical haze 0.76");
+              "asymmetry of the phase function: forward above 0, back below; in (-1, 1); "
+              "typical haze has 0.76");
 }
 
 }  // namespace

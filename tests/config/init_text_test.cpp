@@ -132,7 +132,7 @@ TEST(InitText, TakramsNoisesAreBytes) {
 
 TEST(InitText, SaysUnitRangeAndMeaning) {
     const std::string text = init_text(*find_preset("earth"));
-    EXPECT_NE(text.find("in (-1, 1); typical haze 0.76"), std::string::npos);
+    EXPECT_NE(text.find("in (-1, 1); typical haze has 0.76"), std::string::npos);
     EXPECT_NE(text.find("\n# pixel_type = \"float\"\n"), std::string::npos);
     EXPECT_NE(text.find("skybake init --preset earth"), std::string::npos);
     EXPECT_EQ(text.find("\n# max_error ="), std::string::npos);

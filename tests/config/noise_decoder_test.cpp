@@ -98,8 +98,9 @@ TEST(NoiseDecoder, ChannelsMakeAPicture) {
         EXPECT_EQ(diagnostic.code, "E0129") << letters;
         EXPECT_GT(diagnostic.where.line, 2) << letters;
     }
-    EXPECT_EQ(only_diagnostic(with_channels("RG")).label,
-              "expected R, G, B; type = \"constant\" and value = 0 make up the missing one");
+    EXPECT_EQ(
+        only_diagnostic(with_channels("RG")).label,
+        "expected R, G, B; type = \"constant\" and value = 0 can stand in for the missing one");
     EXPECT_EQ(only_diagnostic(with_channels("RG")).message, "[noise.n] has channels R, G");
 }
 
@@ -115,7 +116,7 @@ TEST(NoiseDecoder, ANoiseHasChannels) {
 TEST(NoiseDecoder, UnknownNamesAreOneError) {
     const Diagnostic channel = only_diagnostic("[noise.n.channels.r]\ntype = 'perlin'\n");
     EXPECT_EQ(channel.code, "E0102");
-    EXPECT_EQ(channel.label, "channels are R, G, B and A, or Y alone");
+    EXPECT_EQ(channel.label, "a noise has the channels R, G, B and A, or Y alone");
     const Diagnostic type =
         only_diagnostic(channel_recipe("type = 'perlin_worly'\nfractal = 'fbm'"));
     EXPECT_EQ(type.code, "E0104");
@@ -147,7 +148,7 @@ TEST(NoiseDecoder, PackingsTakeTheirChannels) {
     const Diagnostic diagnostic = only_diagnostic(with_channels("RGBA", "pack = 'detail'"));
     EXPECT_EQ(diagnostic.code, "E0129");
     EXPECT_EQ(diagnostic.message,
-              "`noise.n.pack` packs channels R, G, B, but there are R, G, B, A");
+              "`noise.n.pack` packs channels R, G, B, but the noise has R, G, B, A");
     EXPECT_EQ(diagnostic.where.line, 2);
 }
 

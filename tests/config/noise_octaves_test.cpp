@@ -55,7 +55,7 @@ TEST(NoiseOctaves, GainsAreOneAnOctave) {
             only_diagnostic(channel_recipe(std::string("type = 'worley'\n") + keys));
         EXPECT_EQ(diagnostic.code, "E0108") << keys;
         EXPECT_EQ(diagnostic.where.line, 4) << keys;
-        EXPECT_EQ(diagnostic.label, "one gain per octave");
+        EXPECT_EQ(diagnostic.label, "give one gain per octave");
     }
 }
 

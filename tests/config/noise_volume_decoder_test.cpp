@@ -115,10 +115,10 @@ TEST(NoiseVolumeDecoder, FormatsHaveTheirPixelTypes) {
 TEST(NoiseVolumeDecoder, ColumnsAreOfAnAtlas) {
     EXPECT_EQ(fault("columns = 4").code, "E0111");
     EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 0").code, "E0110");
-    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 129").label, "there are 128 slices");
+    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 129").label, "the volume has 128 slices");
     EXPECT_EQ(volume("layout = 'atlas'\ncolumns = 128").columns, 128);
     EXPECT_EQ(fault("layout = 'atlas'\nsize = [16384, 16, 128]\ncolumns = 65").label,
-              "an atlas is at most 1048576 voxels wide: 64 columns");
+              "an atlas is at most 1048576 voxels wide, which is 64 columns");
     EXPECT_EQ(volume("layout = 'atlas'").columns, 0);
 }
 

@@ -66,7 +66,7 @@ TEST(OccupancyDecoder, LevelsAndColumnsAreThoseOfItsCells) {
     EXPECT_EQ(occupancy("mips = 'all'\ncell = 16").mips, 2);
     EXPECT_EQ(fault("mips = 5").label, "4x8x2 has 4 levels down to one voxel");
     EXPECT_EQ(occupancy("layout = 'atlas'\ncolumns = 2").columns, 2);
-    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 4").label, "there are 2 slices");
+    EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 4").label, "the volume has 2 slices");
     EXPECT_EQ(fault("pixel_type = 'unorm8'").code, "E0131");
 }
 
@@ -109,7 +109,7 @@ TEST(OccupancyDecoder, LevelsHalveTheCells) {
         const auto diagnostics = of_size(size[0], size[1], size[2], "mips = 4");
         ASSERT_EQ(diagnostics.size(), 1u);
         EXPECT_EQ(diagnostics[0].code, "E0150");
-        EXPECT_EQ(diagnostics[0].label, "at most 3 levels, or another size");
+        EXPECT_EQ(diagnostics[0].label, "use at most 3 levels, or another size");
     }
     EXPECT_TRUE(of_size(64, 16, 4, "mips = 'all'").empty()) << "1 stays 1";
 }

@@ -39,7 +39,7 @@ TEST(SectionDecoder, KeysInTheWrongTableAreSentHome) {
     EXPECT_EQ(label(planet + "wavelengths = '550 nm'\n"), "`wavelengths` belongs at the top level");
     EXPECT_EQ(label(planet + "[bake.transmittance]\nmethod = 'converged'\n"),
               "`method` is a key of asset multiple_scattering");
-    EXPECT_EQ(label(planet + "zzz = 1\n"), "no such key");
+    EXPECT_EQ(label(planet + "zzz = 1\n"), "there is no such key");
 }
 
 TEST(SectionDecoder, MissingKeysSayWhoNeedsThem) {

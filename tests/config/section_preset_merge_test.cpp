@@ -65,10 +65,10 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
 
 TEST(SectionPresetMerge, PresetsOfTheOtherKindAreSentHome) {
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'earth'\n").label,
-              "it is a preset of an atmosphere: preset = \"earth\" at the top level");
+              "it is a preset of an atmosphere: write preset = \"earth\" at the top level");
     const Diagnostic diagnostic = only_diagnostic("preset = 'nubis_shape'\n");
     EXPECT_EQ(diagnostic.code, "E0115");
-    EXPECT_EQ(diagnostic.label, "a preset of noises: it stands below [noise.NAME]");
+    EXPECT_EQ(diagnostic.label, "it is a preset of noises: name it below [noise.NAME]");
 }
 
 TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
@@ -152,11 +152,11 @@ TEST(SectionPresetMerge, KindsDoNotMixUp) {
     EXPECT_EQ(recipe.parameters.noises.at(0).channels.size(), 4u);
     EXPECT_EQ(recipe.parameters.clouds.at(0).towers.size(), 3u);
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'stratus'\n").label,
-              "it is a preset of a cloud: it stands below [clouds.NAME]");
+              "it is a preset of a cloud: name it below [clouds.NAME]");
     EXPECT_EQ(only_diagnostic("[clouds.n]\npreset = 'nubis_shape'\n").label,
-              "it is a preset of a noise: it stands below [noise.NAME]");
+              "it is a preset of a noise: name it below [noise.NAME]");
     EXPECT_EQ(only_diagnostic("preset = 'stratus'\n").label,
-              "a preset of clouds: it stands below [clouds.NAME]");
+              "it is a preset of clouds: name it below [clouds.NAME]");
 }
 
 // Places of what the user adds to a preset are the user's.

@@ -120,7 +120,7 @@ TEST(AssetIdentity, DifferencesNameWhatHasChanged) {
     EXPECT_EQ(all, (std::vector<std::string>{
                        "bake.c.pixel_type \"half\" → \"float\"", "clouds.c.coverage 1 → 0.5",
                        "clouds.c.threshold 0 → 0.25", "noise.shape.seed 0 → 3",
-                       "coverage.png has other content", "--certify quick → off"}));
+                       "coverage.png has changed content", "--certify quick → off"}));
     EXPECT_EQ(differences(*other.value, entry, 2),
               (std::vector<std::string>{all[0], all[1], "4 more"}));
     entry.release = "0.0.1";

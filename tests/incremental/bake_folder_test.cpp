@@ -69,7 +69,7 @@ TEST(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
     EXPECT_EQ(bake.states(), (States{baked, up_to_date, baked}));
     EXPECT_EQ(
         bake.observer.reasons[0],
-        (std::vector<std::string>{"transmittance.exr has other bytes than manifest.json says"}));
+        (std::vector<std::string>{"transmittance.exr does not match manifest.json"}));
     EXPECT_EQ(bake.observer.reasons[2], (std::vector<std::string>{"shape.bin cannot be read"}));
     EXPECT_EQ(read_bytes(table), whole);
 }

@@ -93,13 +93,13 @@ TEST(Manifest, NamesThePlaceOfDamageInAVolume) {
     };
     EXPECT_TRUE(names(message("\"level\": 2", "\"level\": 3"), "of level 3"));
     EXPECT_TRUE(names(message("\"level\": 0", "\"level\": -1"), "assets[0].files[0].level"));
-    EXPECT_TRUE(names(message("\"atlas\"", "\"heap\""), "no such layout"));
+    EXPECT_TRUE(names(message("\"atlas\"", "\"heap\""), "there is no such layout"));
     EXPECT_TRUE(
         names(message("\"columns\": 3", "\"columns\": 99999999"), "files[0].layout.columns"));
     EXPECT_TRUE(names(message("\"counts\": [", "\"counts\": [1.5, "), "histogram.counts[0]"));
     EXPECT_TRUE(names(message("\"uvw\": [", "\"uvw\": [1, "), "3 values"));
     EXPECT_TRUE(names(message("\"mips\"", "\"mops\""), "`mips` is missing"));
-    EXPECT_TRUE(names(message("\"bin\"", "\"raw\""), "no such format"));
+    EXPECT_TRUE(names(message("\"bin\"", "\"raw\""), "there is no such format"));
     EXPECT_TRUE(names(message("\"grids\": [", "\"grids\": [\"A\", "), "4 grids for 3 channels"));
     EXPECT_TRUE(names(message("\"w\": {", "\"x\": {"), "`w` is missing"));
 }

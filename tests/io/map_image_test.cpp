@@ -203,19 +203,19 @@ TEST(MapImageFails, ForOtherFiles) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "empty.png", "");
     testing::write_bytes(folder / "text.png", "P2\n1 1\n255\n0\n");  // a picture, of another kind
-    expect_refused(folder / "empty.png", "it is none of PNG, TIFF and OpenEXR");
-    expect_refused(folder / "text.png", "it is none of PNG, TIFF and OpenEXR");
+    expect_refused(folder / "empty.png", "it is neither PNG nor TIFF nor OpenEXR");
+    expect_refused(folder / "text.png", "it is neither PNG nor TIFF nor OpenEXR");
     expect_refused(data / "deep.exr", "it is a deep image");
     expect_refused(data / "uint.exr", "its values are of type uint");
     expect_refused(data / "window.exr", "its data window is not its display window");
 }
 
 TEST(MapImageFails, ForChannelsThatAreNotThere) {
-    expect_refused(data / "rgba8.png", "it has no channel `Y`, but `R`, `G`, `B`, `A`", "Y");
+    expect_refused(data / "rgba8.png", "it has no channel `Y`, only `R`, `G`, `B`, `A`", "Y");
     expect_refused(data / "half_and_float.exr",
-                   "it has no channel `coverge`, but `Y`, `coverage`; did you mean `coverage`?",
+                   "it has no channel `coverge`, only `Y`, `coverage`; did you mean `coverage`?",
                    "coverge");
-    expect_refused(data / "two_parts.exr", "it has no channel `y`, but `Y`", "y");
+    expect_refused(data / "two_parts.exr", "it has no channel `y`, only `Y`", "y");
 }
 
 TEST(MapImageFails, ForValuesThatAreNoShares) {
