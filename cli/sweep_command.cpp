@@ -237,14 +237,18 @@ ExitCode emit(const Invocation& invocation, const SweepJob& job, Console& consol
 
 // --- Baking -------------------------------------------------------------------------------------
 
-// The same warning of many variants is one.
+// The same warning of many variants is one: the same words of the same place of the recipe.
 void report_warnings(const std::vector<VariantResult>& results, Console& console) {
-    std::set<std::pair<std::string, std::string>> known;
+    std::set<std::tuple<std::string, std::string, std::string, int, int>> known;
     std::vector<Diagnostic> warnings;
     for (const VariantResult& result : results) {
         for (const Diagnostic& diagnostic : result.diagnostics) {
             if (diagnostic.severity != config::Severity::warning) continue;
-            if (known.emplace(diagnostic.code, diagnostic.message).second) {
+            const config::SourceRange& where = diagnostic.where;
+            if (known
+                    .emplace(diagnostic.code, diagnostic.message, where.source, where.line,
+                             where.column)
+                    .second) {
                 warnings.push_back(diagnostic);
             }
         }

@@ -50,7 +50,7 @@ VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
     const auto count = static_cast<int>(places.size());
     for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
         for (int i = tile * kTile; i < std::min(count, (tile + 1) * kTile); ++i) {
-            if (options.progress != nullptr && options.progress->cancelled()) return;
+            if (options.cancelled()) return;
             const auto at = static_cast<std::size_t>(i);
             const std::vector<double> found = look_up(voxels, level, places[at]);
             const std::vector<double> wanted = reference(places[at]);

@@ -124,7 +124,7 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
     // Points that refuted the last tables are tried first: most candidates fall at the first one.
     std::vector<PointIndex> order = all_points(points);
     for (const Candidate& candidate : candidates(model)) {
-        if (options.progress != nullptr && options.progress->cancelled()) break;
+        if (options.cancelled()) break;
         if (candidate.level < first || candidate.level > last) continue;
         double largest = 0;
         for (std::size_t k = 0; k < order.size() && largest <= max_error; ++k) {

@@ -294,12 +294,8 @@ class Survey {
     }
 
   private:
-    bool cancelled() const {
-        return options_.progress != nullptr && options_.progress->cancelled();
-    }
-
     void look_at(int index, Slot& slot) const {
-        if (cancelled()) return;
+        if (options_.cancelled()) return;
         const VoxelBox box = boxes_[index];
         const auto count = static_cast<std::size_t>(box.count());
         const std::size_t channels = whole_.size();
@@ -326,7 +322,7 @@ class Survey {
     }
 
     bool take(int index, const Slot& slot) {
-        if (cancelled()) return false;
+        if (options_.cancelled()) return false;
         if (slot.bad) {
             problem_ = diagnostic(boxes_[index], *slot.bad);
             return false;

@@ -10,7 +10,7 @@ void for_each_tile(int count, const BakeOptions& options, std::string_view step,
                    const std::function<void(int)>& tile) {
     std::atomic<int> done = 0;
     parallel_for(count, options.threads, [&](int i) {
-        if (options.progress != nullptr && options.progress->cancelled()) return;
+        if (options.cancelled()) return;
         tile(i);
         if (options.progress != nullptr) {
             options.progress->advance(step, static_cast<double>(++done) / count);

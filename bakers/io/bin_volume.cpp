@@ -42,17 +42,16 @@ config::Outcome<bool> write_bin_volume(const BakedVolume& volume, int index, int
     const BoxSequence boxes(level.size, static_cast<int>(volume.channel_names.size()));
     std::vector<Slot> slots(static_cast<std::size_t>(box_slots(threads)));
     FileOutput output(path);
-    const auto cancelled = [&] { return progress != nullptr && progress->cancelled(); };
     bool complete = true;
     ordered_pipeline(
         boxes.count(), threads, static_cast<int>(slots.size()),
         [&](int i, int slot) {
-            if (cancelled()) return;
+            if (is_cancelled(progress)) return;
             make(level, volume.channel_names.size(), volume.pixel_type, boxes[i],
                  slots[static_cast<std::size_t>(slot)]);
         },
         [&](int i, int slot) {
-            complete = !cancelled();
+            complete = !is_cancelled(progress);
             if (!complete) return false;
             output.write(slots[static_cast<std::size_t>(slot)].bytes);
             if (progress != nullptr) progress->advance("write", (i + 1.0) / boxes.count());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "bakers/io/file_diagnostic.h"
 #include "bakers/io/manifest.h"
@@ -439,6 +440,24 @@ int nesting(std::string_view text) {
     return deepest;
 }
 
+// Of a key that stands twice in an object some readers take the first value and others the last, so
+// that no hash could tell what was read.
+class KeysOnce {
+  public:
+    void read(Json::parse_event_t event, const Json& parsed) {
+        if (event == Json::parse_event_t::object_start) objects_.emplace_back();
+        if (event == Json::parse_event_t::object_end) objects_.pop_back();
+        if (event != Json::parse_event_t::key) return;
+        const auto key = parsed.get<std::string>();
+        if (!objects_.back().insert(key).second) {
+            throw Damage{fmt::format("`{}` stands twice in one object", key)};
+        }
+    }
+
+  private:
+    std::vector<std::set<std::string>> objects_;  // the keys of those that are open
+};
+
 // Copies, texts and hashes of a JSON value are made by recursion: what nests deeper than any
 // manifest does could exhaust the stack.
 Json parse_json(std::string_view text) {
@@ -446,7 +465,11 @@ Json parse_json(std::string_view text) {
     if (nesting(text) > most) {
         throw Damage{fmt::format("its objects and arrays nest more than {} deep", most)};
     }
-    return Json::parse(text);
+    KeysOnce keys;
+    return Json::parse(text, [&keys](int, Json::parse_event_t event, const Json& parsed) {
+        keys.read(event, parsed);
+        return true;
+    });
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ void for_each_block(const ChannelSource& source, const CellGrid& grid, int halo,
     const Blocks blocks = blocks_of_source(grid, halo);
     std::atomic<int> done = 0;
     parallel_for(blocks.count(), options.threads, [&](int i) {
-        if (options.progress != nullptr && options.progress->cancelled()) return;
+        if (options.cancelled()) return;
         const BlockVoxels voxels(source, grid, blocks[i], halo);
         if (!voxels.empty()) work(blocks[i], voxels.rows());
         const int finished = ++done;

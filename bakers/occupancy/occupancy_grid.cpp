@@ -123,10 +123,6 @@ config::Diagnostic lost_cell(const BakedVolume& volume, const occupancy::LostCel
     return diagnostic;
 }
 
-bool cancelled(const BakeOptions& options) {
-    return options.progress != nullptr && options.progress->cancelled();
-}
-
 // The grid of level 0, with what is known of it among the volume's details. No value after an
 // interruption, or with a diagnostic.
 Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
@@ -141,7 +137,7 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
     const float threshold = of.threshold;
     const auto start = std::chrono::steady_clock::now();
     CellRanges ranges = cell_ranges(source, grid, bake.filter, options);
-    if (cancelled(options)) return outcome;
+    if (options.cancelled()) return outcome;
     const OccupiedCells exact = occupied_cells(ranges, threshold);
     OccupiedCells occupied = exact;
     if (bake.rule == OccupancyRule::thesis) {
@@ -159,7 +155,7 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
         const auto lost = find_lost_cell(source, grid, bake.filter, exact, threshold, options);
         if (lost) outcome.diagnostics.push_back(lost_cell(volume, *lost));
     }
-    if (!cancelled(options) && outcome.diagnostics.empty()) outcome.value = cells;
+    if (!options.cancelled() && outcome.diagnostics.empty()) outcome.value = cells;
     return outcome;
 }
 

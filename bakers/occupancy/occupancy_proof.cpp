@@ -141,7 +141,7 @@ std::optional<LostCell> find_lost_cell(const ChannelSource& source, const CellGr
     for_each_block(
         source, grid, voxels_beyond(filter), options,
         [&](const CellBlock& block, const BlockRows& rows) { search.look_at(block, rows); });
-    if (options.progress != nullptr && options.progress->cancelled()) return std::nullopt;
+    if (options.cancelled()) return std::nullopt;
     return search.lost();
 }
 

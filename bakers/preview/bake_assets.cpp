@@ -74,7 +74,7 @@ class PreviewBake {
                 stages_.progress->begin_stage(++stage_, stages_.count, bake.name);
             }
             const bool made = add(bake);
-            if (options_.progress != nullptr && options_.progress->cancelled()) return {};
+            if (options_.cancelled()) return {};
             if (!made) return {{}, std::move(diagnostics_)};
         }
         if (memory_ != nullptr) *memory_ = std::move(fresh_memory_);

@@ -168,15 +168,11 @@ PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& me
     return picture;
 }
 
-bool is_cancelled(const CloudPreviewInput& input) {
-    return input.progress != nullptr && input.progress->cancelled();
-}
-
 void add_lit_pictures(const CloudPreviewInput& input, const CloudMedium& medium,
                       const Lighting& lighting, const Leaps& leaps, int threads,
                       std::vector<PreviewPicture>& pictures) {
     const double share = 1.0 / static_cast<double>(input.suns.size());
-    for (std::size_t i = 0; i < input.suns.size() && !is_cancelled(input); ++i) {
+    for (std::size_t i = 0; i < input.suns.size() && !is_cancelled(input.progress); ++i) {
         const SunDirection& sun = input.suns[i];
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
         ProgressPart part(input.progress, step, static_cast<double>(i) * share, share);
@@ -234,7 +230,7 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
         Leaps leaps = leaps_of(input, medium, threads);
         medium.leaps = std::move(leaps.grid);
         add_lit_pictures(input, medium, *lighting, leaps, threads, pictures);
-        if (is_cancelled(input)) return pictures;
+        if (is_cancelled(input.progress)) return pictures;
     }
     const Image2<float> depth = column_optical_depth(medium, threads);
     pictures.push_back(optical_depth_picture(medium, entry.name, depth));

@@ -44,21 +44,17 @@ class Preview {
         page_.notes = assets_.notes;
         add_sky();
         for (const PreviewAsset& asset : assets_.assets) {
-            if (cancelled()) return {};
+            if (is_cancelled(options_.progress)) return {};
             begin_stage(asset.entry.name);
             add(asset);
         }
-        if (cancelled()) return {};
+        if (is_cancelled(options_.progress)) return {};
         auto problems = encoder_.finish();
         if (!problems.empty()) return {{}, std::move(problems)};
         return {std::move(page_), {}};
     }
 
   private:
-    bool cancelled() const {
-        return options_.progress != nullptr && options_.progress->cancelled();
-    }
-
     void begin_stage(const std::string& what) {
         if (options_.progress == nullptr) return;
         const int count = picture_stages(assets_.assets.size(), lit_pictures_of(assets_));

@@ -281,7 +281,7 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
         std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, ""};
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
     // After an interruption the solution is not to be used.
-    if (options.progress != nullptr && options.progress->cancelled()) return pictures;
+    if (is_cancelled(options.progress)) return pictures;
     // What is to be looked at comes first, what is to be measured after it.
     if (options.panorama_pixels > 0 && !options.sun_elevations_degrees.empty()) {
         pictures.push_back(panoramas(scene));

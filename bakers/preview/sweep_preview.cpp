@@ -40,12 +40,12 @@ class SweepPreview {
     Outcome<PreviewPage> make() {
         add_columns();
         for (const SweepVariant& variant : sweep_.variants) {
-            if (cancelled()) return {};
+            if (is_cancelled(options_.progress)) return {};
             begin_stage(variant.name);
             add(variant);
             if (!unused_.empty()) return {{}, std::move(unused_)};
         }
-        if (cancelled()) return {};
+        if (is_cancelled(options_.progress)) return {};
         add_sheet();
         auto problems = encoder_.finish();
         if (!problems.empty()) return {{}, std::move(problems)};
@@ -57,10 +57,6 @@ class SweepPreview {
     }
 
   private:
-    bool cancelled() const {
-        return options_.progress != nullptr && options_.progress->cancelled();
-    }
-
     void begin_stage(const std::string& what) {
         if (options_.progress == nullptr) return;
         options_.progress->begin_stage(++stage_, static_cast<int>(sweep_.variants.size()), what);

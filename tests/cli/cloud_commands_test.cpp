@@ -99,6 +99,17 @@ TEST_F(CloudBake, CheckOpensMaps) {
     EXPECT_FALSE(fs::exists(out_));
 }
 
+TEST_F(CloudBake, CheckOpensMapsOfTypes) {
+    write_bytes(recipe_,
+                "[noise.n]\npreset = \"nubis_shape\"\n[clouds.c]\nnoise = \"n\"\n"
+                "extent = [\"1 km\", \"1 km\", \"500 m\"]\n"
+                "height_profile = { type = \"blended\" }\ntype_map = { file = \"t.png\" }\n");
+    const Result result = run_words({"check", recipe_});
+    EXPECT_EQ(result.code, 3);
+    EXPECT_TRUE(contains(result.error, "cannot read the map `")) << result.error;
+    EXPECT_TRUE(contains(result.error, "recipe.toml:7:21")) << result.error;
+}
+
 TEST_F(CloudBake, ReportsWhatSkippingSaves) {
     const std::string report = (folder_ / "report").string();
     const Result result =

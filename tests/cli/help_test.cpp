@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/text_width.h"
 #include "tests/cli/program.h"
+#include "tests/support/odd_words.h"
 
 namespace skybake::cli {
 namespace {
@@ -28,6 +29,14 @@ TEST(Help, EachCommandFitsAPageAndHasAnExample) {
             EXPECT_TRUE(contains(result.out, "--" + std::string(option.name))) << name;
             EXPECT_FALSE(option.help.empty()) << name << " --" << option.name;
         }
+    }
+}
+
+TEST(Help, HasNoWordsThatReadersStumbleOver) {
+    EXPECT_EQ(test::odd_word_of(run_words({"--help"}).out), "");
+    for (const Command& command : commands()) {
+        const std::string name(command.name);
+        EXPECT_EQ(test::odd_word_of(run_words({name, "--help"}).out), "") << name;
     }
 }
 

@@ -201,6 +201,18 @@ TEST(CheckCommand, ReportsAllErrorsAtOnce) {
     EXPECT_TRUE(contains(result.error, "3 errors"));
 }
 
+TEST(CheckCommand, FindsParticlesThatNobodyCanScatter) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "hail.toml").string();
+    write_bytes(file,
+                "preset = \"earth\"\n[particles.hail]\npreset = \"fog\"\n"
+                "radius = \"9 cm\"\n");
+    const Result result = run_words({"check", file});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.error, "error[E0144]: [particles.hail]: the largest spheres"))
+        << result.error;
+}
+
 TEST(CheckCommand, MachineFormatsAreResults) {
     const TemporaryFolder folder;
     const std::string file = (folder / "bad.toml").string();

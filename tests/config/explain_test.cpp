@@ -4,6 +4,7 @@
 
 #include "config/diagnostic_codes.h"
 #include "config/fields.h"
+#include "tests/support/odd_words.h"
 
 namespace skybake::config {
 namespace {
@@ -88,6 +89,13 @@ TEST(Explain, EveryCodeAndEveryKeyIsExplained) {
             EXPECT_NE(all.find(field.key), std::string::npos) << field.key;
         }
     }
+}
+
+TEST(Explain, HasNoWordsThatReadersStumbleOver) {
+    for (const std::string& name : explained_names()) {
+        EXPECT_EQ(test::odd_word_of(explain(name).value_or("")), "") << name;
+    }
+    EXPECT_EQ(test::odd_word_of("`91` will\n   not do"), "will not do");
 }
 
 TEST(Explain, UnknownNamesAreUnknown) {

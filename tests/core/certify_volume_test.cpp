@@ -6,6 +6,7 @@
 
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/survey_volume.h"
+#include "tests/core/looked_up.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -13,6 +14,7 @@ namespace {
 
 using config::PixelType;
 using testing::FunctionVoxels;
+using testing::looked_up;
 using testing::plain_volume;
 using testing::sample_voxel;
 using Place = std::array<double, 3>;
@@ -24,29 +26,6 @@ VolumeLevel level_of(const std::array<int, 3>& size, int channels, PixelType typ
     const std::vector<std::array<double, 2>> ranges(static_cast<std::size_t>(channels), {0, 1});
     EXPECT_TRUE(survey_level(volume, 0, ranges, {}).empty());
     return volume.levels[0];
-}
-
-// A lookup of voxels as stored, from the definition: hat functions about voxel centres.
-double lookup(const FunctionVoxels::Function& voxel, const std::array<int, 3>& size, PixelType type,
-              int channel, const Place& uvw) {
-    const auto weight = [&](std::size_t axis, int i) {
-        double sum = 0;  // of all copies of the voxel
-        for (int copy = -2; copy <= 2; ++copy) {
-            const double apart = uvw[axis] * size[axis] - (i + 0.5 + copy * size[axis]);
-            sum += std::max(0.0, 1 - std::fabs(apart));
-        }
-        return sum;
-    };
-    double sum = 0;
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                const double w = weight(0, x) * weight(1, y) * weight(2, z);
-                if (w != 0) sum += w * double{round_to_pixel_type(voxel(x, y, z, channel), type)};
-            }
-        }
-    }
-    return sum;
 }
 
 TEST(CertifyVolume, ConstantsAreExact) {
@@ -75,7 +54,7 @@ TEST(CertifyVolume, FindsAKnownErrorBetweenVoxels) {
     const auto reference = [&](const Place& uvw) {
         const double position = uvw[0] * size[0] - 0.5;
         const double t = position - std::floor(position);
-        return std::vector<double>{lookup(sample_voxel, size, PixelType::float32, 0, uvw) +
+        return std::vector<double>{looked_up(sample_voxel, size, PixelType::float32, 0, uvw) +
                                    a * t * (1 - t)};
     };
     const VolumeErrors errors = measure_lookups(level, PixelType::float32, reference, 2000, {});
@@ -126,7 +105,7 @@ TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     for (int c = 0; c < 3; ++c) {
         const auto channel = static_cast<std::size_t>(c);
         const double range = level.statistics[channel].max - level.statistics[channel].min;
-        const double found = lookup(sample_voxel, size, PixelType::half, c, errors.worst);
+        const double found = looked_up(sample_voxel, size, PixelType::half, c, errors.worst);
         worst = std::max(worst, std::fabs(found - reference(errors.worst)[channel]) / range);
     }
     EXPECT_NEAR(errors.figures.max, worst, 1e-12);

@@ -7,6 +7,7 @@
 
 #include "bakers/core/pixel_type.h"
 #include "bakers/core/survey_volume.h"
+#include "tests/core/looked_up.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -14,6 +15,7 @@ namespace {
 
 using config::PixelType;
 using testing::FunctionVoxels;
+using testing::looked_up;
 using testing::plain_volume;
 using testing::sample_voxel;
 using UnitPlace = std::array<double, 3>;
@@ -30,29 +32,6 @@ VolumeLevel probed(const std::array<int, 3>& size, int channels, PixelType type,
     level.nearest = nearest;
     EXPECT_FALSE(add_volume_probes("shape", {}, type, options, level).has_value());
     return level;
-}
-
-// A lookup of voxels as stored, from the definition: hat functions about voxel centres.
-double lookup(const FunctionVoxels::Function& voxel, const std::array<int, 3>& size, PixelType type,
-              int channel, const UnitPlace& uvw) {
-    const auto weight = [&](std::size_t axis, int i) {
-        double sum = 0;  // of all copies of the voxel
-        for (int copy = -2; copy <= 2; ++copy) {
-            const double apart = uvw[axis] * size[axis] - (i + 0.5 + copy * size[axis]);
-            sum += std::max(0.0, 1 - std::fabs(apart));
-        }
-        return sum;
-    };
-    double sum = 0;
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                const double w = weight(0, x) * weight(1, y) * weight(2, z);
-                if (w != 0) sum += w * double{round_to_pixel_type(voxel(x, y, z, channel), type)};
-            }
-        }
-    }
-    return sum;
 }
 
 bool catches(const VolumeLevel& level, const std::string& fault) {
@@ -73,7 +52,7 @@ TEST(VolumeProbes, AreTheStoredVoxelsLookedUpDirectly) {
                 for (std::size_t c = 0; c < 3; ++c) {
                     EXPECT_GT(probe.tolerance[c], 0);
                     EXPECT_NEAR(probe.value[c],
-                                lookup(sample_voxel, size, type, static_cast<int>(c), probe.uvw),
+                                looked_up(sample_voxel, size, type, static_cast<int>(c), probe.uvw),
                                 1e-12);
                 }
             }
@@ -89,7 +68,8 @@ TEST(VolumeProbes, CatchWrongLookups) {
     const auto caught = [&](const auto& change) {
         int count = 0;
         for (const VolumeProbe& probe : level.probes) {
-            const double found = lookup(sample_voxel, size, PixelType::half, 0, change(probe.uvw));
+            const double found =
+                looked_up(sample_voxel, size, PixelType::half, 0, change(probe.uvw));
             count += std::fabs(found - probe.value[0]) > probe.tolerance[0] ? 1 : 0;
         }
         return count;

@@ -116,6 +116,24 @@ TEST(BrunetonLookup, FloatLosesLittle) {
                        trial.baked.volume().certificate);
 }
 
+TEST(BrunetonLookup, HoldsTheProbes) {
+    const ScatteringTrial trial;
+    const std::vector<VolumeProbe>& probes = trial.baked.volume().levels.front().probes;
+    EXPECT_FALSE(probes.empty());
+    for (const VolumeProbe& probe : probes) {
+        ScatteringPlace at;
+        at.h = static_cast<float>(test::at(probe, "altitude_km"));
+        at.mu = static_cast<float>(test::at(probe, "cos_zenith"));
+        at.mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
+        at.nu = static_cast<float>(test::at(probe, "nu"));
+        at.ground = test::at(probe, "ground") != 0;
+        test::expect_probe(trial.in_float(at), probe.value, probe.tolerance,
+                           "h " + std::to_string(at.h) + ", mu " + std::to_string(at.mu) +
+                               ", mu_s " + std::to_string(at.mu_s) + ", nu " +
+                               std::to_string(at.nu));
+    }
+}
+
 TEST(BrunetonLookup, DifferencesOfSquaresWouldBeNoticed) {
     const ScatteringTrial trial;
     const test::Loss loss =
@@ -169,6 +187,14 @@ TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
         loss.add((double{found.x} - wanted[0]) / (red.max - red.min));
     }
     expect_little_loss(loss, baked.volume().certificate);
+    for (const VolumeProbe& probe : baked.volume().levels.front().probes) {
+        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
+        const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
+        const gpu::vec3 found = gpu::bruneton_lookups::bruneton_irradiance(
+            {texture}, static_cast<float>(shell.thickness_km), h, mu_s);
+        test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance,
+                           "h " + std::to_string(h) + ", mu_s " + std::to_string(mu_s));
+    }
 }
 
 TEST(BrunetonLookup, PhaseFunctionsAreTheBakers) {

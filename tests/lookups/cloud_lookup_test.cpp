@@ -1,4 +1,6 @@
 // Noise, clouds, and the march that leaps over what is empty.
+#include <set>
+
 #include "bakers/core/texel_axis.h"
 #include "tests/lookups/lookup_trial.h"
 
@@ -44,11 +46,15 @@ TEST(NoiseLookup, FloatLosesLittle) {
             }
         }
         expect_little_loss(loss, baked.volume().certificate);
-        if (corners) continue;
         for (const VolumeProbe& probe : baked.volume().levels.front().probes) {
-            const vec3 p(glm::dvec3(probe.uvw[0], probe.uvw[1], probe.uvw[2]) * glm::dvec3(tile));
-            test::expect_probe(gpu::cloud_lookups::noise_volume({texture}, p, tile), probe.value,
-                               probe.tolerance, "u " + std::to_string(probe.uvw[0]));
+            const glm::dvec3 place(test::at(probe, "x_tile"), test::at(probe, "y_tile"),
+                                   test::at(probe, "z_tile"));
+            const vec3 p(place * glm::dvec3(tile));
+            const gpu::vec4 found =
+                corners ? gpu::cloud_lookups::noise_volume_at_corners({texture}, p, tile)
+                        : gpu::cloud_lookups::noise_volume({texture}, p, tile);
+            test::expect_probe(found, probe.value, probe.tolerance,
+                               "x_tile " + std::to_string(place.x));
         }
     }
 }
@@ -81,13 +87,15 @@ TEST(NoiseLookup, ChannelsArePackedAsTheBakerPacksThem) {
 
 // A small cloud, its cells and a tile.
 struct CloudTrial {
-    CloudTrial()
+    explicit CloudTrial(const std::string& size = "[60, 64, 20]")
         : baked(test::bake_all(kShape +
                                "pack = 'shape'\n[clouds.cumulus]\nnoise = 'shape'\n"
                                "noise_scale = [1, 1, 1]\nextent = ['3 km', '3.2 km', '1 km']\n"
                                "height_profile = { type = 'cumulus' }\ncoverage = 0.06\n"
                                "[bake.cloud]\nasset = 'cloud_volume'\ncloud = 'cumulus'\n"
-                               "size = [60, 64, 20]\npixel_type = 'float'\n[bake.leap]\n"
+                               "size = " +
+                               size +
+                               "\npixel_type = 'float'\n[bake.leap]\n"
                                "asset = 'occupancy'\nof = 'cloud'\ncell = 4\ncontents = ['leap']\n"
                                "pixel_type = 'unorm8'\nformats = ['bin']\n")),
           cloud(texture_of(baked.volume(0))),
@@ -120,6 +128,12 @@ struct CloudTrial {
     float march(const Ray& ray, const Texture& with) const {
         return gpu::cloud_lookups::cloud_march({cloud}, {with}, 4, 255, ray.from, ray.ray, tile,
                                                ray.stride, ray.count);
+    }
+    // In metres from the lower corner of the tile.
+    glm::dvec3 place_of(const VolumeProbe& probe) const {
+        const double base_m = baked.recipe.parameters.clouds.front().base_altitude.meters;
+        return {test::at(probe, "x_m"), test::at(probe, "y_m"),
+                test::at(probe, "altitude_m") - base_m};
     }
     // A grid that calls nothing empty, whose march looks everywhere.
     Texture without_leaps() const {
@@ -176,6 +190,49 @@ TEST(CloudMarch, TooLongLeapsWouldBeNoticed) {
     EXPECT_GT(different, 100);
 }
 
+// Where the box of a cell that is `leap` cells from an occupied one ends along an axis, in voxels
+// from the tile's corner. Tiles follow each other, and the last cell of each may be smaller.
+int face_of_box(int cell, int leap, bool upwards, int cells, int voxels) {
+    const int face = upwards ? cell + leap : cell + 1 - leap;
+    const int tile = face >= 0 ? face / cells : (face - cells + 1) / cells;
+    return tile * voxels + 4 * (face - tile * cells);
+}
+
+// What the lookup makes of a probe's cell: how far a ray goes on, along each axis and against it.
+void expect_leaps_of_probe(const CloudTrial& trial, const VolumeProbe& probe, int leap) {
+    const glm::dvec3 place = trial.place_of(probe);
+    for (int direction = 0; direction < 6; ++direction) {
+        const int axis = direction / 2;
+        const auto i = static_cast<std::size_t>(axis);
+        vec3 ray(0);
+        ray[axis] = direction % 2 == 0 ? 1.0f : -1.0f;
+        const float found = gpu::cloud_lookups::cloud_leap({trial.cloud}, {trial.leaps}, 4, 255,
+                                                           vec3(place), ray, trial.tile);
+        const int cells = trial.leaps.size[i];
+        const int voxels = trial.cloud.size[i];
+        const int face = face_of_box(static_cast<int>(probe.uvw[i] * cells), leap,
+                                     direction % 2 == 0, cells, voxels);
+        const double edge_m = double{trial.tile[axis]} / voxels;
+        const double wanted = leap == 0 ? 0 : std::fabs(face * edge_m - place[axis]);
+        EXPECT_NEAR(found, wanted, 1e-5 * (wanted + double{trial.tile[axis]}))
+            << "x " << place.x << ", leap " << leap << ", direction " << direction;
+    }
+}
+
+TEST(CloudLeap, HoldsTheProbes) {
+    for (const char* size : {"[60, 64, 20]", "[60, 64, 19]"}) {
+        const CloudTrial trial(size);
+        std::set<int> leaps;
+        for (const VolumeProbe& probe : trial.baked.volume(1).levels.front().probes) {
+            const auto leap = static_cast<int>(std::lround(255 * probe.value.front()));
+            EXPECT_LE(std::fabs(leap / 255.0 - probe.value.front()), probe.tolerance.front());
+            expect_leaps_of_probe(trial, probe, leap);
+            leaps.insert(leap);
+        }
+        EXPECT_GT(leaps.size(), 2U);  // of occupied cells, of their neighbours, and farther ones
+    }
+}
+
 TEST(CloudMarch, AddsUpTheDensities) {
     const CloudTrial trial;
     test::Dice dice;
@@ -207,10 +264,10 @@ TEST(CloudLookup, FloatLosesLittle) {
     }
     expect_little_loss(loss, trial.baked.volume().certificate);
     for (const VolumeProbe& probe : trial.baked.volume().levels.front().probes) {
-        const vec3 p(glm::dvec3(probe.uvw[0], probe.uvw[1], probe.uvw[2]) * glm::dvec3(trial.tile));
+        const vec3 p(trial.place_of(probe));
         const float found = gpu::cloud_lookups::cloud_density({trial.cloud}, p, trial.tile);
         test::expect_probe(gpu::vec4(found), probe.value, probe.tolerance,
-                           "u " + std::to_string(probe.uvw[0]));
+                           "x " + std::to_string(p.x));
     }
 }
 

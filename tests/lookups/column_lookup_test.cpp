@@ -40,6 +40,28 @@ struct ColumnTrial {
         return columns;
     }
 
+    // What a lookup finds over a probe's path is the column of a texel within the probe's
+    // tolerance. Both ends of it are rounded to float, as the columns of some kinds are below all
+    // of its numbers.
+    template <class Lookup>
+    void expect_probes(const Lookup& lookup) const {
+        const std::vector<VolumeProbe>& probes = baked.volume().levels.front().probes;
+        EXPECT_FALSE(probes.empty());
+        for (const VolumeProbe& probe : probes) {
+            const auto [column, length_km] = lookup(probe);
+            for (std::size_t k = 0; k < 4; ++k) {
+                const auto column_of = [length = length_km](double stored) {
+                    return static_cast<float>(mean_density_of_stored(std::max(stored, 0.0)) *
+                                              length);
+                };
+                const float found = column[static_cast<gpu::vec4::length_type>(k)];
+                const std::string where = ::testing::PrintToString(probe.at) + ", channel ";
+                EXPECT_GE(found, column_of(probe.value[k] - probe.tolerance[k])) << where << k;
+                EXPECT_LE(found, column_of(probe.value[k] + probe.tolerance[k])) << where << k;
+            }
+        }
+    }
+
     // Of the transmittance: of each kind alone and of all together.
     void add_errors(const gpu::vec4& found, const std::array<double, 4>& wanted,
                     test::Loss& loss) const {
@@ -105,6 +127,65 @@ TEST(ColumnLookup, FloatLosesLittleToTheTop) {
         trial.add_errors(found, trial.in_double(path), loss);
     }
     expect_little_loss(loss, trial.baked.volume().certificate);
+}
+
+TEST(ColumnLookup, HoldsTheProbesToTheTop) {
+    const ColumnTrial trial("size = [128, 64, 1]\n");
+    trial.expect_probes([&](const VolumeProbe& probe) {
+        const double h = test::at(probe, "altitude_km");
+        const double mu = test::at(probe, "cos_zenith");
+        const Shell& shell = trial.geometry.shell;
+        return std::pair(
+            gpu::column_lookups::column_to_top({trial.texture}, trial.air, static_cast<float>(h),
+                                               static_cast<float>(mu)),
+            distance_to_top_km(shell, h, (shell.ground_radius_km + h) * mu));
+    });
+}
+
+TEST(ColumnLookup, HoldsTheProbesBetweenPoints) {
+    const ColumnTrial trial("table = 'between'\nsize = [32, 32, 32]\n");
+    trial.expect_probes([&](const VolumeProbe& probe) {
+        const double low = test::at(probe, "low_altitude_km");
+        const double high = test::at(probe, "high_altitude_km");
+        const double angle = test::at(probe, "angle_at_centre_deg") / 180 * std::numbers::pi;
+        const double R = trial.geometry.shell.ground_radius_km;
+        const double length_km =
+            std::hypot(high - low, 2 * std::sqrt((R + low) * (R + high)) * std::sin(0.5 * angle));
+        return std::pair(gpu::column_lookups::column_between(
+                             {trial.texture}, trial.air, static_cast<float>(high),
+                             static_cast<float>(low), static_cast<float>(length_km)),
+                         length_km);
+    });
+}
+
+TEST(ColumnLookup, HoldsTheProbesAlongRays) {
+    const ColumnTrial trial("table = 'between'\ncoordinates = 'distance'\nsize = [32, 32, 32]\n");
+    trial.expect_probes([&](const VolumeProbe& probe) {
+        const double length_km = test::at(probe, "length_km");
+        return std::pair(
+            gpu::column_lookups::column_along(
+                {trial.texture}, trial.air, static_cast<float>(test::at(probe, "altitude_km")),
+                static_cast<float>(test::at(probe, "cos_zenith")), static_cast<float>(length_km)),
+            length_km);
+    });
+}
+
+TEST(ColumnLookup, HoldsTheProbesOfDensitiesAndPhases) {
+    const ColumnTrial densities("table = 'density'\nsize = [256, 1, 1]\n");
+    for (const VolumeProbe& probe : densities.baked.volume().levels.front().probes) {
+        const double h = test::at(probe, "altitude_km");
+        test::expect_probe(gpu::column_lookups::column_density({densities.texture}, densities.air,
+                                                               static_cast<float>(h)),
+                           probe.value, probe.tolerance, "h " + std::to_string(h));
+    }
+    const ColumnTrial phases("table = 'phase'\nsize = [256, 1, 1]\n");
+    for (const VolumeProbe& probe : phases.baked.volume().levels.front().probes) {
+        const double degrees = test::at(probe, "scattering_angle_deg");
+        const double angle = degrees / 180 * std::numbers::pi;
+        test::expect_probe(gpu::column_lookups::column_phase({phases.texture}, {1, 0, 0},
+                                                             {std::cos(angle), std::sin(angle), 0}),
+                           probe.value, probe.tolerance, std::to_string(degrees) + " degrees");
+    }
 }
 
 TEST(ColumnLookup, FloatLosesLittleBetweenPoints) {

@@ -129,8 +129,9 @@ inline BakedLookup bake_all(const std::string& text,
     return baked;
 }
 
-// A coordinate of a probe's place.
-inline double at(const Probe& probe, std::string_view name) {
+// A coordinate of the place of a probe, of a table or of a volume.
+template <class AnyProbe>
+double at(const AnyProbe& probe, std::string_view name) {
     const auto found = std::find_if(probe.at.begin(), probe.at.end(),
                                     [&](const auto& one) { return one.first == name; });
     if (found == probe.at.end()) {

@@ -1,4 +1,6 @@
 // Multiple scattering, moments and irradiance: tables over the sun's cosine and altitude.
+#include <set>
+
 #include "bakers/atmosphere/multiple_scattering_mapping.h"
 #include "bakers/core/relative_error.h"
 #include "bakers/core/texel_axis.h"
@@ -182,6 +184,27 @@ TEST(MomentsLookup, FloatLosesLittle) {
         }
     }
     expect_little_loss(loss, table.certificate);
+}
+
+// Each in the table of its degree and order.
+TEST(MomentsLookup, HoldsTheProbes) {
+    const CroppedMoments table;
+    std::set<int> tables;
+    for (const Probe& probe : table.baked.table().probes) {
+        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
+        const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
+        const int part = moment_index(static_cast<int>(test::at(probe, "l")),
+                                      static_cast<int>(test::at(probe, "m")));
+        const gpu::vec2 place = gpu::sun_lookups::moment_place({table.texture}, table.D, h, mu_s,
+                                                               table.twilight(), table.crop());
+        const gpu::vec3 found =
+            gpu::sun_lookups::moment({table.texture}, place, static_cast<float>(part));
+        test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance,
+                           "h " + std::to_string(h) + ", mu_s " + std::to_string(mu_s) +
+                               ", table " + std::to_string(part));
+        tables.insert(part);
+    }
+    EXPECT_EQ(tables.size(), 6U);
 }
 
 TEST(IrradianceLookup, FloatLosesLittle) {

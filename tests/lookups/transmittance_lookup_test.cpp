@@ -75,5 +75,25 @@ TEST(TransmittanceLookup, HoldsTheProbes) {
     }
 }
 
+// Bruneton's own table of transmittance is looked up the same way.
+TEST(TransmittanceLookup, HoldsTheProbesOfBrunetonsTable) {
+    const BakedLookup baked = test::bake_all(
+        "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'transmittance'\n"
+        "pixel_type = 'float'\nsize = [64, 16, 1]\n");
+    const Texture texture = texture_of(baked.volume());
+    const Shell shell = baked.shell();
+    const std::vector<VolumeProbe>& probes = baked.volume().levels.front().probes;
+    EXPECT_FALSE(probes.empty());
+    for (const VolumeProbe& probe : probes) {
+        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
+        const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
+        const gpu::vec3 found =
+            transmittance_to_top({texture}, static_cast<float>(shell.ground_radius_km),
+                                 static_cast<float>(shell.thickness_km), h, mu);
+        test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance,
+                           "h " + std::to_string(h) + ", mu " + std::to_string(mu));
+    }
+}
+
 }  // namespace
 }  // namespace skybake

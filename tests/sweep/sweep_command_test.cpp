@@ -64,6 +64,20 @@ TEST(SweepCommand, BakesAndWritesItsIndex) {
     EXPECT_EQ(run_words({"verify", folder.out() + "/0001_coverage=0.5_seed=2"}).code, 0);
 }
 
+// Whoever bakes a hundred variants of a coarse noise reads so once.
+TEST(SweepCommand, SaysTheSameWarningOfManyVariantsOnce) {
+    const Folder folder(
+        std::regex_replace(small_recipe, std::regex("frequency = 2"), "frequency = 4"));
+    const auto warnings = [](const std::string& text) {
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = text.find("W0203", at)) != std::string::npos; ++at) ++count;
+        return count;
+    };
+    const std::size_t of_one = warnings(run_words({"check", folder.recipe}).error);
+    EXPECT_GT(of_one, 0U);
+    EXPECT_EQ(warnings(folder.sweep({"--vary", "noise.n.seed=1,2,3"}).error), of_one);
+}
+
 TEST(SweepCommand, ListsWithoutMaking) {
     const Folder folder;
     const Result result = folder.sweep(
@@ -288,7 +302,7 @@ TEST(SweepScripts, NinjaEscapesPaths) {
     EXPECT_TRUE(contains(text, "command = skybake sweep 'a $$b.toml' -j 1 --shard $task/2 && "));
     EXPECT_TRUE(contains(text,
                          "build out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp: task |"
-                         " a$ $$b.toml c$:d.png\n"))
+                         " a$ $$b.toml c$:d.png\n  task = 1\n"))
         << text;
     EXPECT_TRUE(contains(text,
                          ": merge | out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp"

@@ -1,0 +1,36 @@
+// What a lookup between voxels is, for tests of the bakers' own.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bakers/core/pixel_type.h"
+#include "tests/support/volumes.h"
+
+namespace skybake::testing {
+
+// A lookup of voxels as stored, from the definition: hat functions about voxel centres.
+inline double looked_up(const FunctionVoxels::Function& voxel, const std::array<int, 3>& size,
+                        config::PixelType type, int channel, const std::array<double, 3>& uvw) {
+    const auto weight = [&](std::size_t axis, int i) {
+        double sum = 0;  // of all copies of the voxel
+        for (int copy = -2; copy <= 2; ++copy) {
+            const double apart = uvw[axis] * size[axis] - (i + 0.5 + copy * size[axis]);
+            sum += std::max(0.0, 1 - std::fabs(apart));
+        }
+        return sum;
+    };
+    double sum = 0;
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x) {
+                const double w = weight(0, x) * weight(1, y) * weight(2, z);
+                if (w != 0) sum += w * double{round_to_pixel_type(voxel(x, y, z, channel), type)};
+            }
+        }
+    }
+    return sum;
+}
+
+}  // namespace skybake::testing
