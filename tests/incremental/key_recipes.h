@@ -1,0 +1,210 @@
+// Recipes that have every key of every section between them, with assets that bake in milliseconds.
+#pragma once
+
+namespace skybake {
+
+inline constexpr const char* kSky = R"(
+preset = "earth"
+[scene]
+altitude = ["0 km", "2 km"]
+sun_elevation = ["-5 deg", "80 deg"]
+view_distance = "20 km"
+[particles.drop]
+material = "constant"
+refractive_index = 1.33
+absorption_index = 0.001
+sizes = "log_normal"
+radius = "0.3 um"
+geometric_deviation = 1.5
+[atmosphere.layers.fog]
+profile = "slab"
+bottom_altitude = "0 m"
+top_altitude = "100 m"
+phase = { mie = "drop" }
+number_density = "15 /cm3"
+[bake.transmittance]
+size = [4, 4]
+[bake.scattered]
+asset = "multiple_scattering"
+method = "converged"
+size = [2, 2]
+[bake.solved]
+asset = "multiple_scattering"
+method = "solved"
+size = [2, 2]
+[bake.view]
+asset = "sky_view"
+orders = "single"
+size = [4, 4]
+sun_elevations = ["20 deg"]
+[bake.spheres]
+asset = "phase"
+particles = "drop"
+size = 16
+[bake.of_layer]
+asset = "phase"
+layer = "mie"
+size = 16
+[bake.columns]
+asset = "optical_depth"
+size = [4, 4, 1]
+[bake.bruneton]
+asset = "bruneton"
+table = "transmittance"
+size = [4, 4, 1]
+)";
+
+inline constexpr const char* kClouds = R"(
+preset = "earth"
+[noise.shape]
+seed = 3
+[noise.shape.channels.R]
+type = "perlin_worley"
+frequency = 2
+octaves = 2
+worley_frequency = 2
+worley_octaves = 1
+[noise.shape.channels.G]
+type = "worley"
+frequency = 3
+[noise.shape.channels.B]
+type = "worley"
+frequency = 4
+[noise.shape.channels.A]
+type = "worley"
+frequency = 5
+[noise.detail.channels.Y]
+type = "perlin"
+frequency = 3
+fractal = "ridged"
+[noise.curls.channels.Y]
+type = "curl"
+frequency = 2
+component = "x"
+[clouds.c]
+noise = "shape"
+detail = "detail"
+erosion = [0.1, 0.2]
+extent = ["1 km", "1 km", "1 km"]
+coverage = 0.8
+threshold = 0.1
+height_profile = { type = "blended", cloud_type = 0.4 }
+[clouds.c.scatter]
+count = 3
+seed = 5
+sigma = [0.1, 0.3]
+[[clouds.c.towers]]
+center = [0.5, 0.4]
+sigma = [0.3, 0.25]
+rotation = "30 deg"
+amplitude = 0.3
+[bake.transmittance]
+size = [4, 4]
+[bake.noise]
+asset = "noise_volume"
+noise = "shape"
+size = [8, 8, 8]
+[bake.curl]
+asset = "noise_volume"
+noise = "curls"
+size = [8, 8, 8]
+[bake.cloud]
+asset = "cloud_volume"
+cloud = "c"
+size = [8, 8, 8]
+[bake.cells]
+asset = "occupancy"
+of = "cloud"
+cell = 2
+)";
+
+inline constexpr const char* kParticles = R"(
+preset = "earth"
+[particles.gamma]
+sizes = "gamma"
+effective_radius = "0.1 um"
+effective_variance = 0.05
+[particles.modified]
+sizes = "modified_gamma"
+radius = "0.1 um"
+alpha = 6
+gamma = 1.5
+[bake.gamma]
+asset = "phase"
+particles = "gamma"
+size = 16
+[bake.modified]
+asset = "phase"
+particles = "modified"
+size = 16
+)";
+
+// What those before leave out: other kinds of layers, channels and profiles, and maps.
+inline constexpr const char* kOthers = R"(
+preset = "earth"
+[atmosphere.layers.dust]
+enabled = true
+profile = "tabulated"
+table = [["0 km", 1.0], ["5 km", 0.5], ["9 km", 0.0]]
+scattering = "1e-6 /m"
+single_scattering_albedo = 0.9
+phase = "henyey_greenstein"
+g = 0.7
+[noise.shape.channels.Y]
+type = "worley"
+frequency = 2
+octaves = 2
+gain = 0.5
+lacunarity = 2
+clamp = [0.1, 0.9]
+smoothstep = [0.2, 0.8]
+[noise.mixed.channels.R]
+type = "perlin_worley"
+frequency = 2
+worley_frequency = 2
+worley_octaves = 2
+worley_gain = 0.5
+worley_lacunarity = 2
+[noise.mixed.channels.G]
+type = "constant"
+value = 0.3
+[noise.mixed.channels.B]
+type = "constant"
+value = 0.6
+[clouds.mapped]
+noise = "shape"
+extent = ["1 km", "1 km", "1 km"]
+coverage = 0.9
+full_at = 0.5
+height_profile = { type = "tabulated", table = [[0, 0.5], [0.5, 1], [1, 0.2]] }
+coverage_map = { file = "grey16.png", channel = "R" }
+[clouds.typed]
+noise = "shape"
+extent = ["1 km", "1 km", "1 km"]
+height_profile = { type = "blended" }
+type_map = { file = "rgba8.png", channel = "G" }
+[clouds.of_thesis]
+noise = "shape"
+extent = ["1 km", "1 km", "1 km"]
+height_profile = { type = "thesis", bottom_sharpness = 40, top_falloff = 3 }
+[bake.transmittance]
+size = [4, 4]
+[bake.mixed]
+asset = "noise_volume"
+noise = "mixed"
+size = [8, 8, 8]
+[bake.mapped]
+asset = "cloud_volume"
+cloud = "mapped"
+size = [8, 8, 8]
+[bake.typed]
+asset = "cloud_volume"
+cloud = "typed"
+size = [8, 8, 8]
+[bake.of_thesis]
+asset = "cloud_volume"
+cloud = "of_thesis"
+size = [8, 8, 8]
+)";
+
+}  // namespace skybake
