@@ -48,6 +48,12 @@ cp /etc/resolv.conf "$root/etc/resolv.conf"
 # The root is thrown away, so dpkg need not wait until every file is on the disk.
 echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
 git clone --quiet --no-hardlinks . "$root/skybake"
+# A network may stand behind certificates of its own, which npm has to know for the browser tests.
+certificates=
+if [[ -r ${NODE_EXTRA_CA_CERTS:-} ]]; then
+    certificates=NODE_EXTRA_CA_CERTS=/etc/network_certificates.pem
+    cp "$NODE_EXTRA_CA_CERTS" "$root/etc/network_certificates.pem"
+fi
 
 # Runs a command of the README in the root, with an environment as after a login.
 as_a_stranger() {
@@ -55,9 +61,9 @@ as_a_stranger() {
     unshare --mount bash -c '
         mount -t proc proc "$0/proc"
         mount --rbind /dev "$0/dev"
-        exec chroot "$0" /usr/bin/env -i HOME=/root TERM=dumb LANG=C.UTF-8 \
+        exec chroot "$0" /usr/bin/env -i HOME=/root TERM=dumb LANG=C.UTF-8 $1 \
             PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-            bash -c "cd /skybake && $1"' "$root" "$*"
+            bash -c "cd /skybake && $2"' "$root" "$certificates" "$*"
 }
 
 # Whatever a command prints besides its own words would frighten somebody who arrived today.
