@@ -45,6 +45,8 @@ trap remove EXIT
 echo "making a bare Debian 12 in $root" >&2
 mmdebstrap --quiet --variant=minbase bookworm "$root" "$sources"
 cp /etc/resolv.conf "$root/etc/resolv.conf"
+# Debian's installer names the machine; mmdebstrap does not.
+printf '127.0.0.1 localhost\n127.0.1.1 %s\n' "$(hostname)" >"$root/etc/hosts"
 # The root is thrown away, so dpkg need not wait until every file is on the disk.
 echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
 git clone --quiet --no-hardlinks . "$root/skybake"
