@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/incremental/asset_cache.h"
-#include "bakers/incremental/bake_folder.h"
-#include "bakers/incremental/depfile.h"
-#include "bakers/io/file_diagnostic.h"
+#include "bakers/io/files/file_diagnostic.h"
 #include "bakers/preview/load_sweep.h"
-#include "bakers/sweep/index_files.h"
+#include "bakers/workspace/asset_cache.h"
+#include "bakers/workspace/bake_folder.h"
+#include "bakers/workspace/depfile.h"
+#include "bakers/workspace/sweep/index_files.h"
 #include "cli/bake_events.h"
 #include "cli/bake_reporter.h"
 #include "cli/bake_selection.h"

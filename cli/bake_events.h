@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bakers/incremental/bake_folder.h"
+#include "bakers/workspace/bake_folder.h"
 
 namespace skybake::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "bakers/preview/stage_progress.h"
+#include "bakers/render/stage_progress.h"
 #include "cli/progress_line.h"
 
 namespace skybake::cli {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/incremental/bake_folder.h"
+#include "bakers/workspace/bake_folder.h"
 
 namespace skybake::cli {
 

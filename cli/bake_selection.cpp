@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "bakers/cloud_inputs.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "cli/parse_arguments.h"
 #include "cli/recipe_argument.h"
 #include "config/suggest.h"

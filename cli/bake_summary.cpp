@@ -8,9 +8,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bakers/io/byte_size_text.h"
-#include "bakers/io/file_names.h"
-#include "bakers/io/spelling.h"
+#include "bakers/io/files/byte_size_text.h"
+#include "bakers/io/files/file_names.h"
+#include "bakers/io/files/spelling.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "bakers/incremental/bake_folder.h"
+#include "bakers/workspace/bake_folder.h"
 
 namespace skybake::cli {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/incremental/asset_cache.h"
-#include "bakers/io/byte_size_text.h"
+#include "bakers/io/files/byte_size_text.h"
+#include "bakers/workspace/asset_cache.h"
 #include "cli/byte_size.h"
 #include "cli/cache_folder.h"
 #include "cli/command.h"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/cloud_inputs.h"
-#include "bakers/phase/check_particles.h"
+#include "bakers/air/particles/check_particles.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bakers/io/release.h"
+#include "bakers/io/manifest/release.h"
 #include "cli/event_line.h"
 #include "cli/recipe_argument.h"
 #include "config/diagnostic_codes.h"

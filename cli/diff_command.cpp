@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bakers/io/compare.h"
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/file_input.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/manifest/compare.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/event_line.h"

@@ -9,11 +9,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/exr_rows.h"
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/manifest.h"
-#include "bakers/io/spelling.h"
-#include "bakers/io/vdb_volume.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/io/manifest/manifest.h"
 #include "cli/bake_summary.h"
 #include "cli/command.h"
 #include "cli/console.h"

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "bakers/io/atomic_file.h"
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/output_folder.h"
+#include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/output_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/event_line.h"

@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-#include "bakers/io/atomic_file.h"
+#include "bakers/io/files/atomic_file.h"
 #include "cli/exit_code.h"
 
 namespace skybake::cli {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/keep_memory.h"
+#include "bakers/math/keep_memory.h"
 #include "cli/interrupt.h"
 #include "cli/run.h"
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "bakers/plot/label.h"
 #include "bakers/preview/bake_assets.h"
-#include "bakers/preview/label.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
-#include "bakers/preview/report_plots.h"
+#include "bakers/preview/pictures/report_plots.h"
 #include "bakers/preview/sweep_preview.h"
 #include "bakers/preview/unused_options.h"
 #include "cli/bake_progress.h"

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "bakers/io/atomic_file.h"
-#include "bakers/io/output_folder.h"
-#include "bakers/io/temporary_file.h"
+#include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/output_folder.h"
+#include "bakers/io/files/temporary_file.h"
 #include "bakers/preview/preview_files.h"
 #include "cli/bake_progress.h"
 #include "cli/console.h"

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "bakers/io/manifest.h"
-#include "bakers/io/spelling.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/manifest/manifest.h"
 #include "bakers/preview/load_sweep.h"
 #include "cli/bake_selection.h"
 #include "cli/parse_arguments.h"

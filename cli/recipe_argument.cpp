@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/io/file_diagnostic.h"
+#include "bakers/io/files/file_diagnostic.h"
 #include "cli/preset_kinds.h"
 #include "config/text_file.h"
 

@@ -6,9 +6,9 @@
 #include <array>
 #include <string_view>
 
-#include "bakers/io/byte_size_text.h"
-#include "bakers/io/spelling.h"
-#include "bakers/report/sweep.h"
+#include "bakers/io/files/byte_size_text.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/report/sweeps/sweep.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/release.h"
+#include "bakers/io/manifest/release.h"
 #include "cli/commands.h"
 #include "cli/event_line.h"
 #include "cli/help.h"

@@ -6,8 +6,8 @@
 #include <array>
 #include <string>
 
-#include "bakers/io/manifest.h"
-#include "bakers/sweep/index_files.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/workspace/sweep/index_files.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/event_schema.h"

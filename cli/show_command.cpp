@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/phase/layer_phase.h"
+#include "bakers/air/particles/layer_phase.h"
 #include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bakers/report/sky_truth_report.h"
+#include "bakers/report/truth/sky_truth_report.h"
 
 namespace skybake::cli {
 

@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/load_module.h"
-#include "bakers/io/manifest.h"
-#include "bakers/sweep/index_files.h"
-#include "bakers/sweep/run_sweep.h"
-#include "bakers/sweep/variant_names.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/load_module.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/workspace/sweep/index_files.h"
+#include "bakers/workspace/sweep/run_sweep.h"
+#include "bakers/workspace/sweep/variant_names.h"
 #include "cli/bake_selection.h"
 #include "cli/byte_size.h"
 #include "cli/cache_folder.h"

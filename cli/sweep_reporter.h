@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/sweep/run_sweep.h"
+#include "bakers/workspace/sweep/run_sweep.h"
 #include "cli/progress_line.h"
 
 namespace skybake::cli {

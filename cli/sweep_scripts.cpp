@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bakers/sweep/index_files.h"
+#include "bakers/workspace/sweep/index_files.h"
 #include "cli/exit_code.h"
 
 namespace skybake::cli {

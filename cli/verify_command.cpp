@@ -1,5 +1,5 @@
 // skybake verify: checks a folder's files against its manifest.
-#include "bakers/io/verify.h"
+#include "bakers/io/manifest/verify.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bakers/io/spelling.h"
-#include "bakers/probe_check.h"
-#include "bakers/skipping_check.h"
+#include "bakers/assets/occupancy/skipping_check.h"
+#include "bakers/assets/probe_check.h"
+#include "bakers/io/files/spelling.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/event_line.h"

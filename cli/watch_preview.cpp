@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/atomic_file.h"
+#include "bakers/io/files/atomic_file.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/draft.h"
 #include "bakers/preview/unused_options.h"

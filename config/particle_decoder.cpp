@@ -10,7 +10,7 @@ namespace skybake::config {
 
 namespace {
 
-// Those of the tables that bakers/phase/water_refractive_index.h cites.
+// Those of the tables that bakers/air/particles/water_refractive_index.h cites.
 constexpr Length shortest_in_water{0.2e-6};
 constexpr Length longest_in_water{4e-6};
 

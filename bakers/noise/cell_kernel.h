@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/core/aligned_floats.h"
-#include "bakers/core/volume.h"
+#include "bakers/field/volume.h"
+#include "bakers/math/aligned_floats.h"
 #include "bakers/noise/lattice_planes.h"
 #include "bakers/noise/noise_plan.h"
 

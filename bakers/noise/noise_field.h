@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bakers/core/volume.h"
+#include "bakers/field/volume.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

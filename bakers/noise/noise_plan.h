@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/aligned_floats.h"
+#include "bakers/math/aligned_floats.h"
 #include "bakers/noise/tile_axis.h"
 #include "config/parameters.h"
 

@@ -4,9 +4,9 @@
 #include <atomic>
 #include <cmath>
 
-#include "bakers/core/aligned_floats.h"
-#include "bakers/core/parallel.h"
-#include "bakers/core/voxel_bytes.h"
+#include "bakers/field/voxel_bytes.h"
+#include "bakers/math/aligned_floats.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake::occupancy {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "bakers/core/bake_options.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/cell_range.h"
 

@@ -26,8 +26,8 @@
 #include <array>
 #include <vector>
 
-#include "bakers/core/bake_options.h"
-#include "bakers/core/volume.h"
+#include "bakers/field/volume.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/parameters.h"
 

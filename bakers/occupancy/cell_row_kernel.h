@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/core/aligned_floats.h"
+#include "bakers/math/aligned_floats.h"
 
 namespace skybake::occupancy {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/core/half_conversion.h"
-#include "bakers/core/pixel_type.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/math/half_conversion.h"
 #include "bakers/occupancy/leap_distance.h"
 
 namespace skybake::occupancy {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/core/volume.h"
+#include "bakers/field/volume.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/parameters.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/core/bake_options.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_range.h"
 
 namespace skybake::occupancy {

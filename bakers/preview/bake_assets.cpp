@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/core/parallel.h"
-#include "bakers/core/pixel_type.h"
-#include "bakers/core/tiles.h"
-#include "bakers/incremental/asset_identity.h"
-#include "bakers/io/metadata.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/tiles.h"
+#include "bakers/workspace/asset_identity.h"
 
 namespace skybake {
 namespace {

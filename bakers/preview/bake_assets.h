@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "bakers/core/bake_options.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/preview/preview_assets.h"
-#include "bakers/preview/stage_progress.h"
+#include "bakers/render/stage_progress.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 

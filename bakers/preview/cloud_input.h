@@ -1,8 +1,8 @@
 // What the pictures of a cloud take, gathered from the assets of a preview.
 #pragma once
 
-#include "bakers/preview/cloud_pictures.h"
 #include "bakers/preview/make_preview.h"
+#include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/preview/preview_assets.h"
 
 namespace skybake {

@@ -8,10 +8,10 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/io/exr_rows.h"
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/spelling.h"
-#include "bakers/io/vdb_volume.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
 #include "config/recipe.h"
 
 namespace skybake {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "bakers/io/manifest.h"
+#include "bakers/io/manifest/manifest.h"
 #include "config/diagnostic.h"
 
 namespace skybake {

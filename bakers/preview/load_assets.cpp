@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "bakers/io/exr.h"
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/file_input.h"
-#include "bakers/io/manifest.h"
-#include "bakers/io/read_volume.h"
-#include "bakers/io/recorded_recipe.h"
-#include "bakers/io/spelling.h"
+#include "bakers/assets/registry.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/formats/read_volume.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/recorded_recipe.h"
 #include "bakers/preview/file_metadata.h"
-#include "bakers/preview/report_plots.h"
-#include "bakers/registry.h"
+#include "bakers/preview/pictures/report_plots.h"
 
 namespace skybake {
 namespace {

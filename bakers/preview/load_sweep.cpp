@@ -7,11 +7,11 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/read_file.h"
-#include "bakers/io/release.h"
-#include "bakers/sweep/index_files.h"
-#include "bakers/sweep/variant_names.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/read_file.h"
+#include "bakers/io/manifest/release.h"
+#include "bakers/workspace/sweep/index_files.h"
+#include "bakers/workspace/sweep/variant_names.h"
 #include "config/key_path.h"
 #include "config/units.h"
 

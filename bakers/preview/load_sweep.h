@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/baked_table.h"
+#include "bakers/field/baked_table.h"
 #include "config/diagnostic.h"
 
 namespace skybake {

@@ -5,15 +5,15 @@
 #include <array>
 #include <utility>
 
-#include "bakers/preview/bruneton_pictures.h"
 #include "bakers/preview/camera_altitude.h"
 #include "bakers/preview/cloud_input.h"
-#include "bakers/preview/cloud_pictures.h"
-#include "bakers/preview/noise_pictures.h"
-#include "bakers/preview/phase_pictures.h"
-#include "bakers/preview/sky_asset_pictures.h"
-#include "bakers/preview/sky_pictures.h"
-#include "bakers/preview/table_pictures.h"
+#include "bakers/preview/pictures/bruneton_pictures.h"
+#include "bakers/preview/pictures/cloud_pictures.h"
+#include "bakers/preview/pictures/noise_pictures.h"
+#include "bakers/preview/pictures/phase_pictures.h"
+#include "bakers/preview/pictures/sky_asset_pictures.h"
+#include "bakers/preview/pictures/sky_pictures.h"
+#include "bakers/preview/pictures/table_pictures.h"
 #include "bakers/preview/unused_options.h"
 
 namespace skybake {

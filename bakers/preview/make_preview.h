@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/preview/cloud_framing.h"
-#include "bakers/preview/encode_pictures.h"
 #include "bakers/preview/page.h"
+#include "bakers/preview/pictures/encode_pictures.h"
 #include "bakers/preview/preview_assets.h"
-#include "bakers/preview/stage_progress.h"
+#include "bakers/render/cloud_framing.h"
+#include "bakers/render/stage_progress.h"
 #include "config/diagnostic.h"
 
 namespace skybake {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "bakers/preview/cloud_medium.h"
-#include "bakers/preview/preview_asset.h"
+#include "bakers/render/cloud_medium.h"
+#include "bakers/render/preview_asset.h"
 #include "config/parameters.h"
 
 namespace skybake {

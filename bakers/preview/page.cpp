@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bakers/io/release.h"
-#include "bakers/io/spelling.h"
-#include "bakers/preview/base64.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/manifest/release.h"
+#include "bakers/plot/base64.h"
 #include "bakers/preview/page_template.h"
 
 namespace skybake {

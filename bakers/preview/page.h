@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/manifest.h"
-#include "bakers/preview/picture.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/plot/picture.h"
 
 namespace skybake {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/preview/preview_asset.h"
+#include "bakers/render/preview_asset.h"
 #include "config/recipe.h"
 
 namespace skybake {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "bakers/io/file_diagnostic.h"
-#include "bakers/io/read_file.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/read_file.h"
 
 namespace skybake {
 namespace {

@@ -7,11 +7,11 @@
 #include <map>
 #include <utility>
 
+#include "bakers/plot/chart.h"
 #include "bakers/preview/camera_altitude.h"
-#include "bakers/preview/chart.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"
-#include "bakers/preview/telling_picture.h"
+#include "bakers/preview/pictures/telling_picture.h"
 #include "bakers/preview/unused_options.h"
 
 namespace skybake {

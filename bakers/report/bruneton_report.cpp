@@ -2,8 +2,8 @@
 
 #include <variant>
 
-#include "bakers/report/bruneton_flat_sweep.h"
-#include "bakers/report/bruneton_scattering_sweep.h"
+#include "bakers/report/sweeps/bruneton_flat_sweep.h"
+#include "bakers/report/sweeps/bruneton_scattering_sweep.h"
 #include "bakers/report/volume_report.h"
 
 namespace skybake {

@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "bakers/cloud/cloud_field.h"
-#include "bakers/cloud/cloud_reference.h"
-#include "bakers/cloud_inputs.h"
-#include "bakers/named_parameters.h"
-#include "bakers/report/sweep.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/assets/named_parameters.h"
+#include "bakers/clouds/cloud_field.h"
+#include "bakers/clouds/cloud_reference.h"
+#include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/volume_report.h"
 #include "config/cloud_channels.h"
 

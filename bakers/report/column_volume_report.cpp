@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "bakers/columns/column_volume.h"
+#include "bakers/assets/optical_depth/column_volume.h"
+#include "bakers/report/sweeps/volume_sweep.h"
 #include "bakers/report/volume_report.h"
-#include "bakers/report/volume_sweep.h"
 
 namespace skybake {
 

@@ -3,10 +3,10 @@
 #include <memory>
 #include <variant>
 
-#include "bakers/named_parameters.h"
+#include "bakers/assets/named_parameters.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/tile_axis.h"
-#include "bakers/report/noise_volume_sweep.h"
+#include "bakers/report/sweeps/noise_volume_sweep.h"
 #include "bakers/report/volume_report.h"
 
 namespace skybake {

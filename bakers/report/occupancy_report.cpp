@@ -11,20 +11,20 @@
 #include <variant>
 #include <vector>
 
-#include "bakers/cloud_inputs.h"
-#include "bakers/core/parallel.h"
-#include "bakers/core/voxel_boxes.h"
-#include "bakers/core/voxel_bytes.h"
-#include "bakers/named_parameters.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/assets/named_parameters.h"
+#include "bakers/assets/occupancy/occupancy_check.h"
+#include "bakers/assets/occupancy/occupancy_grid.h"
+#include "bakers/field/voxel_boxes.h"
+#include "bakers/field/voxel_bytes.h"
+#include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/marcher.h"
-#include "bakers/occupancy/occupancy_check.h"
-#include "bakers/occupancy/occupancy_grid.h"
-#include "bakers/report/skipping_rays.h"
-#include "bakers/report/sweep.h"
-#include "bakers/report/thread_time.h"
-#include "bakers/report/volume_sweep.h"
+#include "bakers/report/sweeps/skipping_rays.h"
+#include "bakers/report/sweeps/sweep.h"
+#include "bakers/report/sweeps/thread_time.h"
+#include "bakers/report/sweeps/volume_sweep.h"
 #include "config/cloud_extent.h"
 
 namespace skybake {

@@ -9,17 +9,17 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/atmosphere/medium.h"
-#include "bakers/registry.h"
+#include "bakers/air/medium.h"
+#include "bakers/assets/registry.h"
 #include "bakers/report/bruneton_report.h"
 #include "bakers/report/cloud_volume_report.h"
 #include "bakers/report/column_volume_report.h"
-#include "bakers/report/measure_sweep.h"
-#include "bakers/report/multiple_scattering_sweep.h"
 #include "bakers/report/noise_volume_report.h"
 #include "bakers/report/occupancy_report.h"
-#include "bakers/report/phase_sweep.h"
-#include "bakers/report/transmittance_sweep.h"
+#include "bakers/report/sweeps/measure_sweep.h"
+#include "bakers/report/sweeps/multiple_scattering_sweep.h"
+#include "bakers/report/sweeps/phase_sweep.h"
+#include "bakers/report/sweeps/transmittance_sweep.h"
 
 namespace skybake {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/baked_table.h"
-#include "bakers/core/progress.h"
-#include "bakers/core/volume.h"
+#include "bakers/field/baked_table.h"
+#include "bakers/field/volume.h"
+#include "bakers/math/progress.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <utility>
 
-#include "bakers/io/file_diagnostic.h"
+#include "bakers/io/files/file_diagnostic.h"
 #include "bakers/report/report_plot.h"
 #include "bakers/report/report_text.h"
-#include "bakers/report/sky_truth_store.h"
+#include "bakers/report/truth/sky_truth_store.h"
 
 namespace skybake {
 

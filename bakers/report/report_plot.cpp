@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/report/svg_plot.h"
-#include "bakers/report/sweep.h"
+#include "bakers/plot/svg_plot.h"
+#include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {
 

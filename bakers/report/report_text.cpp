@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bakers/io/release.h"
-#include "bakers/io/spelling.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/manifest/release.h"
 
 namespace skybake {
 

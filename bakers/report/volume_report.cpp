@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/registry.h"
-#include "bakers/report/sweep.h"
+#include "bakers/assets/registry.h"
+#include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {
 

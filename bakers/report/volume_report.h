@@ -4,9 +4,9 @@
 #include <array>
 #include <string>
 
-#include "bakers/report/measure_volume_sweep.h"
 #include "bakers/report/report.h"
-#include "bakers/report/volume_sweep.h"
+#include "bakers/report/sweeps/measure_volume_sweep.h"
+#include "bakers/report/sweeps/volume_sweep.h"
 #include "config/diagnostic.h"
 #include "config/recipe.h"
 

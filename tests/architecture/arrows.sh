@@ -1,45 +1,85 @@
 #!/usr/bin/env bash
-# The arrows between rooms point one way, config <- bakers <- cli, and each heavy library is included
-# behind its wall.
+# Which room may use which, and which library is included behind which wall. Rooms are the folders of
+# bakers/; a room may use itself, config/ and the rooms of its line.
 set -euo pipefail
 cd "$1"
 failures=0
+
+# complain LINES...: what stands there is not allowed
+complain() {
+    echo "not allowed here:"
+    echo "$1"
+    failures=$((failures + 1))
+}
 
 # forbid WHAT WHERE EXCEPT: no include matching WHAT under WHERE, but in files matching EXCEPT
 forbid() {
     local found
     found=$(grep -rnE "#include [<\"]$1" --include='*.h' --include='*.cpp' $2 | grep -vE "^($3):" || true)
-    if [[ -n "$found" ]]; then
-        echo "not allowed here:"
-        echo "$found"
-        failures=$((failures + 1))
-    fi
+    [[ -z "$found" ]] || complain "$found"
 }
+
+# --- Rooms ------------------------------------------------------------------------------------------
+
+rooms=()
+
+# room NAME MAY_USE...: every include of another room that is not in the list is an arrow too many
+room() {
+    local name=$1 allowed found
+    rooms+=("$name")
+    allowed=$(IFS='|'; echo "$*")
+    found=$(grep -rnE '#include "bakers/' --include='*.h' --include='*.cpp' "bakers/$name" |
+        grep -vE "#include \"bakers/($allowed)/" || true)
+    [[ -z "$found" ]] || complain "$found"
+}
+
+room math
+room field math
+room io math field
+room air math
+room light math field air
+room noise math field
+room clouds math field noise
+room occupancy math field
+room assets math field io air light noise clouds occupancy
+room workspace math field io assets
+room plot field io
+room render math field io air light occupancy plot
+room report math field io air light noise clouds occupancy assets plot
+room preview math field io air light occupancy assets workspace plot render report
+
+# Each room has its line, and nothing lies beside the rooms.
+for path in bakers/*; do
+    name=${path#bakers/}
+    [[ $name == CMakeLists.txt || $name == README.md || " ${rooms[*]} " == *" $name "* ]] ||
+        complain "$path is no room that this test knows"
+    [[ ! -d $path || -s $path/README.md ]] || complain "$path has no README.md"
+done
 
 none='^$'
 forbid '(bakers|cli)/' config "$none"
 forbid 'cli/' 'config bakers' "$none"
+
+# --- Libraries --------------------------------------------------------------------------------------
+
+formats='bakers/io/formats'
 forbid 'toml\+\+' 'config bakers cli' 'config/toml_source\.cpp'
 forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
-forbid '(OpenEXR|Imf)' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp|bakers/io/exr_library\.h'
-forbid 'bakers/io/exr_library\.h' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp'
-forbid 'openvdb/' 'config bakers cli' 'bakers/io/vdb_(decoder|encoder)\.cpp|bakers/io/vdb_library\.h'
-forbid 'OpenImageIO/' 'config bakers cli' 'bakers/io/(map_reader|png_encoder)\.cpp'
-forbid 'ft2build' 'config bakers cli' 'bakers/io/text_renderer\.cpp'
-forbid 'Imath' 'config bakers cli' 'bakers/io/exr(_[a-z]+)?\.cpp'
-forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/core/parallel_tbb\.cpp'
-forbid 'xxh' 'config bakers cli' 'bakers/core/hash\.cpp'
+forbid '(OpenEXR|Imf)' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp|$formats/exr/exr_library\.h"
+forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
+forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder)\.cpp|$formats/vdb/vdb_library\.h"
+forbid 'OpenImageIO/' 'config bakers cli' "$formats/png/(map_reader|png_encoder)\.cpp"
+forbid 'ft2build' 'config bakers cli' "$formats/png/text_renderer\.cpp"
+forbid 'Imath' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
+forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
+forbid 'xxh' 'config bakers cli' 'bakers/math/hash\.cpp'
 forbid '(thread|mutex|OpenEXR)' config "$none"
-# The reading and writing of files, and the console, are not a baker's business.
-forbid '(iostream|fstream|bakers/io/)' 'bakers/core bakers/atmosphere bakers/cloud bakers/noise' "$none"
+# The console, and files by streams, are not a baker's business.
+forbid '(iostream|fstream)' 'bakers/math bakers/field bakers/air bakers/noise bakers/clouds' "$none"
 
 # Sources are compiled in batches, where a namespace that one source opens is open in those after it.
 opened=$(grep -rnE '^using namespace ' --include='*.h' --include='*.cpp' config bakers cli |
     grep -v 'std::string_view_literals;' || true)
-if [[ -n "$opened" ]]; then
-    echo "not allowed outside of functions:"
-    echo "$opened"
-    failures=$((failures + 1))
-fi
+[[ -z "$opened" ]] || complain "$opened"
 
 exit "$failures"

@@ -1,4 +1,4 @@
-#include "bakers/atmosphere/medium.h"
+#include "bakers/air/medium.h"
 
 #include <gtest/gtest.h>
 

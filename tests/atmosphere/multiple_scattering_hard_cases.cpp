@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/atmosphere/multiple_scattering_kernel.h"
-#include "bakers/atmosphere/multiple_scattering_reference.h"
-#include "bakers/registry.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_reference.h"
+#include "bakers/assets/registry.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/hard_case.h"
 

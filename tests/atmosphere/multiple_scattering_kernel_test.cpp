@@ -1,4 +1,4 @@
-#include "bakers/atmosphere/multiple_scattering_kernel.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "bakers/atmosphere/multiple_scattering_as_in_paper.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/atmosphere/multiple_scattering_mapping.h"
+#include "bakers/light/multiple_scattering_mapping.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // The fast quadrature against nested adaptive quadrature of the definition: minutes, so labelled
 // slow.
-#include "bakers/atmosphere/multiple_scattering_reference.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_reference.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/atmosphere/multiple_scattering_kernel.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -1,11 +1,11 @@
-#include "bakers/atmosphere/multiple_scattering_table.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/core/bilinear.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/bilinear.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

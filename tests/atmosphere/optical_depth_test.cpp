@@ -1,4 +1,4 @@
-#include "bakers/atmosphere/optical_depth.h"
+#include "bakers/air/optical_depth.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "bakers/atmosphere/optical_depth_reference.h"
-#include "bakers/atmosphere/transmittance_mapping.h"
+#include "bakers/air/optical_depth_reference.h"
+#include "bakers/air/transmittance_mapping.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/referee.h"
 

@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "bakers/atmosphere/multiple_scattering_kernel.h"
-#include "bakers/atmosphere/optical_depth-inl.h"
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/atmosphere/ray.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/air/optical_depth-inl.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/ray.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
+#include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -1,14 +1,14 @@
-#include "bakers/atmosphere/transmittance_field.h"
+#include "bakers/air/transmittance_field.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/atmosphere/ray_breaks.h"
-#include "bakers/atmosphere/transmittance_mapping.h"
-#include "bakers/core/low_discrepancy.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/ray_breaks.h"
+#include "bakers/air/transmittance_mapping.h"
+#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/atmosphere/ray.h"
-#include "bakers/atmosphere/transmittance_mapping.h"
-#include "bakers/core/bilinear.h"
-#include "bakers/core/texel_axis.h"
-#include "bakers/registry.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/ray.h"
+#include "bakers/air/transmittance_mapping.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/bilinear.h"
+#include "bakers/field/texel_axis.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/referee.h"

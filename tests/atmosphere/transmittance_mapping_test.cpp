@@ -1,10 +1,10 @@
-#include "bakers/atmosphere/transmittance_mapping.h"
+#include "bakers/air/transmittance_mapping.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/core/texel_axis.h"
+#include "bakers/field/texel_axis.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

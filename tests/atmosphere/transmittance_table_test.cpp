@@ -1,14 +1,14 @@
-#include "bakers/atmosphere/transmittance_table.h"
+#include "bakers/assets/transmittance/transmittance_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/atmosphere/transmittance_mapping.h"
-#include "bakers/core/bilinear.h"
-#include "bakers/core/texel_axis.h"
-#include "bakers/registry.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/transmittance_mapping.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/bilinear.h"
+#include "bakers/field/texel_axis.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

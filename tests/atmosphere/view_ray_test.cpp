@@ -1,12 +1,12 @@
-#include "bakers/atmosphere/view_ray.h"
+#include "bakers/air/view_ray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/core/adaptive_quadrature.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "bakers/atmosphere/multiple_scattering_as_in_paper.h"
-#include "bakers/atmosphere/multiple_scattering_kernel.h"
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/atmosphere/transmittance_as_in_paper.h"
-#include "bakers/atmosphere/transmittance_mapping.h"
-#include "bakers/atmosphere/transmittance_table.h"
-#include "bakers/core/table_model.h"
-#include "bakers/registry.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/transmittance_mapping.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
+#include "bakers/assets/registry.h"
+#include "bakers/assets/transmittance/transmittance_as_in_paper.h"
+#include "bakers/assets/transmittance/transmittance_table.h"
+#include "bakers/field/table_model.h"
 #include "config/recipe.h"
 
 namespace skybake {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/cloud/cloud_field.h"
-#include "bakers/core/aligned_floats.h"
-#include "bakers/core/keep_memory.h"
+#include "bakers/clouds/cloud_field.h"
+#include "bakers/math/aligned_floats.h"
+#include "bakers/math/keep_memory.h"
 #include "config/recipe.h"
 
 namespace skybake::cloud {

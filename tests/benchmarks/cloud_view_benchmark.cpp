@@ -9,10 +9,10 @@
 #include <map>
 #include <string>
 
-#include "bakers/core/keep_memory.h"
+#include "bakers/math/keep_memory.h"
 #include "bakers/preview/bake_assets.h"
-#include "bakers/preview/cloud_framing.h"
-#include "bakers/preview/cloud_view.h"
+#include "bakers/render/cloud_framing.h"
+#include "bakers/render/cloud_view.h"
 #include "config/recipe.h"
 
 namespace skybake {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/aligned_floats.h"
-#include "bakers/core/keep_memory.h"
-#include "bakers/core/parallel.h"
+#include "bakers/math/aligned_floats.h"
+#include "bakers/math/keep_memory.h"
+#include "bakers/math/parallel.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/pointwise_kernel.h"
 #include "config/recipe.h"

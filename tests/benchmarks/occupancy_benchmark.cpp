@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/aligned_floats.h"
-#include "bakers/core/keep_memory.h"
+#include "bakers/math/aligned_floats.h"
+#include "bakers/math/keep_memory.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/reference/path_tracer.h"
-#include "bakers/reference/sky_truth.h"
+#include "bakers/light/path_tracer/path_tracer.h"
+#include "bakers/light/path_tracer/sky_truth.h"
 #include "config/recipe.h"
 
 namespace skybake {

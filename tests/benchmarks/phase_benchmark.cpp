@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "bakers/phase/lorenz_mie.h"
-#include "bakers/phase/lorenz_mie_kernel.h"
-#include "bakers/phase/particle_scattering.h"
+#include "bakers/air/particles/lorenz_mie.h"
+#include "bakers/air/particles/lorenz_mie_kernel.h"
+#include "bakers/air/particles/particle_scattering.h"
 
 namespace skybake {
 namespace {

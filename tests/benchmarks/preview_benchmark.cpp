@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <string>
 
-#include "bakers/io/metadata.h"
-#include "bakers/preview/sky_reference.h"
-#include "bakers/preview/sky_view.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/preview/pictures/sky_reference.h"
+#include "bakers/render/sky_view.h"
 #include "config/recipe.h"
 
 namespace skybake {

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/atomic_file.h"
-#include "bakers/io/read_file.h"
-#include "bakers/report/sky_truth_budget.h"
-#include "bakers/report/sky_truth_report.h"
+#include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/read_file.h"
+#include "bakers/report/truth/sky_truth_budget.h"
+#include "bakers/report/truth/sky_truth_report.h"
 #include "config/recipe.h"
 
 namespace skybake {

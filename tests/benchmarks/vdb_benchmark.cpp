@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/keep_memory.h"
-#include "bakers/core/parallel.h"
-#include "bakers/io/vdb_volume.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/math/keep_memory.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake {
 namespace {

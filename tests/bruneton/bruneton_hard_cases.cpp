@@ -1,8 +1,8 @@
 // Hard cases of the tables of scattering; `ctest -L hard` prints how well each is held.
 #include <gtest/gtest.h>
 
-#include "bakers/bruneton/scattering_table.h"
-#include "bakers/scattering/solve_light.h"
+#include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/light/solver/solve_light.h"
 #include "tests/sky/sky_media.h"
 #include "tests/support/hard_case.h"
 

@@ -1,18 +1,18 @@
-#include "bakers/bruneton/bruneton_volume.h"
+#include "bakers/assets/bruneton/bruneton_volume.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "bakers/bruneton/lookup_fit.h"
-#include "bakers/bruneton/scattering_table.h"
-#include "bakers/bruneton/takram_parameters.h"
-#include "bakers/core/transcendental.h"
-#include "bakers/io/exr_volume.h"
-#include "bakers/reference/sky_truth.h"
-#include "bakers/scattering/solved_light_memory.h"
-#include "bakers/sky/sky_light.h"
+#include "bakers/assets/bruneton/lookup_fit.h"
+#include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/assets/bruneton/takram_parameters.h"
+#include "bakers/io/formats/exr/exr_volume.h"
+#include "bakers/light/path_tracer/sky_truth.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/light/solver/solved_light_memory.h"
+#include "bakers/math/transcendental.h"
 #include "tests/io/files.h"
 #include "tests/sky/sky_media.h"
 

@@ -1,9 +1,9 @@
-#include "bakers/bruneton/iterated_scattering.h"
+#include "bakers/assets/bruneton/iterated_scattering.h"
 
 #include <gtest/gtest.h>
 
-#include "bakers/bruneton/scattering_row.h"
-#include "bakers/scattering/solve_light.h"
+#include "bakers/assets/bruneton/scattering_row.h"
+#include "bakers/light/solver/solve_light.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/bruneton/lookup_fit.h"
+#include "bakers/assets/bruneton/lookup_fit.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,9 +1,9 @@
-#include "bakers/bruneton/scattering_mapping.h"
+#include "bakers/assets/bruneton/scattering_mapping.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bakers/core/texel_axis.h"
+#include "bakers/field/texel_axis.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

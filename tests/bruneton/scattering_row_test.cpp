@@ -1,11 +1,11 @@
-#include "bakers/bruneton/scattering_row.h"
+#include "bakers/assets/bruneton/scattering_row.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bakers/bruneton/scattering_table.h"
-#include "bakers/scattering/solve_light.h"
-#include "bakers/sky/solved_orders.h"
+#include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solver/solve_light.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

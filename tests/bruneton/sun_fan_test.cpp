@@ -1,6 +1,6 @@
 // Solved light under a fan of suns against the same light sun by sun, where light falls too fast
 // for cubics and where it does not.
-#include "bakers/bruneton/sun_fan.h"
+#include "bakers/assets/bruneton/sun_fan.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "bakers/sky/solved_source.h"
+#include "bakers/light/solved_source.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake {

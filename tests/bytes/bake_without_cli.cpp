@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-#include "bakers/incremental/bake_folder.h"
+#include "bakers/workspace/bake_folder.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/io/byte_size_text.h"
+#include "bakers/io/files/byte_size_text.h"
 
 namespace skybake::cli {
 namespace {

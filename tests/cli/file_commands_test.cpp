@@ -1,7 +1,7 @@
 // info, diff and verify on sample bakes.
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/exr.h"
+#include "bakers/io/formats/exr/exr.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli {

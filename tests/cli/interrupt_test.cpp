@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "bakers/io/atomic_file.h"
+#include "bakers/io/files/atomic_file.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli {

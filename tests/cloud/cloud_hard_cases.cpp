@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "bakers/cloud/cloud_reference.h"
-#include "bakers/cloud/cloud_specification.h"
-#include "bakers/cloud/cloud_volume.h"
-#include "bakers/core/low_discrepancy.h"
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/clouds/cloud_reference.h"
+#include "bakers/clouds/cloud_specification.h"
+#include "bakers/math/low_discrepancy.h"
 #include "tests/cloud/clouds.h"
 #include "tests/support/hard_case.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/cloud/cloud_reference.h"
-#include "bakers/cloud/height_profile.h"
-#include "bakers/core/low_discrepancy.h"
+#include "bakers/clouds/cloud_reference.h"
+#include "bakers/clouds/height_profile.h"
+#include "bakers/math/low_discrepancy.h"
 #include "bakers/noise/noise_bounds.h"
 #include "bakers/noise/noise_reference.h"
 #include "tests/cloud/clouds.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/cloud/cloud_field.h"
-#include "bakers/cloud/cloud_plan.h"
+#include "bakers/clouds/cloud_field.h"
+#include "bakers/clouds/cloud_plan.h"
 #include "config/init_text.h"
 #include "config/presets.h"
 #include "config/recipe.h"

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/cloud/cloud_field.h"
-#include "bakers/cloud/cloud_plan.h"
+#include "bakers/clouds/cloud_field.h"
+#include "bakers/clouds/cloud_plan.h"
 #include "config/parameters.h"
 #include "tests/noise/noises.h"
 

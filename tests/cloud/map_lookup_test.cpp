@@ -1,4 +1,4 @@
-#include "bakers/cloud/map_lookup.h"
+#include "bakers/clouds/map_lookup.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "bakers/cloud/cloud_reference.h"
-#include "bakers/cloud/cloud_specification.h"
+#include "bakers/clouds/cloud_reference.h"
+#include "bakers/clouds/cloud_specification.h"
 #include "tests/cloud/clouds.h"
 #include "tests/noise/every_target.h"
 

@@ -1,6 +1,6 @@
 // The kernels between noise and cloud by themselves, at values that just are and just are not above
 // a level: of noises that a whole field is made of hardly any hits one to the bit.
-#include "bakers/cloud/shape_kernel.h"
+#include "bakers/clouds/shape_kernel.h"
 
 #include <gtest/gtest.h>
 

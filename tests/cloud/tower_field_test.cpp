@@ -1,4 +1,4 @@
-#include "bakers/cloud/tower_field.h"
+#include "bakers/clouds/tower_field.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/cloud/cloud_reference.h"
+#include "bakers/clouds/cloud_reference.h"
 #include "tests/cloud/clouds.h"
 
 namespace skybake::cloud {

@@ -1,8 +1,8 @@
 // Columns where they are hard: what each case's exact integral and its lookups reach.
 #include <gtest/gtest.h>
 
-#include "bakers/columns/column_errors.h"
-#include "bakers/columns/column_volume.h"
+#include "bakers/assets/optical_depth/column_errors.h"
+#include "bakers/assets/optical_depth/column_volume.h"
 #include "tests/columns/columns.h"
 #include "tests/support/hard_case.h"
 

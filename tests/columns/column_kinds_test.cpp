@@ -1,4 +1,4 @@
-#include "bakers/columns/column_kinds.h"
+#include "bakers/assets/optical_depth/column_kinds.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

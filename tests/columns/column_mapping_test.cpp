@@ -1,4 +1,4 @@
-#include "bakers/columns/column_mapping.h"
+#include "bakers/assets/optical_depth/column_mapping.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

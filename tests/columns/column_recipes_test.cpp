@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
 #include "bakers/report/report.h"
 #include "tests/support/atmospheres.h"
 

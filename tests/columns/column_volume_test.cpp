@@ -1,10 +1,10 @@
-#include "bakers/columns/column_volume.h"
+#include "bakers/assets/optical_depth/column_volume.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "bakers/columns/column_errors.h"
+#include "bakers/assets/optical_depth/column_errors.h"
 #include "tests/columns/columns.h"
 
 namespace skybake::test {

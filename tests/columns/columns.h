@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/columns/column_kinds.h"
-#include "bakers/columns/column_table.h"
-#include "bakers/columns/column_volume.h"
+#include "bakers/assets/optical_depth/column_kinds.h"
+#include "bakers/assets/optical_depth/column_table.h"
+#include "bakers/assets/optical_depth/column_volume.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {

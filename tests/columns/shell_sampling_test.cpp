@@ -1,4 +1,4 @@
-#include "bakers/columns/shell_sampling.h"
+#include "bakers/assets/optical_depth/shell_sampling.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,10 +1,10 @@
-#include "bakers/sky/strip_orders.h"
+#include "bakers/light/strip_orders.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "bakers/sky/sky_radiance.h"
+#include "bakers/light/sky_radiance.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {

@@ -1,4 +1,4 @@
-#include "bakers/core/certify.h"
+#include "bakers/field/certify.h"
 
 #include <gtest/gtest.h>
 

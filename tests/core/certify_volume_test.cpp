@@ -1,11 +1,11 @@
-#include "bakers/core/certify_volume.h"
+#include "bakers/field/certify_volume.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/core/pixel_type.h"
-#include "bakers/core/survey_volume.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/survey_volume.h"
 #include "tests/core/looked_up.h"
 #include "tests/support/volumes.h"
 

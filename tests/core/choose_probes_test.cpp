@@ -1,11 +1,11 @@
-#include "bakers/core/choose_probes.h"
+#include "bakers/field/choose_probes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/core/make_probe.h"
+#include "bakers/field/make_probe.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/core/facts.h"
+#include "bakers/math/facts.h"
 
 #include <gtest/gtest.h>
 

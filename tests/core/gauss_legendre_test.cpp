@@ -1,4 +1,4 @@
-#include "bakers/core/gauss_legendre.h"
+#include "bakers/math/gauss_legendre.h"
 
 #include <gtest/gtest.h>
 

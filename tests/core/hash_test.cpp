@@ -1,4 +1,4 @@
-#include "bakers/core/hash.h"
+#include "bakers/math/hash.h"
 
 #include <gtest/gtest.h>
 

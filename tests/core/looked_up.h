@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "bakers/core/pixel_type.h"
+#include "bakers/field/pixel_type.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {

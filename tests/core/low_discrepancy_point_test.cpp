@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/core/low_discrepancy.h"
+#include "bakers/math/low_discrepancy.h"
 
 namespace skybake {
 namespace {

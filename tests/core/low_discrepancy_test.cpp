@@ -1,4 +1,4 @@
-#include "bakers/core/low_discrepancy.h"
+#include "bakers/math/low_discrepancy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "bakers/core/make_probe.h"
+#include "bakers/field/make_probe.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/core/bilinear.h"
+#include "bakers/field/bilinear.h"
 
 namespace skybake {
 namespace {

@@ -1,12 +1,12 @@
-#include "bakers/core/make_volume_probes.h"
+#include "bakers/field/make_volume_probes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/core/pixel_type.h"
-#include "bakers/core/survey_volume.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/survey_volume.h"
 #include "tests/core/looked_up.h"
 #include "tests/support/volumes.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/core/mip_source.h"
+#include "bakers/field/mip_source.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "bakers/core/stored_source.h"
+#include "bakers/field/stored_source.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {

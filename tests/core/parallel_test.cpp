@@ -1,4 +1,4 @@
-#include "bakers/core/parallel.h"
+#include "bakers/math/parallel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/core/pixel_type.h"
+#include "bakers/field/pixel_type.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/core/smallest_table.h"
+#include "bakers/field/smallest_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/core/stored_source.h"
+#include "bakers/field/stored_source.h"
 
 #include <gtest/gtest.h>
 

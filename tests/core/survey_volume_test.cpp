@@ -1,4 +1,4 @@
-#include "bakers/core/survey_volume.h"
+#include "bakers/field/survey_volume.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "bakers/core/hash.h"
-#include "bakers/core/pixel_type.h"
-#include "bakers/core/voxel_boxes.h"
-#include "bakers/core/voxel_bytes.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/voxel_boxes.h"
+#include "bakers/field/voxel_bytes.h"
+#include "bakers/math/hash.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {

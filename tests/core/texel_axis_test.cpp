@@ -1,8 +1,8 @@
-#include "bakers/core/texel_axis.h"
+#include "bakers/field/texel_axis.h"
 
 #include <gtest/gtest.h>
 
-#include "bakers/core/bilinear.h"
+#include "bakers/field/bilinear.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/core/transcendental.h"
+#include "bakers/math/transcendental.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "bakers/core/low_discrepancy.h"
+#include "bakers/math/low_discrepancy.h"
 
 namespace skybake {
 namespace {

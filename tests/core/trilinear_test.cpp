@@ -1,4 +1,4 @@
-#include "bakers/core/trilinear.h"
+#include "bakers/field/trilinear.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "bakers/core/voxel_boxes.h"
+#include "bakers/field/voxel_boxes.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

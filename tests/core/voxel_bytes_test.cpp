@@ -1,4 +1,4 @@
-#include "bakers/core/voxel_bytes.h"
+#include "bakers/field/voxel_bytes.h"
 
 #include <Imath/half.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include <limits>
 #include <string>
 
-#include "bakers/core/half_conversion.h"
-#include "bakers/core/pixel_type.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/math/half_conversion.h"
 
 namespace skybake {
 namespace {

@@ -1,7 +1,7 @@
 // Every asset's bytes, held to those that were baked before: hashes.toml has, for each asset of the
 // recipes in this folder, the version of its baker, the hash of its content and the hash of what
 // each file stores. A failure means that equal parameters no longer give equal bytes. Mend what is
-// wrong, or raise the baker's version (bakers/registry.cpp), so that no cache serves the old bytes,
+// wrong, or raise the baker's version (bakers/assets/registry.cpp), so that no cache serves the old bytes,
 // and write the file anew:
 //
 //   SKYBAKE_UPDATE_GOLDEN=1 build/dev/tests/golden/golden_tests
@@ -21,11 +21,11 @@
 #include <string>
 #include <variant>
 
-#include "bakers/core/hash.h"
-#include "bakers/io/exr.h"
-#include "bakers/io/manifest.h"
-#include "bakers/io/read_volume.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/formats/read_volume.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/math/hash.h"
 #include "config/fields.h"
 #include "config/recipe.h"
 #include "tests/incremental/bakes.h"
@@ -198,7 +198,7 @@ TEST_P(GoldenHashes, AreThoseOfEqualParameters) {
         const std::string problem = fault(asset, found->second);
         ASSERT_TRUE(problem.empty())
             << name << ": " << problem
-            << "; raise the version of its baker in bakers/registry.cpp, or mend it";
+            << "; raise the version of its baker in bakers/assets/registry.cpp, or mend it";
         EXPECT_TRUE(update || asset == found->second) << name << ": its version was raised; update";
     }
     if (update) return replace_golden(GetParam(), now);

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bakers/io/manifest_hash.h"
-#include "bakers/io/verify.h"
-#include "bakers/probe_check.h"
-#include "bakers/skipping_check.h"
+#include "bakers/assets/occupancy/skipping_check.h"
+#include "bakers/assets/probe_check.h"
+#include "bakers/io/manifest/manifest_hash.h"
+#include "bakers/io/manifest/verify.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/incremental/asset_cache.h"
+#include "bakers/workspace/asset_cache.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "bakers/io/file_descriptor.h"
-#include "bakers/io/verify.h"
+#include "bakers/io/files/file_descriptor.h"
+#include "bakers/io/manifest/verify.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {

@@ -1,11 +1,11 @@
-#include "bakers/incremental/asset_identity.h"
+#include "bakers/workspace/asset_identity.h"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <set>
 
-#include "bakers/io/release.h"
+#include "bakers/io/manifest/release.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/incremental/bake_folder.h"
+#include "bakers/workspace/bake_folder.h"
 
 #include <filesystem>
 #include <functional>
@@ -6,8 +6,8 @@
 #include <map>
 #include <thread>
 
-#include "bakers/incremental/asset_cache.h"
-#include "bakers/io/folder_lock.h"
+#include "bakers/io/files/folder_lock.h"
+#include "bakers/workspace/asset_cache.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {

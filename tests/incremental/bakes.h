@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/incremental/bake_folder.h"
+#include "bakers/workspace/bake_folder.h"
 #include "tests/io/files.h"
 
 namespace skybake::testing {

@@ -1,4 +1,4 @@
-#include "bakers/incremental/depfile.h"
+#include "bakers/workspace/depfile.h"
 
 #include <gtest/gtest.h>
 

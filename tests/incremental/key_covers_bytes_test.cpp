@@ -9,11 +9,11 @@
 #include <regex>
 #include <set>
 
-#include "bakers/core/hash.h"
-#include "bakers/core/voxel_bytes.h"
-#include "bakers/incremental/asset_identity.h"
-#include "bakers/io/exr.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/voxel_bytes.h"
+#include "bakers/io/formats/exr/exr.h"
+#include "bakers/math/hash.h"
+#include "bakers/workspace/asset_identity.h"
 #include "config/fields.h"
 #include "config/key_path.h"
 #include "tests/incremental/key_recipes.h"

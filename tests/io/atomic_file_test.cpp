@@ -1,4 +1,4 @@
-#include "bakers/io/atomic_file.h"
+#include "bakers/io/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <sched.h>
@@ -16,8 +16,8 @@
 #include <functional>
 #include <thread>
 
-#include "bakers/io/file_descriptor.h"
-#include "bakers/io/file_output.h"
+#include "bakers/io/files/file_descriptor.h"
+#include "bakers/io/files/file_output.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -1,12 +1,12 @@
-#include "bakers/io/attribute_pieces.h"
+#include "bakers/io/formats/exr/attribute_pieces.h"
 
 #include <rapidcheck.h>
 
 #include <cstring>
 #include <set>
 
-#include "bakers/io/exr_rows.h"
-#include "bakers/io/metadata.h"
+#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/manifest/metadata.h"
 #include "config/utf8.h"
 #include "tests/io/files.h"
 

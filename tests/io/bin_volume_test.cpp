@@ -1,4 +1,4 @@
-#include "bakers/io/bin_volume.h"
+#include "bakers/io/formats/bin/bin_volume.h"
 
 #include <atomic>
 #include <cmath>

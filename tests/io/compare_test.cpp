@@ -1,4 +1,4 @@
-#include "bakers/io/compare.h"
+#include "bakers/io/manifest/compare.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "bakers/io/exr.h"
+#include "bakers/io/formats/exr/exr.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "bakers/io/exr_rows.h"
+#include "bakers/io/formats/exr/exr_rows.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/io/exr_volume.h"
+#include "bakers/io/formats/exr/exr_volume.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <csignal>
 
-#include "bakers/core/voxel_boxes.h"
+#include "bakers/field/voxel_boxes.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/baked_table.h"
-#include "bakers/core/bilinear.h"
-#include "bakers/core/pixel_type.h"
-#include "bakers/core/survey_volume.h"
-#include "bakers/core/trilinear.h"
-#include "bakers/io/atomic_file.h"
-#include "bakers/io/manifest.h"
-#include "bakers/io/write_table.h"
-#include "bakers/io/write_volume.h"
+#include "bakers/field/baked_table.h"
+#include "bakers/field/bilinear.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/survey_volume.h"
+#include "bakers/field/trilinear.h"
+#include "bakers/io/files/atomic_file.h"
+#include "bakers/io/formats/write_table.h"
+#include "bakers/io/formats/write_volume.h"
+#include "bakers/io/manifest/manifest.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {

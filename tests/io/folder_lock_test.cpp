@@ -1,4 +1,4 @@
-#include "bakers/io/folder_lock.h"
+#include "bakers/io/files/folder_lock.h"
 
 #include <atomic>
 #include <thread>

@@ -1,10 +1,10 @@
-#include "bakers/io/manifest.h"
+#include "bakers/io/manifest/manifest.h"
 
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/manifest_hash.h"
+#include "bakers/io/manifest/manifest_hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

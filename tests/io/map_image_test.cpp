@@ -1,4 +1,4 @@
-#include "bakers/io/map_image.h"
+#include "bakers/io/formats/png/map_image.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,9 +9,9 @@
 #include <limits>
 #include <map>
 
-#include "bakers/core/hash.h"
-#include "bakers/io/exr.h"
-#include "bakers/io/load_module.h"
+#include "bakers/io/files/load_module.h"
+#include "bakers/io/formats/exr/exr.h"
+#include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

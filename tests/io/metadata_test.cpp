@@ -1,6 +1,6 @@
-#include "bakers/io/metadata.h"
+#include "bakers/io/manifest/metadata.h"
 
-#include "bakers/core/hash.h"
+#include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/io/output_folder.h"
+#include "bakers/io/files/output_folder.h"
 
 #include "tests/io/files.h"
 

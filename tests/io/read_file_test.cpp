@@ -1,4 +1,4 @@
-#include "bakers/io/read_file.h"
+#include "bakers/io/files/read_file.h"
 
 #include <sys/stat.h>
 

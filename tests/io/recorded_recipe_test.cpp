@@ -1,4 +1,4 @@
-#include "bakers/io/recorded_recipe.h"
+#include "bakers/io/manifest/recorded_recipe.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/core/pixel_type.h"
-#include "bakers/io/vdb_volume.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {

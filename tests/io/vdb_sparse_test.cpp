@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "bakers/io/vdb_volume.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
 

@@ -1,5 +1,5 @@
 // Files of write_vdb against OpenVDB's own reader, and against trees that OpenVDB built and wrote.
-#include "bakers/io/vdb_volume.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

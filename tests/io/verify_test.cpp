@@ -1,9 +1,9 @@
-#include "bakers/io/verify.h"
+#include "bakers/io/manifest/verify.h"
 
 #include <set>
 
-#include "bakers/core/hash.h"
-#include "bakers/io/metadata.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

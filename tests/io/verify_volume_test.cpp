@@ -1,9 +1,9 @@
-#include "bakers/io/verify_volume.h"
+#include "bakers/io/manifest/verify_volume.h"
 
 #include <set>
 
-#include "bakers/core/hash.h"
-#include "bakers/io/verify.h"
+#include "bakers/io/manifest/verify.h"
+#include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/io/volume_layout.h"
+#include "bakers/io/formats/volume_layout.h"
 
 #include <gtest/gtest.h>
 

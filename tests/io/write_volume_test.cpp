@@ -1,4 +1,4 @@
-#include "bakers/io/write_volume.h"
+#include "bakers/io/formats/write_volume.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@
 #include <csignal>
 #include <functional>
 
-#include "bakers/core/hash.h"
-#include "bakers/io/exr_rows.h"
-#include "bakers/io/file_names.h"
-#include "bakers/io/metadata.h"
+#include "bakers/io/files/file_names.h"
+#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

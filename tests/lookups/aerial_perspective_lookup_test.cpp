@@ -1,4 +1,4 @@
-#include "bakers/sky/aerial_perspective_mapping.h"
+#include "bakers/assets/aerial_perspective/aerial_perspective_mapping.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

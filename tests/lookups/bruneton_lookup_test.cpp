@@ -1,7 +1,7 @@
-#include "bakers/bruneton/scattering_mapping.h"
-#include "bakers/core/relative_error.h"
-#include "bakers/core/texel_axis.h"
-#include "bakers/phase/phase_function.h"
+#include "bakers/air/particles/phase_function.h"
+#include "bakers/assets/bruneton/scattering_mapping.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -1,5 +1,5 @@
-#include "bakers/columns/column_kinds.h"
-#include "bakers/columns/column_table.h"
+#include "bakers/assets/optical_depth/column_kinds.h"
+#include "bakers/assets/optical_depth/column_table.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

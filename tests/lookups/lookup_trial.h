@@ -20,7 +20,7 @@
 #include <variant>
 #include <vector>
 
-#include "bakers/atmosphere/ray.h"
+#include "bakers/air/ray.h"
 #include "tests/lookups/gpu.h"
 #include "tests/support/atmospheres.h"
 

@@ -1,5 +1,5 @@
-#include "bakers/core/texel_axis.h"
-#include "bakers/phase/phase_axis.h"
+#include "bakers/assets/phase/phase_axis.h"
+#include "bakers/field/texel_axis.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -1,11 +1,11 @@
 // Multiple scattering, moments and irradiance: tables over the sun's cosine and altitude.
 #include <set>
 
-#include "bakers/atmosphere/multiple_scattering_mapping.h"
-#include "bakers/core/relative_error.h"
-#include "bakers/core/texel_axis.h"
-#include "bakers/scattering/light_moments.h"
-#include "bakers/sky/sun_columns.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/sun_columns.h"
+#include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -1,8 +1,8 @@
 #include <numbers>
 
-#include "bakers/core/relative_error.h"
-#include "bakers/core/texel_axis.h"
-#include "bakers/sky/sky_view_mapping.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/light/sky_view_mapping.h"
+#include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/core/pixel_type.h"
-#include "bakers/core/trilinear.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/trilinear.h"
 
 namespace skybake {
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "bakers/core/parallel.h"
+#include "bakers/math/parallel.h"
 #include "bakers/noise/lattice_hash.h"
 #include "tests/noise/noises.h"
 

@@ -1,12 +1,12 @@
 // The asset: what bake_noise_volume says of its voxels.
-#include "bakers/noise/noise_volume.h"
+#include "bakers/assets/noise_volume/noise_volume.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/core/certify_volume.h"
-#include "bakers/core/pixel_type.h"
+#include "bakers/field/certify_volume.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/noise/noise_reference.h"
 #include "tests/noise/noises.h"
 

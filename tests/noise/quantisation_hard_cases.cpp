@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bakers/core/pixel_type.h"
+#include "bakers/field/pixel_type.h"
 #include "tests/noise/noises.h"
 #include "tests/support/hard_case.h"
 

@@ -7,7 +7,7 @@
 #include <bit>
 #include <limits>
 
-#include "bakers/core/low_discrepancy.h"
+#include "bakers/math/low_discrepancy.h"
 #include "bakers/occupancy/cell_range_reference.h"
 #include "bakers/occupancy/cell_row_kernel.h"
 #include "bakers/occupancy/outward_rounding.h"

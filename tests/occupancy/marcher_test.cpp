@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "bakers/core/trilinear.h"
+#include "bakers/field/trilinear.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "tests/occupancy/volumes_in_memory.h"
@@ -132,7 +132,7 @@ TEST(Marcher, SkipsNothingThatARaySees) {
     EXPECT_GT(skipped, 1000);
 }
 
-// By the lookup of bakers/core, in texture coordinates.
+// By the lookup of bakers/field, in texture coordinates.
 TEST(Marcher, SumsWhatLookupsReturn) {
     int compared = 0;
     int elsewhere = 0;

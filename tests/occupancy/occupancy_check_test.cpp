@@ -1,4 +1,4 @@
-#include "bakers/occupancy/occupancy_check.h"
+#include "bakers/assets/occupancy/occupancy_check.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

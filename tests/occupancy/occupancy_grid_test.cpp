@@ -1,6 +1,6 @@
 // The asset: what its channels hold, what pixel types do to them, and that the baker finds its own
 // faults.
-#include "bakers/occupancy/occupancy_grid.h"
+#include "bakers/assets/occupancy/occupancy_grid.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,10 +9,10 @@
 #include <cmath>
 #include <utility>
 
-#include "bakers/core/pixel_type.h"
+#include "bakers/assets/occupancy/occupancy_proof.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/cell_source.h"
 #include "bakers/occupancy/leap_distance.h"
-#include "bakers/occupancy/occupancy_proof.h"
 #include "tests/cloud/clouds.h"
 
 namespace skybake::occupancy {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/core/voxel_bytes.h"
+#include "bakers/field/voxel_bytes.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/filter_taps.h"
 #include "config/parameters.h"

@@ -1,4 +1,4 @@
-#include "bakers/phase/lorenz_mie.h"
+#include "bakers/air/particles/lorenz_mie.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -8,8 +8,8 @@
 #include <complex>
 #include <numbers>
 
-#include "bakers/core/gauss_legendre.h"
-#include "bakers/phase/lorenz_mie_kernel.h"
+#include "bakers/air/particles/lorenz_mie_kernel.h"
+#include "bakers/math/gauss_legendre.h"
 #include "tests/phase/lorenz_mie_reference.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/phase/particle_scattering.h"
+#include "bakers/air/particles/particle_scattering.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,8 +7,8 @@
 #include <complex>
 #include <numbers>
 
-#include "bakers/phase/size_distribution.h"
-#include "bakers/phase/water_refractive_index.h"
+#include "bakers/air/particles/size_distribution.h"
+#include "bakers/air/particles/water_refractive_index.h"
 #include "tests/phase/lorenz_mie_reference.h"
 
 namespace skybake {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/phase/lorenz_mie.h"
-#include "bakers/phase/lorenz_mie_kernel.h"
-#include "bakers/phase/particle_scattering.h"
+#include "bakers/air/particles/lorenz_mie.h"
+#include "bakers/air/particles/lorenz_mie_kernel.h"
+#include "bakers/air/particles/particle_scattering.h"
 #include "tests/phase/lorenz_mie_reference.h"
 #include "tests/support/hard_case.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/phase/phase_table.h"
+#include "bakers/assets/phase/phase_table.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,13 +8,13 @@
 #include <numbers>
 #include <string>
 
-#include "bakers/core/bilinear.h"
-#include "bakers/core/texel_axis.h"
-#include "bakers/phase/legendre_moments.h"
-#include "bakers/phase/phase_axis.h"
-#include "bakers/phase/phase_fit.h"
-#include "bakers/phase/phase_source.h"
-#include "bakers/registry.h"
+#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/air/particles/phase_source.h"
+#include "bakers/assets/phase/phase_axis.h"
+#include "bakers/assets/phase/phase_fit.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/bilinear.h"
+#include "bakers/field/texel_axis.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/phase/tabulated_phase.h"
+#include "bakers/air/particles/tabulated_phase.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/core/adaptive_quadrature.h"
-#include "bakers/phase/phase_function.h"
-#include "bakers/phase/phase_interpolation.h"
+#include "bakers/air/particles/phase_function.h"
+#include "bakers/air/particles/phase_interpolation.h"
+#include "bakers/math/adaptive_quadrature.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/preview/caption_words.h"
+#include "bakers/preview/pictures/caption_words.h"
 
 #include <gtest/gtest.h>
 

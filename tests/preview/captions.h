@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-#include "bakers/preview/picture.h"
+#include "bakers/plot/picture.h"
 
 namespace skybake::test {
 

@@ -1,4 +1,4 @@
-#include "bakers/preview/chart.h"
+#include "bakers/plot/chart.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <set>
 
-#include "bakers/preview/axis_ticks.h"
-#include "bakers/preview/colour_map.h"
-#include "bakers/preview/field_scaling.h"
-#include "bakers/preview/label.h"
+#include "bakers/plot/axis_ticks.h"
+#include "bakers/plot/colour_map.h"
+#include "bakers/plot/field_scaling.h"
+#include "bakers/plot/label.h"
 
 namespace skybake {
 namespace {

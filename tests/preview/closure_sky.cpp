@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "bakers/core/parallel.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake::test {
 

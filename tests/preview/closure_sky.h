@@ -5,10 +5,10 @@
 // the closure costs: tests of the march hold it against this.
 #pragma once
 
-#include "bakers/core/image.h"
-#include "bakers/preview/sky_rays.h"
-#include "bakers/sky/isotropic_orders.h"
-#include "bakers/sky/sky_radiance.h"
+#include "bakers/field/image.h"
+#include "bakers/light/isotropic_orders.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/render/sky_rays.h"
 #include "tests/preview/multiple_scattering_grid.h"
 
 namespace skybake::test {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <sstream>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/core/adaptive_quadrature.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/math/adaptive_quadrature.h"
 #include "tests/preview/skies.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/preview/cloud_pictures.h"
+#include "bakers/preview/pictures/cloud_pictures.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
-#include "bakers/preview/stage_progress.h"
+#include "bakers/render/stage_progress.h"
 #include "tests/preview/captions.h"
 #include "tests/preview/clouds.h"
 #include "tests/support/atmospheres.h"

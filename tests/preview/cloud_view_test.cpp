@@ -1,4 +1,4 @@
-#include "bakers/preview/cloud_view.h"
+#include "bakers/render/cloud_view.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "bakers/preview/cloud_camera.h"
-#include "bakers/preview/cloud_framing.h"
-#include "bakers/preview/cloud_view_reference.h"
-#include "bakers/preview/sun_leaps.h"
+#include "bakers/render/cloud_camera.h"
+#include "bakers/render/cloud_framing.h"
+#include "bakers/render/cloud_view_reference.h"
+#include "bakers/render/sun_leaps.h"
 #include "tests/noise/every_target.h"
 #include "tests/preview/clouds.h"
 #include "tests/preview/skies.h"

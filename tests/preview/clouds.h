@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/preview/cloud_view.h"
+#include "bakers/render/cloud_view.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::test {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/atmosphere/multiple_scattering_kernel.h"
-#include "bakers/core/parallel.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake::test {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bakers/atmosphere/medium.h"
+#include "bakers/air/medium.h"
 
 namespace skybake::test {
 

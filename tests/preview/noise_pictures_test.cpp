@@ -1,4 +1,4 @@
-#include "bakers/preview/noise_pictures.h"
+#include "bakers/preview/pictures/noise_pictures.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,9 +9,9 @@
 #include <functional>
 #include <numbers>
 
-#include "bakers/preview/fourier.h"
-#include "bakers/preview/noise_spectrum.h"
-#include "bakers/preview/volume_slices.h"
+#include "bakers/preview/pictures/fourier.h"
+#include "bakers/preview/pictures/noise_spectrum.h"
+#include "bakers/preview/pictures/volume_slices.h"
 
 namespace skybake {
 namespace {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "bakers/io/metadata.h"
-#include "bakers/preview/base64.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/plot/base64.h"
 #include "bakers/preview/preview_files.h"
 #include "tests/io/files.h"
 

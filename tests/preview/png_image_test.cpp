@@ -1,4 +1,4 @@
-#include "bakers/preview/png_image.h"
+#include "bakers/plot/png_image.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "bakers/io/map_image.h"
-#include "bakers/preview/tone_curve.h"
+#include "bakers/io/formats/png/map_image.h"
+#include "bakers/render/tone_curve.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/metadata.h"
-#include "bakers/preview/sky_view.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/render/sky_view.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {

@@ -1,10 +1,10 @@
-#include "bakers/preview/sky_asset_pictures.h"
+#include "bakers/preview/pictures/sky_asset_pictures.h"
 
 #include <gtest/gtest.h>
 
-#include "bakers/io/metadata.h"
-#include "bakers/preview/table_pictures.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/preview/pictures/table_pictures.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/preview/sky_pictures.h"
+#include "bakers/preview/pictures/sky_pictures.h"
 
 #include <gtest/gtest.h>
 

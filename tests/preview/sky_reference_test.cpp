@@ -1,4 +1,4 @@
-#include "bakers/preview/sky_reference.h"
+#include "bakers/preview/pictures/sky_reference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/preview/sky_view.h"
+#include "bakers/render/sky_view.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "bakers/preview/sky_difference.h"
+#include "bakers/preview/pictures/sky_difference.h"
 #include "tests/preview/closure_sky.h"
 #include "tests/preview/skies.h"
 

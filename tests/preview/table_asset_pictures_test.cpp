@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/preview/bruneton_pictures.h"
-#include "bakers/preview/phase_pictures.h"
+#include "bakers/preview/pictures/bruneton_pictures.h"
+#include "bakers/preview/pictures/phase_pictures.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/preview/table_pictures.h"
+#include "bakers/preview/pictures/table_pictures.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <set>
 
-#include "bakers/io/metadata.h"
-#include "bakers/preview/table_geometry.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/preview/pictures/table_geometry.h"
 #include "tests/preview/captions.h"
 #include "tests/support/atmospheres.h"
 

@@ -4,10 +4,10 @@
 #include <functional>
 #include <map>
 
-#include "bakers/core/hash.h"
-#include "bakers/core/voxel_bytes.h"
-#include "bakers/io/read_volume.h"
-#include "bakers/probe_check.h"
+#include "bakers/assets/probe_check.h"
+#include "bakers/field/voxel_bytes.h"
+#include "bakers/io/formats/read_volume.h"
+#include "bakers/math/hash.h"
 #include "tests/incremental/bakes.h"
 #include "tests/probes/texels.h"
 

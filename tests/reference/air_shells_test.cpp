@@ -1,13 +1,13 @@
-#include "bakers/reference/air_shells.h"
+#include "bakers/light/path_tracer/air_shells.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/core/low_discrepancy.h"
-#include "bakers/core/transcendental.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/transcendental.h"
 #include "tests/reference/path_media.h"
 
 namespace skybake {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/core/transcendental.h"
-#include "bakers/reference/path_tracer.h"
+#include "bakers/light/path_tracer/path_tracer.h"
+#include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/atmosphere/medium.h"
-#include "bakers/phase/legendre_moments.h"
+#include "bakers/air/medium.h"
+#include "bakers/air/particles/legendre_moments.h"
 #include "tests/reference/path_media.h"
 #include "tests/support/hard_case.h"
 

@@ -1,7 +1,7 @@
 // The same laws with as many paths as minutes allow.
 #include <gtest/gtest.h>
 
-#include "bakers/reference/sky_truth.h"
+#include "bakers/light/path_tracer/sky_truth.h"
 #include "tests/reference/path_media.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/reference/path_tracer.h"
+#include "bakers/light/path_tracer/path_tracer.h"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/core/transcendental.h"
-#include "bakers/reference/sky_truth.h"
-#include "bakers/sky/sky_radiance.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/light/path_tracer/sky_truth.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/math/transcendental.h"
 #include "tests/reference/path_media.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/reference/phase_sampling.h"
+#include "bakers/light/path_tracer/phase_sampling.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <ostream>
 #include <string>
 
-#include "bakers/phase/legendre_moments.h"
+#include "bakers/air/particles/legendre_moments.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/reference/random_numbers.h"
+#include "bakers/light/path_tracer/random_numbers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/reference/sky_truth.h"
+#include "bakers/light/path_tracer/sky_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "bakers/core/progress.h"
+#include "bakers/math/progress.h"
 
 namespace skybake::testing {
 

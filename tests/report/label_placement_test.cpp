@@ -1,4 +1,4 @@
-#include "bakers/report/label_placement.h"
+#include "bakers/plot/label_placement.h"
 
 #include <gtest/gtest.h>
 

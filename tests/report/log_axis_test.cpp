@@ -1,4 +1,4 @@
-#include "bakers/report/log_axis.h"
+#include "bakers/plot/log_axis.h"
 
 #include <gtest/gtest.h>
 

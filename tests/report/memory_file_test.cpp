@@ -1,4 +1,4 @@
-#include "bakers/report/memory_file.h"
+#include "bakers/report/truth/memory_file.h"
 
 #include <gtest/gtest.h>
 

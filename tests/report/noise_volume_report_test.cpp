@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/write_volume.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/io/formats/write_volume.h"
 #include "tests/config/recipes.h"
 #include "tests/report/cancelled_at.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/report/noise_volume_sweep.h"
+#include "bakers/report/sweeps/noise_volume_sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/report/pareto_front.h"
+#include "bakers/report/sweeps/pareto_front.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/report/pointwise_noise.h"
+#include "bakers/report/sweeps/pointwise_noise.h"
 
 #include <gtest/gtest.h>
 

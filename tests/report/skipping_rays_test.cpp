@@ -1,4 +1,4 @@
-#include "bakers/report/skipping_rays.h"
+#include "bakers/report/sweeps/skipping_rays.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The sky's error by each way to multiple scattering, and the path-traced skies that it needs.
-#include "bakers/report/sky_truth_report.h"
+#include "bakers/report/truth/sky_truth_report.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 #include <string>
 #include <string_view>
 
-#include "bakers/report/bruneton_sky.h"
-#include "bakers/report/sky_truth_budget.h"
-#include "bakers/report/sky_truth_plot.h"
-#include "bakers/report/sky_truth_store.h"
-#include "bakers/report/sky_truth_text.h"
-#include "bakers/sky/isotropic_orders.h"
+#include "bakers/light/isotropic_orders.h"
+#include "bakers/report/truth/bruneton_sky.h"
+#include "bakers/report/truth/sky_truth_budget.h"
+#include "bakers/report/truth/sky_truth_plot.h"
+#include "bakers/report/truth/sky_truth_store.h"
+#include "bakers/report/truth/sky_truth_text.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/report/svg_plot.h"
+#include "bakers/plot/svg_plot.h"
 
 #include <gtest/gtest.h>
 

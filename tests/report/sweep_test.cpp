@@ -1,4 +1,4 @@
-#include "bakers/report/sweep.h"
+#include "bakers/report/sweeps/sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/report/thread_time.h"
+#include "bakers/report/sweeps/thread_time.h"
 
 #include <gtest/gtest.h>
 

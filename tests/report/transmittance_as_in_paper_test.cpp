@@ -1,11 +1,11 @@
-#include "bakers/atmosphere/transmittance_as_in_paper.h"
+#include "bakers/assets/transmittance/transmittance_as_in_paper.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "bakers/atmosphere/optical_depth.h"
+#include "bakers/air/optical_depth.h"
 #include "config/recipe.h"
 
 namespace skybake {

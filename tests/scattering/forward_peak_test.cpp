@@ -1,4 +1,4 @@
-#include "bakers/scattering/forward_peak_light.h"
+#include "bakers/light/solver/forward_peak_light.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/reference/path_tracer.h"
-#include "bakers/sky/sky_light.h"
+#include "bakers/light/path_tracer/path_tracer.h"
+#include "bakers/light/sky_light.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/scattering/light_moments.h"
+#include "bakers/light/solver/light_moments.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/core/gauss_legendre.h"
-#include "bakers/phase/legendre_moments.h"
+#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/math/gauss_legendre.h"
 
 namespace skybake {
 namespace {

@@ -1,11 +1,11 @@
-#include "bakers/scattering/ray_fan.h"
+#include "bakers/light/solver/ray_fan.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 
-#include "bakers/scattering/solution_levels.h"
+#include "bakers/light/solver/solution_levels.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/scattering/solution_levels.h"
-#include "bakers/scattering/sun_axis.h"
+#include "bakers/light/solver/solution_levels.h"
+#include "bakers/light/solver/sun_axis.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

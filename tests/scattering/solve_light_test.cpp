@@ -1,5 +1,5 @@
 // What must hold of light, whatever the atmosphere.
-#include "bakers/scattering/solve_light.h"
+#include "bakers/light/solver/solve_light.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/scattering/energy_balance.h"
-#include "bakers/sky/sky_radiance.h"
-#include "bakers/sky/solved_orders.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solver/energy_balance.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "bakers/scattering/transport.h"
+#include "bakers/light/solver/transport.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake {

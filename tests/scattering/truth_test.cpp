@@ -7,10 +7,10 @@
 #include <sstream>
 #include <vector>
 
-#include "bakers/scattering/solve_light.h"
-#include "bakers/sky/isotropic_orders.h"
-#include "bakers/sky/sky_radiance.h"
-#include "bakers/sky/solved_orders.h"
+#include "bakers/light/isotropic_orders.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solver/solve_light.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

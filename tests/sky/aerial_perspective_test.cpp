@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bakers/atmosphere/optical_depth.h"
-#include "bakers/registry.h"
-#include "bakers/sky/aerial_perspective_volume.h"
-#include "bakers/sky/camera_ray.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
+#include "bakers/assets/registry.h"
+#include "bakers/light/camera_ray.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

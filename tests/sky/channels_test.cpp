@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -1,6 +1,6 @@
 // Skies made with fitted tables, from cameras and under suns that the fit has not seen, against
 // the solved light; the limits where a fit must do nothing.
-#include "bakers/sky/fitted_radiance.h"
+#include "bakers/assets/multiple_scattering/fitted_radiance.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,13 +9,13 @@
 #include <array>
 #include <cmath>
 
-#include "bakers/atmosphere/multiple_scattering_mapping.h"
-#include "bakers/core/gauss_legendre.h"
-#include "bakers/scattering/solve_light.h"
-#include "bakers/sky/positive_least_squares.h"
-#include "bakers/sky/solved_orders.h"
-#include "bakers/sky/solved_source.h"
-#include "bakers/sky/table_orders.h"
+#include "bakers/assets/multiple_scattering/positive_least_squares.h"
+#include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solved_source.h"
+#include "bakers/light/solver/solve_light.h"
+#include "bakers/light/table_orders.h"
+#include "bakers/math/gauss_legendre.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "bakers/core/gauss_legendre.h"
-#include "bakers/sky/irradiance_table.h"
-#include "bakers/sky/sky_irradiance.h"
+#include "bakers/assets/irradiance/irradiance_table.h"
+#include "bakers/light/sky_irradiance.h"
+#include "bakers/math/gauss_legendre.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -1,5 +1,5 @@
 // The minimum is told by its gradient: 0 where an unknown is free, upwards where it is 0.
-#include "bakers/sky/positive_least_squares.h"
+#include "bakers/assets/multiple_scattering/positive_least_squares.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,9 +1,9 @@
-#include "bakers/sky/scene_sun_range.h"
+#include "bakers/light/scene_sun_range.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bakers/sky/camera_ray.h"
+#include "bakers/light/camera_ray.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/sky/isotropic_orders.h"
-#include "bakers/sky/sky_light.h"
-#include "bakers/sky/sky_view_mapping.h"
+#include "bakers/light/isotropic_orders.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/light/sky_view_mapping.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {

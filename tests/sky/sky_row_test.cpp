@@ -1,5 +1,5 @@
 // Rows against the integration of each ray by itself, and the parts of light against the whole.
-#include "bakers/sky/sky_row.h"
+#include "bakers/light/sky_row.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,10 +1,10 @@
-#include "bakers/sky/sky_view_mapping.h"
+#include "bakers/light/sky_view_mapping.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bakers/core/texel_axis.h"
-#include "bakers/sky/camera_ray.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/light/camera_ray.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

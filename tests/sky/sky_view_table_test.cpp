@@ -1,9 +1,9 @@
-#include "bakers/sky/sky_view_table.h"
+#include "bakers/assets/sky_view/sky_view_table.h"
 
 #include <gtest/gtest.h>
 
-#include "bakers/core/bilinear.h"
-#include "bakers/registry.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/bilinear.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

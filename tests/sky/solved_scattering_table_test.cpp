@@ -1,12 +1,12 @@
-#include "bakers/sky/solved_scattering_table.h"
+#include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bakers/core/bilinear.h"
-#include "bakers/registry.h"
-#include "bakers/scattering/light_moments.h"
+#include "bakers/assets/registry.h"
+#include "bakers/field/bilinear.h"
+#include "bakers/light/solver/light_moments.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

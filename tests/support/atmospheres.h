@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/atmosphere/medium.h"
+#include "bakers/air/medium.h"
 #include "config/recipe.h"
 
 namespace skybake::test {

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/atmosphere/medium.h"
+#include "bakers/air/medium.h"
 
 namespace skybake::test {
 

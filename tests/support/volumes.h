@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/core/volume.h"
+#include "bakers/field/volume.h"
 
 namespace skybake::testing {
 

@@ -1,12 +1,12 @@
-#include "bakers/sweep/run_sweep.h"
+#include "bakers/workspace/sweep/run_sweep.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "bakers/incremental/bake_folder.h"
-#include "bakers/sweep/index_files.h"
-#include "bakers/sweep/variant_failure.h"
+#include "bakers/workspace/bake_folder.h"
+#include "bakers/workspace/sweep/index_files.h"
+#include "bakers/workspace/sweep/variant_failure.h"
 #include "tests/sweep/sweeps.h"
 
 namespace skybake {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/sweep/run_sweep.h"
+#include "bakers/workspace/sweep/run_sweep.h"
 #include "config/recipe.h"
 #include "tests/io/files.h"
 

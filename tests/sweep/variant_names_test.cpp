@@ -1,4 +1,4 @@
-#include "bakers/sweep/variant_names.h"
+#include "bakers/workspace/sweep/variant_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,170 @@
+#include "bakers/air/medium.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "bakers/math/transcendental-inl.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+using config::Layer;
+using config::Profile;
+
+Spectrum per_km(const std::vector<config::InverseLength>& values) {
+    Spectrum result{};
+    for (std::size_t c = 0; c < values.size() && c < result.size(); ++c) {
+        result[c] = values[c].per_kilometer();
+    }
+    return result;
+}
+
+struct ProfilePoint {
+    double altitude_km;
+    double density;
+};
+
+// The profile as a polygon; two points at one altitude are a jump.
+std::vector<ProfilePoint> profile_points(const Layer& layer) {
+    switch (layer.profile) {
+        case Profile::tent: {
+            const double center = layer.center_altitude.kilometers();
+            const double half_width = layer.half_width.kilometers();
+            return {{center - half_width, 0}, {center, 1}, {center + half_width, 0}};
+        }
+        case Profile::slab:
+            return {{layer.bottom_altitude.kilometers(), 1}, {layer.top_altitude.kilometers(), 1}};
+        case Profile::tabulated: {
+            std::vector<ProfilePoint> points;
+            for (const config::DensityPoint& point : layer.table) {
+                points.push_back({point.altitude.kilometers(), point.density});
+            }
+            return points;
+        }
+        case Profile::exponential:
+            break;
+    }
+    return {};
+}
+
+// The polygon's pieces, cut at the ground and at the top of the shell.
+std::vector<LinearPiece> linear_pieces(const std::vector<ProfilePoint>& points,
+                                       double thickness_km) {
+    std::vector<LinearPiece> pieces;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const ProfilePoint low = points[i];
+        const ProfilePoint high = points[i + 1];
+        const double bottom = std::max(low.altitude_km, 0.0);
+        const double top = std::min(high.altitude_km, thickness_km);
+        if (!(bottom < top) || (low.density == 0 && high.density == 0)) continue;
+        const double slope = (high.density - low.density) / (high.altitude_km - low.altitude_km);
+        const LinearPiece whole{low.altitude_km, high.altitude_km, low.density, high.density,
+                                slope};
+        pieces.push_back({bottom, top, density_at(whole, bottom), density_at(whole, top), slope});
+    }
+    return pieces;
+}
+
+double density_at(const PiecewiseLayer& layer, double altitude_km) {
+    for (const LinearPiece& piece : layer.pieces) {
+        if (altitude_km >= piece.bottom_km && altitude_km <= piece.top_km) {
+            return density_at(piece, altitude_km);
+        }
+    }
+    return 0;
+}
+
+template <class Layer>
+void add_layer(Coefficients& sum, double density, const Layer& layer) {
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        sum.scattering_per_km[c] += density * layer.scattering_per_km[c];
+        sum.extinction_per_km[c] += density * layer.extinction_per_km[c];
+    }
+}
+
+}  // namespace
+
+Medium make_medium(const config::Atmosphere& atmosphere) {
+    Medium medium;
+    medium.channels = static_cast<int>(atmosphere.ground_albedo.size());
+    medium.ground_radius_km = atmosphere.ground_radius.kilometers();
+    // The difference in metres first: radii are large, the shell is thin.
+    medium.thickness_km = (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000;
+    for (std::size_t c = 0; c < atmosphere.ground_albedo.size(); ++c) {
+        medium.ground_albedo[c] = atmosphere.ground_albedo[c];
+    }
+    for (const Layer& given : atmosphere.layers) {
+        const Layer layer = with_coefficients(given);
+        const Spectrum extinction = per_km(layer.extinction);
+        const bool opaque = std::any_of(extinction.begin(), extinction.end(),
+                                        [](double value) { return value > 0; });
+        if (!layer.enabled || !opaque) continue;
+        const Spectrum scattering = per_km(layer.scattering);
+        if (layer.profile == Profile::exponential) {
+            medium.exponential_layers.push_back(
+                {layer.scale_height.kilometers(), scattering, extinction});
+            continue;
+        }
+        auto pieces = linear_pieces(profile_points(layer), medium.thickness_km);
+        if (!pieces.empty()) {
+            medium.piecewise_layers.push_back({std::move(pieces), scattering, extinction});
+        }
+    }
+    return medium;
+}
+
+std::vector<Coefficients> coefficients_at(const Medium& medium,
+                                          const std::vector<double>& altitudes_km) {
+    const std::size_t count = altitudes_km.size();
+    std::vector<Coefficients> sums(count);
+    std::vector<double> density(count);
+    for (const ExponentialLayer& layer : medium.exponential_layers) {
+        for (std::size_t i = 0; i < count; ++i) {
+            density[i] = -altitudes_km[i] / layer.scale_height_km;
+        }
+        exponentials(density.data(), static_cast<int>(count));
+        for (std::size_t i = 0; i < count; ++i) add_layer(sums[i], density[i], layer);
+    }
+    for (const PiecewiseLayer& layer : medium.piecewise_layers) {
+        for (std::size_t i = 0; i < count; ++i) {
+            add_layer(sums[i], density_at(layer, altitudes_km[i]), layer);
+        }
+    }
+    return sums;
+}
+
+Coefficients coefficients_at(const Medium& medium, double altitude_km) {
+    Coefficients sum;
+    for (const ExponentialLayer& layer : medium.exponential_layers) {
+        add_layer(sum, HWY_NAMESPACE::exponential(-altitude_km / layer.scale_height_km), layer);
+    }
+    for (const PiecewiseLayer& layer : medium.piecewise_layers) {
+        add_layer(sum, density_at(layer, altitude_km), layer);
+    }
+    return sum;
+}
+
+Spectrum extinction_at(const Medium& medium, double altitude_km) {
+    return coefficients_at(medium, altitude_km).extinction_per_km;
+}
+
+Spectrum scattering_at(const Medium& medium, double altitude_km) {
+    return coefficients_at(medium, altitude_km).scattering_per_km;
+}
+
+std::vector<double> kink_altitudes_km(const Medium& medium) {
+    std::vector<double> altitudes;
+    for (const PiecewiseLayer& layer : medium.piecewise_layers) {
+        for (const LinearPiece& piece : layer.pieces) {
+            altitudes.push_back(piece.bottom_km);
+            altitudes.push_back(piece.top_km);
+        }
+    }
+    std::sort(altitudes.begin(), altitudes.end());
+    altitudes.erase(std::unique(altitudes.begin(), altitudes.end()), altitudes.end());
+    return altitudes;
+}
+
+}  // namespace skybake

@@ -1,0 +1,76 @@
+#include "bakers/air/particles/layer_phase.h"
+
+#include <memory>
+#include <utility>
+
+#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/air/particles/particle_scattering.h"
+
+namespace skybake {
+
+namespace {
+
+// Of the phase function, far below what tables of the sky hold.
+constexpr double kAccuracy = 3e-3;
+
+std::shared_ptr<const ParticleScattering> scattering_of(const config::LayerParticles& layer,
+                                                        config::Length wavelength) {
+    return remembered_particle_scattering(layer.particles, wavelength, kAccuracy, 1);
+}
+
+}  // namespace
+
+LayerPhase layer_phase(const config::Layer& layer) {
+    if (layer.phase != config::Phase::mie) return {{make_phase_function(layer.phase, layer.g)}};
+    LayerPhase result;
+    for (const config::Length wavelength : layer.particles.wavelengths) {
+        const auto scattering = scattering_of(layer.particles, wavelength);
+        PhaseFunction function;
+        function.g = scattering->mean_cosine;
+        function.table = {scattering, &scattering->phase};
+        result.functions.push_back(std::move(function));
+    }
+    return result;
+}
+
+Spectrum phase_values(const LayerPhase& phase, double one_minus_cosine, double one_plus_cosine) {
+    Spectrum result{};
+    if (phase.is_alike()) {
+        result.fill(phase_value(phase.functions.front(), one_minus_cosine, one_plus_cosine));
+        return result;
+    }
+    for (std::size_t c = 0; c < phase.functions.size(); ++c) {
+        result[c] = phase_value(phase.functions[c], one_minus_cosine, one_plus_cosine);
+    }
+    return result;
+}
+
+std::vector<Spectrum> legendre_moments(const LayerPhase& phase, int degree) {
+    std::vector<std::vector<double>> moments;
+    for (const PhaseFunction& function : phase.functions) {
+        moments.push_back(legendre_moments(function, degree));
+    }
+    std::vector<Spectrum> result(static_cast<std::size_t>(degree) + 1);
+    for (std::size_t l = 0; l < result.size(); ++l) {
+        for (std::size_t c = 0; c < result[l].size(); ++c) {
+            const std::size_t function = phase.is_alike() ? 0 : c;
+            if (function < moments.size()) result[l][c] = moments[function][l];
+        }
+    }
+    return result;
+}
+
+config::Layer with_coefficients(config::Layer layer) {
+    if (layer.phase != config::Phase::mie) return layer;
+    const double per_m3 = layer.particles.number_density.per_cubic_meter;
+    layer.scattering.clear();
+    layer.extinction.clear();
+    for (const config::Length wavelength : layer.particles.wavelengths) {
+        const auto scattering = scattering_of(layer.particles, wavelength);
+        layer.scattering.push_back({per_m3 * scattering->scattering_cross_section_m2});
+        layer.extinction.push_back({per_m3 * scattering->extinction_cross_section_m2});
+    }
+    return layer;
+}
+
+}  // namespace skybake

@@ -1,0 +1,37 @@
+// How layers scatter by angle, in one form that all of the recipe's closed phase functions have:
+//
+//   p(nu) = (a + b nu^2) / (1 + g^2 - 2 g nu)^(3/2)     [1/sr], the integral over directions is 1
+//
+// nu is the cosine between the light's way before and after.
+//
+//   isotropic            a = 1 / 4 pi
+//   Rayleigh             a = b = 3 / 16 pi
+//   Henyey-Greenstein    a = (1 - g^2) / 4 pi                              Henyey & Greenstein 1941
+//   Cornette-Shanks      a = b = 3 (1 - g^2) / (8 pi (2 + g^2))            Cornette & Shanks 1992
+//
+// The denominator is (1 - |g|)^2 + 2 |g| (1 -+ nu): the sum 1 + g^2 - 2 g nu loses all digits where
+// g is near 1 and the light goes on almost straight. Spheres have a table in its place.
+#pragma once
+
+#include <memory>
+
+#include "bakers/air/particles/tabulated_phase.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+struct PhaseFunction {
+    double constant = 0;                                    // a
+    double quadratic = 0;                                   // b
+    double g = 0;                                           // in (-1, 1)
+    std::shared_ptr<const TabulatedPhase> table = nullptr;  // if there is one, the rest is unused
+    bool operator==(const PhaseFunction&) const = default;
+};
+
+// Of a closed form: not of mie.
+PhaseFunction make_phase_function(config::Phase phase, double g);
+
+// p at nu = cosine, told by 1 - nu and 1 + nu.
+double phase_value(const PhaseFunction& phase, double one_minus_cosine, double one_plus_cosine);
+
+}  // namespace skybake

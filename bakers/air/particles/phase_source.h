@@ -1,0 +1,27 @@
+// The phase functions that an asset asks for, one per channel, known exactly and as fine tables.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/air/particles/phase_function.h"
+#include "bakers/math/facts.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+struct PhaseSource {
+    std::vector<PhaseFunction> functions;                       // one per wavelength
+    std::vector<std::shared_ptr<const TabulatedPhase>> tables;  // to be inverted
+    Facts facts;                                                // of particles: cross-sections
+    std::string text;                                           // "particles fog", "layer mie"
+    double error = 0;  // of the functions themselves, relative: what averages over sizes leave
+};
+
+// Of particles, or of a layer of the atmosphere.
+PhaseSource phase_source(const config::Parameters& parameters, const config::PhaseBake& bake,
+                         int threads);
+
+}  // namespace skybake

@@ -1,0 +1,201 @@
+#include "bakers/air/particles/tabulated_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "bakers/math/gauss_legendre.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr int kFewestCells = 16;
+constexpr int kMostCells = 1 << 13;
+
+// 1 - nu of a node of the forward half, 1 + nu of one of the backward half.
+double node_offset(int node, int cells) {
+    const double w = static_cast<double>(node) / cells;
+    return (w * w) * (w * w);
+}
+
+// p at `offset` from a half's pole.
+double half_value(const std::vector<double>& half, int cells, double offset) {
+    const double w = std::sqrt(std::sqrt(offset));
+    // The root may round beyond the half's end or a node; the line is then continued by an ulp.
+    const int cell = std::min(static_cast<int>(w * cells), cells - 1);
+    const auto i = static_cast<std::size_t>(cell);
+    const double from = node_offset(cell, cells);
+    const double share = (offset - from) / (node_offset(cell + 1, cells) - from);
+    return half[i] + share * (half[i + 1] - half[i]);
+}
+
+// The integral of p over the directions between the pole and each node.
+std::vector<double> half_shares(const std::vector<double>& half) {
+    const int cells = static_cast<int>(half.size()) - 1;
+    std::vector<double> shares = {0};
+    for (int j = 0; j < cells; ++j) {
+        const auto i = static_cast<std::size_t>(j);
+        const double width = node_offset(j + 1, cells) - node_offset(j, cells);
+        shares.push_back(shares.back() + std::numbers::pi * width * (half[i] + half[i + 1]));
+    }
+    return shares;
+}
+
+// The distance from the pole within which `share` of all light is scattered.
+double half_offset(const std::vector<double>& half, const std::vector<double>& shares,
+                   double share) {
+    const int cells = static_cast<int>(half.size()) - 1;
+    const auto above = std::upper_bound(shares.begin() + 1, shares.end() - 1, share);
+    const auto i = static_cast<std::size_t>(above - shares.begin()) - 1;
+    const int cell = static_cast<int>(i);
+    const double from = node_offset(cell, cells);
+    const double width = node_offset(cell + 1, cells) - from;
+    const double slope = (half[i + 1] - half[i]) / width;
+    // p d + slope d^2 / 2 = rest, its smaller root without cancellation. Rounding of the shares
+    // may ask for more than the cell has.
+    const double rest = (share - shares[i]) / (2 * std::numbers::pi);
+    const double root = std::sqrt(std::max(half[i] * half[i] + 2 * slope * rest, 0.0));
+    return from + std::min(2 * rest / (half[i] + root), width);
+}
+
+// Legendre's polynomials at nu = 1 - offset times `weight`, added to the moments of the forward
+// half; by their differences, which keep the digits of the offset.
+void add_polynomials(double offset, double weight, std::vector<double>& sums) {
+    double value = 1;
+    double step = 0;
+    sums[0] += weight;
+    for (std::size_t l = 0; l + 1 < sums.size(); ++l) {
+        const double order = static_cast<double>(l);
+        step = (order * step - (2 * order + 1) * offset * value) / (order + 1);
+        value += step;
+        sums[l + 1] += weight * value;
+    }
+}
+
+// 2 pi times the integrals of p P_l over one half, nu counted from its pole.
+std::vector<double> half_moments(const std::vector<double>& half, int degree) {
+    const int cells = static_cast<int>(half.size()) - 1;
+    std::vector<double> sums(static_cast<std::size_t>(degree) + 1, 0.0);
+    QuadratureRule rule;
+    for (int j = 0; j < cells; ++j) {
+        const auto i = static_cast<std::size_t>(j);
+        const double from = node_offset(j, cells);
+        const double width = node_offset(j + 1, cells) - from;
+        // A line times P_l has degree l + 1. Where cells are narrow for P_l, which has a wave per
+        // 2 pi / l of angle, fewer nodes do: for cos(t x) on [-1, 1] Gauss's rule of q nodes is off
+        // by less than (e t / 4 q)^(2 q), below 1e-16 for q = 6 + t. The angle between nodes is
+        // below that at 90 degrees, 4 / cells; t is half of it times l.
+        const int enough = std::min((degree + 3) / 2, 6 + 2 * degree / cells + 1);
+        if (static_cast<int>(rule.nodes.size()) != enough) rule = gauss_legendre(enough);
+        for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+            const double share = rule.nodes[q];
+            const double p = half[i] + share * (half[i + 1] - half[i]);
+            add_polynomials(from + share * width,
+                            2 * std::numbers::pi * width * rule.weights[q] * p, sums);
+        }
+    }
+    return sums;
+}
+
+ScatteringAngle node_angle(double offset, bool backward) {
+    return backward ? ScatteringAngle{2 - offset, offset} : ScatteringAngle{offset, 2 - offset};
+}
+
+// The values at every step-th node of `cells`, from the first-th on: of the forward half, then of
+// the backward one.
+std::vector<double> values_at(const PhaseAtAngles& values, int cells, int first, int step) {
+    std::vector<ScatteringAngle> angles;
+    for (const bool backward : {false, true}) {
+        for (int i = first; i <= cells; i += step) {
+            angles.push_back(node_angle(node_offset(i, cells), backward));
+        }
+    }
+    return values(angles);
+}
+
+// The largest relative error of a half's interpolation at the middles of its cells.
+double middle_error(const std::vector<double>& half, const double* middles) {
+    const int cells = static_cast<int>(half.size()) - 1;
+    double worst = 0;
+    for (int i = 0; i < cells; ++i) {
+        const double offset = node_offset(2 * i + 1, 2 * cells);
+        const double error = half_value(half, cells, offset) - middles[i];
+        worst = std::max(worst, std::fabs(error) / middles[i]);
+    }
+    return worst;
+}
+
+std::vector<double> interleaved(const std::vector<double>& nodes, const double* middles) {
+    std::vector<double> result = {nodes.front()};
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        result.push_back(middles[i]);
+        result.push_back(nodes[i + 1]);
+    }
+    return result;
+}
+
+}  // namespace
+
+TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double> backward) {
+    TabulatedPhase phase;
+    phase.cells = static_cast<int>(forward.size()) - 1;
+    const double total = half_shares(forward).back() + half_shares(backward).back();
+    for (double& p : forward) p /= total;
+    for (double& p : backward) p /= total;
+    phase.forward_share = half_shares(forward);
+    phase.backward_share = half_shares(backward);
+    phase.forward = std::move(forward);
+    phase.backward = std::move(backward);
+    return phase;
+}
+
+double tabulated_phase_value(const TabulatedPhase& phase, double one_minus_cosine,
+                             double one_plus_cosine) {
+    return one_minus_cosine <= one_plus_cosine
+               ? half_value(phase.forward, phase.cells, one_minus_cosine)
+               : half_value(phase.backward, phase.cells, one_plus_cosine);
+}
+
+std::vector<double> tabulated_moments(const TabulatedPhase& phase, int degree) {
+    std::vector<double> moments = half_moments(phase.forward, degree);
+    const std::vector<double> backward = half_moments(phase.backward, degree);
+    for (std::size_t l = 0; l < moments.size(); ++l) {
+        moments[l] += l % 2 == 0 ? backward[l] : -backward[l];
+    }
+    return moments;
+}
+
+double tabulated_mean_cosine(const TabulatedPhase& phase) {
+    return tabulated_moments(phase, 1).back();
+}
+
+ScatteringAngle sample_tabulated_phase(const TabulatedPhase& phase, double share) {
+    if (share < phase.forward_share.back()) {
+        return node_angle(half_offset(phase.forward, phase.forward_share, share), false);
+    }
+    return node_angle(half_offset(phase.backward, phase.backward_share, 1 - share), true);
+}
+
+MeasuredPhase make_tabulated_phase(const PhaseAtAngles& values, double bound) {
+    const auto split = [](const std::vector<double>& both) {
+        const auto half = static_cast<std::ptrdiff_t>(both.size() / 2);
+        return std::pair{std::vector<double>(both.begin(), both.begin() + half),
+                         std::vector<double>(both.begin() + half, both.end())};
+    };
+    auto [forward, backward] = split(values_at(values, kFewestCells, 0, 1));
+    for (int cells = kFewestCells;; cells *= 2) {
+        const std::vector<double> middles = values_at(values, 2 * cells, 1, 2);
+        const double* back_middles = middles.data() + cells;
+        const double error =
+            std::max(middle_error(forward, middles.data()), middle_error(backward, back_middles));
+        if (error <= bound || cells == kMostCells) {
+            return {normalised_phase(std::move(forward), std::move(backward)), error};
+        }
+        forward = interleaved(forward, middles.data());
+        backward = interleaved(backward, back_middles);
+    }
+}
+
+}  // namespace skybake

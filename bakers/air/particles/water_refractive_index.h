@@ -1,0 +1,24 @@
+// The refractive index n + i k of liquid water.
+//
+//   n   0.2 to 1.1 um: Daimon & Masumura 2007 (Appl. Opt. 46, 3811), the Sellmeier formula for
+//       distilled water at 20 C, whose digits resolve the dispersion that colours rainbows;
+//       1.1 to 4 um: linear between their value at 1.1 um and the table of Hale & Querry 1973
+//       (Appl. Opt. 12, 555; 25 C)
+//   k   Hale & Querry 1973; ln k is linear in wavelength between its entries
+//
+// Relative to vacuum: relative to air at sea level n is 3e-4 less, which moves a rainbow by 0.05
+// degrees.
+#pragma once
+
+#include "bakers/air/particles/complex_number.h"
+#include "config/quantity.h"
+
+namespace skybake {
+
+constexpr config::Length kShortestWaterWavelength{0.2e-6};
+constexpr config::Length kLongestWaterWavelength{4e-6};
+
+// For wavelengths (in vacuum) between those two.
+ComplexNumber water_refractive_index(config::Length wavelength);
+
+}  // namespace skybake

@@ -1,0 +1,127 @@
+#include "bakers/air/transmittance_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/transmittance_mapping.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// A cubic between two nodes is monotone while its slopes have the sign of the difference and at
+// most three times its size (Fritsch & Carlson 1980).
+double within_three_times(double slope, double difference) {
+    if (slope * difference <= 0) return 0;
+    return std::fabs(slope) > 3 * std::fabs(difference) ? 3 * difference : slope;
+}
+
+// Slope at a node between two differences: that of the parabola through three nodes.
+double monotone_slope(double before, double after) {
+    return within_three_times(within_three_times(0.5 * (before + after), before), after);
+}
+
+// The same at an end, from the two differences inwards.
+double monotone_end_slope(double nearest, double next) {
+    return within_three_times(1.5 * nearest - 0.5 * next, nearest);
+}
+
+}  // namespace
+
+TransmittanceField::TransmittanceField(const Medium& medium,
+                                       const std::vector<double>& altitudes_km, Size size,
+                                       int threads)
+    : shell_(shell_of(medium)), channels_(medium.channels), columns_(size.columns) {
+    const double top_distance = horizon_distance_km(shell_, shell_.thickness_km);
+    const auto x_of = [&](double altitude_km) {
+        return horizon_distance_km(shell_, altitude_km) / top_distance;
+    };
+    std::vector<double> x_of_row;
+    for (std::size_t i = 0; i + 1 < altitudes_km.size(); ++i) {
+        const double begin = x_of(altitudes_km[i]);
+        const double end = x_of(altitudes_km[i + 1]);
+        if (!(begin < end)) continue;  // closer than doubles can tell
+        const int rows = std::max(kLeastRows, static_cast<int>((end - begin) * size.rows) + 1);
+        blocks_.push_back({altitudes_km[i], begin, end, static_cast<int>(x_of_row.size()), rows});
+        for (int y = 0; y < rows; ++y) {
+            x_of_row.push_back(begin + (end - begin) * y / (rows - 1));
+        }
+        x_of_row.back() = end;
+    }
+    const auto row_length = static_cast<std::size_t>(row_size());
+    values_.resize(row_length * x_of_row.size());
+    slopes_.resize(values_.size());
+    parallel_for(static_cast<int>(x_of_row.size()), threads, [&](int y) {
+        const auto row = static_cast<std::size_t>(y);
+        fill_row(medium, x_of_row[row], values_.data() + row_length * row);
+    });
+    for (const Block& block : blocks_) fill_slopes(block);
+}
+
+void TransmittanceField::fill_row(const Medium& medium, double x_r, double* row) const {
+    std::vector<double> s(static_cast<std::size_t>(columns_));
+    double altitude = 0;
+    for (int x = 0; x < columns_; ++x) {
+        const TransmittanceRay ray =
+            transmittance_ray(shell_, {static_cast<double>(x) / (columns_ - 1), x_r});
+        altitude = ray.altitude_km;
+        s[static_cast<std::size_t>(x)] = ray.s_km;
+    }
+    std::vector<double> depth(s.size() * kMaxChannels);
+    optical_depth_to_top(medium, altitude, s.data(), columns_, depth.data());
+    for (int c = 0; c < channels_; ++c) {
+        double* channel = row + c * row_stride();
+        for (int x = 0; x < row_stride(); ++x) {
+            const int from = c * columns_ + std::min(x, columns_ - 1);
+            channel[x] = exponential(-depth[static_cast<std::size_t>(from)]);
+        }
+    }
+}
+
+void TransmittanceField::fill_slopes(const Block& block) {
+    const auto n = static_cast<std::size_t>(row_size());
+    for (int y = 0; y < block.rows; ++y) {
+        const auto offset = n * static_cast<std::size_t>(block.first_row + y);
+        const double* row = values_.data() + offset;
+        double* slope = slopes_.data() + offset;
+        for (std::size_t i = 0; i < n; ++i) {
+            // Rows of this block alone: at its ends from the two differences inwards.
+            if (y == 0) {
+                slope[i] = monotone_end_slope(row[i + n] - row[i], row[i + 2 * n] - row[i + n]);
+            } else if (y + 1 == block.rows) {
+                slope[i] = monotone_end_slope(row[i] - *(row + i - n),
+                                              *(row + i - n) - *(row + i - 2 * n));
+            } else {
+                slope[i] = monotone_slope(row[i] - *(row + i - n), row[i + n] - row[i]);
+            }
+        }
+    }
+}
+
+TransmittanceField::Row TransmittanceField::row_at(double altitude_km) const {
+    const auto above = std::upper_bound(
+        blocks_.begin(), blocks_.end(), altitude_km,
+        [](double altitude, const Block& block) { return altitude < block.bottom_km; });
+    const Block& block = above == blocks_.begin() ? blocks_.front() : *(above - 1);
+    const double x_r =
+        horizon_distance_km(shell_, altitude_km) / horizon_distance_km(shell_, shell_.thickness_km);
+    // Rounding alone leaves the block at its ends.
+    const double share =
+        std::clamp((x_r - block.x_begin) / (block.x_end - block.x_begin), 0.0, 1.0);
+    const double position = share * (block.rows - 1);
+    const int y = std::min(static_cast<int>(position), block.rows - 2);
+    const double t = position - y;
+    const double t2 = t * t;
+    const double t3 = t2 * t;
+    const auto offset =
+        static_cast<std::size_t>(row_size()) * static_cast<std::size_t>(block.first_row + y);
+    return {values_.data() + offset,
+            slopes_.data() + offset,
+            {2 * t3 - 3 * t2 + 1, 3 * t2 - 2 * t3, t3 - 2 * t2 + t, t3 - t2}};
+}
+
+}  // namespace skybake

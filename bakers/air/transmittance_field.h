@@ -1,0 +1,68 @@
+// The transmittance from any point towards the sun, for quadratures that need it a million times.
+#pragma once
+
+#include <vector>
+
+#include "bakers/air/medium.h"
+#include "bakers/air/ray.h"
+
+namespace skybake {
+
+// A table in Bruneton's coordinates (transmittance_mapping.h), in double. Altitude is divided into
+// blocks at which the density may change its course, so that no interpolation reaches across the
+// edge of a layer, however thin; within a block rows are evenly spaced in x_r and read by monotone
+// cubics (Fritsch & Carlson 1980), a whole row at a time. Along x_mu the reader interpolates
+// linearly.
+class TransmittanceField {
+  public:
+    struct Size {
+        int columns = 0;  // a multiple of 8
+        int rows = 0;     // of a field in one block; each block has at least kLeastRows
+        bool operator==(const Size&) const = default;
+    };
+    static constexpr int kLeastRows = 13;
+
+    // Blocks lie between neighbours of `altitudes_km`: ascending, from the ground to the top.
+    TransmittanceField(const Medium& medium, const std::vector<double>& altitudes_km, Size size,
+                       int threads);
+
+    // The row at an altitude is a combination of four stored ones of row_size() numbers:
+    //   row[i] = weights[0] values[i] + weights[1] values[i + n]
+    //          + weights[2] slopes[i] + weights[3] slopes[i + n],   n = row_size().
+    // Channel c at x_mu = i / (columns() - 1) is row[c * row_stride() + i].
+    struct Row {
+        const double* values;
+        const double* slopes;
+        double weights[4];
+    };
+    Row row_at(double altitude_km) const;
+
+    const Shell& shell() const { return shell_; }
+    int channels() const { return channels_; }
+    int columns() const { return columns_; }
+    // A channel's row has a copy of its last column for lookups at x_mu = 1, and room for whole
+    // vectors.
+    int row_stride() const { return columns_ + 8; }
+    int row_size() const { return channels_ * row_stride(); }
+
+  private:
+    struct Block {
+        double bottom_km;
+        double x_begin;  // x_r at its bottom and top
+        double x_end;
+        int first_row;
+        int rows;
+    };
+
+    void fill_row(const Medium& medium, double x_r, double* row) const;
+    void fill_slopes(const Block& block);
+
+    Shell shell_;
+    int channels_ = 0;
+    int columns_ = 0;
+    std::vector<Block> blocks_;
+    std::vector<double> values_;
+    std::vector<double> slopes_;  // their derivatives per row step
+};
+
+}  // namespace skybake

@@ -1,0 +1,167 @@
+#include "bakers/air/view_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/air/cell_rule.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// However little light it scatters, no cell of a ray that is refined spans more than this
+// variation.
+constexpr double kLargestVariation = 2.5;
+constexpr int kMostPasses = 24;
+// Three Gauss nodes integrate e^-x over this much within 1e-4.
+constexpr double kLargestOpacity = 2;
+// Light that has passed this optical depth, e^-14, contributes nothing that a table could hold.
+constexpr double kLastLight = 14;
+
+double altitude_on(const Shell& shell, const ViewRay& ray, double distance_km) {
+    return std::clamp(altitude_along_km(shell, ray.altitude_km, ray.s_km, distance_km), 0.0,
+                      shell.thickness_km);  // rounding at the ends of the ray
+}
+
+// Integrates the cells between neighbouring breaks, which begin with the ray.
+std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
+                                     const std::vector<RayBreak>& breaks) {
+    const Shell shell = shell_of(medium);
+    const std::size_t count = breaks.size() - 1;
+    const auto channels = static_cast<std::size_t>(medium.channels);
+    std::vector<RayCell> cells(count);
+    std::vector<double> altitudes(count * cell_rule::kGauss);
+    for (std::size_t i = 0; i < count; ++i) {
+        cells[i].from = breaks[i];
+        cells[i].to = breaks[i + 1];
+        const double width = breaks[i + 1].distance_km - breaks[i].distance_km;
+        for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+            altitudes[i * cell_rule::kGauss + j] =
+                altitude_on(shell, ray, breaks[i].distance_km + width * cell_rule::kNodes[j]);
+        }
+    }
+    const std::vector<Coefficients> coefficients = coefficients_at(medium, altitudes);
+
+    // Optical depth up to each node, then the transmittances all at once.
+    std::vector<double> transmittance(count * cell_rule::kGauss * channels);
+    Spectrum before{};
+    for (std::size_t i = 0; i < count; ++i) {
+        RayCell& cell = cells[i];
+        const Coefficients* at = coefficients.data() + i * cell_rule::kGauss;
+        const double width = cell.to.distance_km - cell.from.distance_km;
+        double spread = 0;
+        bool empty = true;
+        for (std::size_t c = 0; c < channels; ++c) {
+            double mean = 0;
+            double low = at[0].extinction_per_km[c];
+            double high = low;
+            for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+                const double extinction = at[j].extinction_per_km[c];
+                mean += cell_rule::kWeights[j] * extinction;
+                low = std::min(low, extinction);
+                high = std::max(high, extinction);
+                double depth = before[c];
+                for (std::size_t k = 0; k < cell_rule::kGauss; ++k) {
+                    depth += width * cell_rule::kUpTo[j][k] * at[k].extinction_per_km[c];
+                }
+                transmittance[(i * cell_rule::kGauss + j) * channels + c] = -depth;
+            }
+            cell.optical_depth[c] = mean * width;
+            if (before[c] < kLastLight)
+                cell.opacity = std::max(cell.opacity, cell.optical_depth[c]);
+            before[c] += cell.optical_depth[c];
+            if (mean > 0) spread = std::max(spread, (high - low) / mean);
+            empty = empty && mean == 0;
+        }
+        // The vertical turns by width / r; sunlight changes over the dip of the shell's top.
+        const double dip = std::min(1.0, std::sqrt(shell.thickness_km / shell.ground_radius_km));
+        const double turn = width / (shell.ground_radius_km * dip);
+        cell.variation = empty ? 0 : spread + cell.opacity + 4 * turn;
+    }
+    exponentials(transmittance.data(), static_cast<int>(transmittance.size()));
+
+    for (std::size_t i = 0; i < count; ++i) {
+        RayCell& cell = cells[i];
+        const double width = cell.to.distance_km - cell.from.distance_km;
+        for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+            const Coefficients& at = coefficients[i * cell_rule::kGauss + j];
+            for (std::size_t c = 0; c < channels; ++c) {
+                const double factor = width * cell_rule::kWeights[j] *
+                                      transmittance[(i * cell_rule::kGauss + j) * channels + c];
+                const double scattered = factor * at.scattering_per_km[c];
+                cell.near_weight[c] += scattered * (1 - cell_rule::kNodes[j]);
+                cell.far_weight[c] += scattered * cell_rule::kNodes[j];
+                cell.absorbed[c] += factor * (at.extinction_per_km[c] - at.scattering_per_km[c]);
+            }
+        }
+    }
+    return cells;
+}
+
+// Halves the cells of which `split` says so, until it says so of none.
+template <class Predicate>
+void halve_cells(const Medium& medium, ViewRay& ray, const Predicate& split) {
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        std::vector<RayBreak> breaks = {{0, -1}};
+        for (const RayCell& cell : ray.cells) {
+            if (split(cell)) {
+                breaks.push_back({0.5 * (cell.from.distance_km + cell.to.distance_km), -1});
+            }
+            breaks.push_back(cell.to);
+        }
+        if (breaks.size() == ray.cells.size() + 1) return;
+        ray.cells = integrate_cells(medium, ray, breaks);
+    }
+}
+
+bool too_coarse(const RayCell& cell, const Spectrum& whole, double tolerance) {
+    double share = 0;
+    for (std::size_t c = 0; c < whole.size(); ++c) {
+        if (whole[c] > 0) {
+            share = std::max(share, (cell.near_weight[c] + cell.far_weight[c]) / whole[c]);
+        }
+    }
+    return share * cell.variation * cell.variation > tolerance ||
+           (cell.variation > kLargestVariation && share > 1e-2 * tolerance);
+}
+
+}  // namespace
+
+ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
+                       double altitude_km, double s_km, bool hits_ground) {
+    const Shell shell = shell_of(medium);
+    ViewRay ray;
+    ray.altitude_km = altitude_km;
+    ray.s_km = s_km;
+    ray.hits_ground = hits_ground;
+    ray.length_km = hits_ground ? distance_to_ground_km(shell, altitude_km, s_km)
+                                : distance_to_top_km(shell, altitude_km, s_km);
+    if (!(ray.length_km > 0)) return ray;
+    ray.cells = integrate_cells(
+        medium, ray, ray_breaks(shell, altitude_km, s_km, ray.length_km, break_altitudes_km));
+    halve_cells(medium, ray, [](const RayCell& cell) { return cell.opacity > kLargestOpacity; });
+    return ray;
+}
+
+void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray) {
+    halve_cells(medium, ray,
+                [&](const RayCell& cell) { return too_coarse(cell, whole, tolerance); });
+}
+
+std::vector<RayNode> nodes_of(const Medium& medium, const ViewRay& ray) {
+    const Shell shell = shell_of(medium);
+    std::vector<RayNode> nodes = {{ray.altitude_km, 0, -1, {}}};
+    nodes.reserve(ray.cells.size() + 1);
+    for (const RayCell& cell : ray.cells) {
+        for (std::size_t c = 0; c < cell.near_weight.size(); ++c) {
+            nodes.back().weight[c] += cell.near_weight[c];
+        }
+        nodes.push_back({altitude_on(shell, ray, cell.to.distance_km), cell.to.distance_km,
+                         cell.to.level, cell.far_weight});
+    }
+    return nodes;
+}
+
+}  // namespace skybake

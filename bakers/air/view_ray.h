@@ -1,0 +1,54 @@
+// What a view ray contributes to multiple scattering apart from the sun: shared by all sun angles.
+#pragma once
+
+#include <vector>
+
+#include "bakers/air/medium.h"
+#include "bakers/air/ray.h"
+#include "bakers/air/ray_breaks.h"
+
+namespace skybake {
+
+// A stretch of the ray with its integrals, by three Gauss nodes.
+struct RayCell {
+    RayBreak from;
+    RayBreak to;
+    double opacity = 0;    // the largest optical depth of a channel that still brings light
+    double variation = 0;  // of extinction, transmittance and direction of the vertical over it
+    Spectrum optical_depth{};
+    Spectrum near_weight{};  // integral of sigma_s T times the hat function of the cell's begin
+    Spectrum far_weight{};   // the same of its end
+    Spectrum absorbed{};     // integral of sigma_a T
+};
+
+// A ray from an altitude with s = r mu to the ground or to the top, in cells.
+struct ViewRay {
+    double altitude_km = 0;
+    double s_km = 0;
+    bool hits_ground = false;
+    double length_km = 0;
+    std::vector<RayCell> cells;  // one after the other; none if the ray has no length
+};
+
+// Cut where the ray crosses the break altitudes and at its lowest point, and further until no cell
+// that light still reaches is opaque, so that its three nodes see what it scatters.
+ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
+                       double altitude_km, double s_km, bool hits_ground);
+
+// Halves cells until in each (share of the scattering) * variation^2 <= tolerance, which bounds the
+// error of taking sunlight as linear over a cell. `whole` is what shares are of.
+void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray);
+
+// A point on the ray and the weights that multiply the sunlight there: the integral of
+// sigma_s T(start, x) f(x) dx is the sum of weight * f over the nodes, exact where f is linear over
+// each cell. All weights are >= 0.
+struct RayNode {
+    double altitude_km = 0;
+    double distance_km = 0;
+    int level = -1;  // index of the break altitude where it lies, or -1
+    Spectrum weight{};
+};
+
+std::vector<RayNode> nodes_of(const Medium& medium, const ViewRay& ray);
+
+}  // namespace skybake

@@ -1,0 +1,43 @@
+#include "bakers/assets/aerial_perspective/aerial_perspective_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/light/sky_view_mapping.h"
+
+namespace skybake {
+
+AerialCamera::AerialCamera(const config::AerialPerspectiveBake& bake)
+    : sun_(sun_at_elevation(bake.sun_elevation.radians)),
+      altitude_km_(bake.altitude.kilometers()),
+      view_distance_km_(bake.view_distance.kilometers()),
+      slices_(bake.slices) {
+    const double level = cosine_of(bake.pitch.radians);
+    const double rise = sine_of(bake.pitch.radians);
+    const double ahead = cosine_of(bake.heading.radians);
+    const double aside = sine_of(bake.heading.radians);
+    const double tangent = sine_of(bake.fov.radians / 2) / cosine_of(bake.fov.radians / 2);
+    const double across = tangent * bake.aspect;
+    forward_ = {level * ahead, level * aside, rise};
+    right_ = {-across * aside, across * ahead, 0};
+    up_ = {-tangent * rise * ahead, -tangent * rise * aside, tangent * level};
+}
+
+ViewDirection AerialCamera::direction(double u, double v) const {
+    Vector ray;
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        ray[i] = forward_[i] + (2 * u - 1) * right_[i] + (1 - 2 * v) * up_[i];
+        square += ray[i] * ray[i];
+    }
+    const double length = std::sqrt(square);
+    const double level = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
+    return {ray[2] / length, level / length, level > 0 ? std::clamp(ray[0] / level, -1.0, 1.0) : 1};
+}
+
+double AerialCamera::distance_km(double w) const {
+    return view_distance_km_ * (slices_ == config::SliceSpacing::squared ? w * w : w);
+}
+
+}  // namespace skybake

@@ -1,0 +1,54 @@
+// Where a point of the air stands in an aerial-perspective volume: u, v from its place in the
+// camera's picture, w from its distance along the view ray.
+//
+//   u, v  of the picture, from its left and from its top
+//   w     linear   distance / view_distance
+//         squared  sqrt(distance / view_distance)
+//
+// Voxel i of an axis samples (i + 1/2) / size. The picture is a perspective one: with X = 2 u - 1,
+// Y = 1 - 2 v the ray goes along forward + tan(fov / 2) (aspect X right + Y up). The heading turns
+// the view to the right, away from the sun's azimuth, the pitch upwards.
+//
+// Points below the ground, which only interpolation asks for, stand for points on it: at the same
+// distance and azimuth, or, farther away than the horizon, for points on the ray that grazes it. So
+// light and transmittance are continuous where the ground ends.
+//
+// Between the camera and the first slice, w0 = 1 / (2 size), light grows from 0 and transmittance
+// falls from 1 about linearly with distance; a runtime scales by distance there.
+#pragma once
+
+#include <array>
+
+#include "bakers/light/sky_direction.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// A direction by its zenith angle and its azimuth from the sun.
+struct ViewDirection {
+    double mu = 0;
+    double sine = 0;
+    double azimuth_cosine = 1;  // any where the direction is vertical
+};
+
+class AerialCamera {
+  public:
+    explicit AerialCamera(const config::AerialPerspectiveBake& bake);
+
+    const SunZenith& sun() const { return sun_; }
+    double altitude_km() const { return altitude_km_; }
+    ViewDirection direction(double u, double v) const;
+    double distance_km(double w) const;
+
+  private:
+    using Vector = std::array<double, 3>;  // towards the sun's azimuth, to its right, up
+    SunZenith sun_;
+    double altitude_km_;
+    double view_distance_km_;
+    config::SliceSpacing slices_;
+    Vector forward_{};
+    Vector right_{};  // times tan(fov / 2) and aspect
+    Vector up_{};     // times tan(fov / 2)
+};
+
+}  // namespace skybake

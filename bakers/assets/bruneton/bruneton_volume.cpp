@@ -1,0 +1,121 @@
+#include "bakers/assets/bruneton/bruneton_volume.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "bakers/air/forward_peak.h"
+#include "bakers/assets/bruneton/flat_tables.h"
+#include "bakers/assets/bruneton/iterated_scattering.h"
+#include "bakers/assets/bruneton/scattering_volume.h"
+#include "bakers/assets/bruneton/takram_parameters.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/light/check_light.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solver/solved_light_memory.h"
+#include "config/bruneton_companion.h"
+
+namespace skybake {
+
+using config::BrunetonBake;
+using config::BrunetonConvention;
+using config::BrunetonTable;
+using config::Outcome;
+
+namespace {
+
+bool has_higher_orders(const BrunetonBake& bake) {
+    return bake.orders != 1 && bake.table != BrunetonTable::single_mie &&
+           bake.table != BrunetonTable::transmittance;
+}
+
+// Null: there is none.
+std::shared_ptr<const SolvedLight> light_of(const SkyMedium& medium, const BrunetonBake& bake,
+                                            const BakeOptions& options) {
+    const std::optional<SolverSettings> settings = light_settings(bake);
+    if (!settings) return nullptr;
+    return remembered_light(medium, *settings, options.threads, options.progress);
+}
+
+std::vector<std::string> channel_names(const SkyMedium& medium, const BrunetonBake& bake) {
+    std::vector<std::string> names = {"R", "G", "B"};
+    if (medium.air.channels == 1) names = {"Y"};
+    const bool combined = bake.table == BrunetonTable::scattering && bake.combined;
+    if (combined || bake.convention == BrunetonConvention::takram) names.emplace_back("A");
+    return names;
+}
+
+// All tables but the transmittance are times the solar irradiance.
+void describe_light(const BrunetonBake& bake, Conventions& conventions) {
+    conventions.angle_unit = "cosine";
+    if (bake.table == BrunetonTable::transmittance) return;
+    conventions.solar_irradiance = bake.solar_irradiance;
+    if (bake.table == BrunetonTable::irradiance) return;
+    const bool of_one = std::all_of(bake.solar_irradiance.begin(), bake.solar_irradiance.end(),
+                                    [](double irradiance) { return irradiance == 1; });
+    conventions.radiance_unit = of_one ? "1/sr" : "solar_irradiance/sr";
+}
+
+Outcome<BakedVolume> bake_irradiance(SkyMedium medium, const SolvedLight* light,
+                                     const BrunetonBake& bake, const BakeOptions& options,
+                                     BakedVolume volume) {
+    const SkyMedium of_orders = medium;
+    std::unique_ptr<const HigherOrders> higher;
+    if (light != nullptr) {
+        higher = std::make_unique<SolvedOrders>(of_orders, *light, light->degree());
+    }
+    const auto orders = light != nullptr ? config::SkyOrders::all : config::SkyOrders::single;
+    const SkyLight sky(std::move(medium), orders, std::move(higher));
+    return bake_bruneton_irradiance(sky, bake, options, std::move(volume));
+}
+
+}  // namespace
+
+std::optional<SolverSettings> light_settings(const BrunetonBake& bake) {
+    if (!has_higher_orders(bake)) return std::nullopt;
+    SolverSettings settings;
+    settings.degree = kSkyDegree;
+    settings.orders = bake.orders > 0 ? bake.orders - 1 : 0;
+    return settings;
+}
+
+Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& asked,
+                                   const BakeOptions& options, BakedVolume volume) {
+    BrunetonBake bake = asked;
+    const bool iterated = bake.method == config::BrunetonMethod::iterated;
+    if (iterated && bake.orders == 0) bake.orders = kIteratedOrders;
+    const SkyMedium air = make_sky_medium(atmosphere);
+    SkyMedium medium = without_forward_peaks(air);
+    volume.kind = "bruneton";
+    volume.channel_names = channel_names(medium, bake);
+    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
+    volume.up_axis = "+z";
+    describe_light(bake, volume.conventions);
+    set_files(bake, volume);
+    volume.flipped = bake.convention == BrunetonConvention::takram;
+    if (config::has_companion(bake)) {
+        volume.companion = CompanionFile{"json", takram_parameters(atmosphere, bake)};
+    }
+    if (bake.table == BrunetonTable::transmittance) {
+        return bake_bruneton_transmittance(air.air, bake, options, std::move(volume));
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const std::shared_ptr<const SolvedLight> light = light_of(medium, bake, options);
+    if (options.cancelled()) return {};
+    if (light && bake.orders == 0) {
+        if (const auto problem = check_light(energy_balance(medium, *light), *light, volume.name)) {
+            return {{}, {*problem}};
+        }
+    }
+    volume.bake_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (bake.table == BrunetonTable::irradiance) {
+        return bake_irradiance(std::move(medium), light.get(), bake, options, std::move(volume));
+    }
+    return bake_scattering(medium, light, bake, options, std::move(volume));
+}
+
+}  // namespace skybake

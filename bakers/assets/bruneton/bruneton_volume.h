@@ -1,0 +1,24 @@
+// The tables of Bruneton & Neyret 2008 as their implementation of 2017 has them (asset =
+// "bruneton").
+#pragma once
+
+#include <optional>
+
+#include "bakers/field/volume.h"
+#include "bakers/light/solver/solve_light.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// `volume` has its name, parameters and details. E0405: light that could not be solved for.
+config::Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere,
+                                           const config::BrunetonBake& bake,
+                                           const BakeOptions& options, BakedVolume volume);
+
+// How the light is solved for that is scattered once more to make orders 2 and up; none where a
+// table has none of these.
+std::optional<SolverSettings> light_settings(const config::BrunetonBake& bake);
+
+}  // namespace skybake

@@ -1,0 +1,112 @@
+#include "bakers/assets/bruneton/scattering_content.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace skybake {
+
+using config::BrunetonTable;
+
+namespace {
+
+// What light that a layer scatters for the first time is times.
+Spectrum phase_at(const SkyLayer& layer, double nu) {
+    return first_phase_values(layer, 1 - nu, 1 + nu);
+}
+
+// The true phase function, as a runtime has it.
+Spectrum true_phase_at(const SkyLayer& layer, double nu) {
+    const bool has_peak = !layer.first_phase.functions.empty();
+    return phase_values(has_peak ? layer.first_phase : layer.phase, 1 - nu, 1 + nu);
+}
+
+double not_negative(double value) { return value > 0 ? value : 0; }
+
+}  // namespace
+
+double rayleigh_phase(double nu) { return 3 / (16 * std::numbers::pi) * (1 + nu * nu); }
+
+ScatteringContent::ScatteringContent(const SkyMedium& medium, const config::BrunetonBake& bake)
+    : medium_(medium),
+      table_(bake.table),
+      combined_(bake.combined && bake.table == BrunetonTable::scattering),
+      orders_(bake.orders),
+      colours_(static_cast<std::size_t>(medium.air.channels)),
+      solar_irradiance_(bake.solar_irradiance) {
+    const bool takram = bake.convention == config::BrunetonConvention::takram;
+    channels_ = colours_ + (combined_ || takram ? 1 : 0);
+    // takram's own textures: 1 of single Mie scattering, 0 of higher orders.
+    constant_alpha_ = table_ == BrunetonTable::single_mie ? 1 : 0;
+    for (const SkyLayer& layer : medium.layers) {
+        is_mie_.push_back(std::find(bake.mie_layers.begin(), bake.mie_layers.end(), layer.name) !=
+                          bake.mie_layers.end());
+    }
+}
+
+std::size_t ScatteringContent::measured_channels() const {
+    return table_ == BrunetonTable::scattering ? channels_ : colours_;
+}
+
+bool ScatteringContent::wants_single() const { return table_ != BrunetonTable::higher_orders; }
+
+bool ScatteringContent::wants_higher() const {
+    return table_ != BrunetonTable::single_mie && orders_ != 1;
+}
+
+Spectrum ScatteringContent::mie_phase(double nu) const {
+    for (std::size_t k = 0; k < is_mie_.size(); ++k) {
+        if (is_mie_[k]) return true_phase_at(medium_.layers[k], nu);
+    }
+    return {};
+}
+
+ScatteringParts ScatteringContent::parts(const ScatteringRow& row, std::size_t sun,
+                                         double nu) const {
+    ScatteringParts parts;
+    const Spectrum first = mie_phase(nu);
+    const double rayleigh = rayleigh_phase(nu);
+    for (std::size_t k = 0; k < row.single.size(); ++k) {
+        if (!medium_.layers[k].scatters) continue;
+        const Spectrum own = phase_at(medium_.layers[k], nu);
+        const Spectrum& light = row.single[k][sun];
+        for (std::size_t c = 0; c < colours_; ++c) {
+            if (is_mie_[k]) {
+                parts.mie[c] += light[c] * (own[c] == first[c] ? 1 : own[c] / first[c]);
+            } else {
+                parts.air[c] += light[c] * (own[c] / rayleigh);
+            }
+        }
+    }
+    if (!row.higher.empty()) {
+        for (std::size_t c = 0; c < colours_; ++c) parts.higher[c] = row.higher[sun][c] / rayleigh;
+    }
+    return parts;
+}
+
+Texel ScatteringContent::texel(const ScatteringParts& parts) const {
+    Texel texel{};
+    for (std::size_t c = 0; c < colours_; ++c) {
+        const double higher = not_negative(parts.higher[c]);
+        const double light = table_ == BrunetonTable::single_mie      ? parts.mie[c]
+                             : table_ == BrunetonTable::higher_orders ? higher
+                                                                      : parts.air[c] + higher;
+        texel[c] = not_negative(light) * solar_irradiance_[c];
+    }
+    if (has_alpha()) {
+        texel[colours_] = table_ == BrunetonTable::scattering
+                              ? not_negative(parts.mie[0]) * solar_irradiance_[0]
+                              : constant_alpha_;
+    }
+    return texel;
+}
+
+Spectrum ScatteringContent::radiance(const ScatteringParts& parts, double nu) const {
+    const Spectrum mie = mie_phase(nu);
+    Spectrum sum{};
+    for (std::size_t c = 0; c < colours_; ++c) {
+        sum[c] = (parts.air[c] + parts.higher[c]) * rayleigh_phase(nu) + parts.mie[c] * mie[c];
+    }
+    return sum;
+}
+
+}  // namespace skybake

@@ -1,0 +1,88 @@
+// The four axes of Bruneton's tables of scattering, as his implementation of 2017 has them, all
+// with end points on texel centres.
+//
+//   x_r     rho / H, the distances to the horizon from here and from the top of the air
+//   x_mu    (d - d_min) / (d_max - d_min), d the length of the view ray: to the ground in the lower
+//           half of the texels, whose axis runs backwards; to the top in the upper half
+//   x_mu_s  (1 - a / A) / (1 + a), a = (D(mu_s) - D(1)) / (D(0) - D(1)), A = a(mu_s_min), D the
+//           distance from the ground to the top towards the sun; darker suns are at 0
+//   x_nu    (nu + 1) / 2
+//
+// Texel u is the sun's of nu's sub-image: nu_index * sun_size + sun_index. A runtime interpolates
+// between two sub-images by hand.
+//
+// Hard cases: the ground (no ray of the lower half has a length), the top, the horizon from both
+// sides (told by the half, not by rounding), straight up and down, suns darker than the last.
+#pragma once
+
+#include <array>
+
+#include "bakers/air/ray.h"
+
+namespace skybake {
+
+// A view ray of a texel or of a lookup.
+struct ScatteringView {
+    double altitude_km = 0;
+    double s_km = 0;  // r mu
+    double length_km = 0;
+    bool meets_ground = false;
+};
+
+// Coordinates in [0, 1].
+struct ScatteringCoordinates {
+    double x_nu = 0;
+    double x_mu_s = 0;
+    double x_mu = 0;
+    bool meets_ground = false;  // which half of the texels x_mu is of
+    double x_r = 0;
+};
+
+class ScatteringMapping {
+  public:
+    // `size` are texels along u, v, w; nu_size divides size[0], size[1] is even.
+    ScatteringMapping(const Shell& shell, const std::array<int, 3>& size, int nu_size,
+                      double sun_cos_zenith_min);
+
+    const Shell& shell() const { return shell_; }
+    const std::array<int, 3>& size() const { return size_; }
+    int nu_size() const { return nu_size_; }
+    double sun_cos_zenith_min() const { return sun_cos_zenith_min_; }
+    int sun_size() const { return size_[0] / nu_size_; }
+    double largest_share() const { return largest_share_; }  // A
+    int half_size() const { return size_[1] / 2; }  // texels along mu on each side of the horizon
+
+    ScatteringView view(double x_mu, bool meets_ground, double x_r) const;
+    double sun_cos_zenith(double x_mu_s) const;
+    static double nu(double x_nu) { return 2 * x_nu - 1; }
+
+    ScatteringCoordinates coordinates(const ScatteringView& view, double sun_cos_zenith,
+                                      double nu) const;
+
+    // Of texels.
+    ScatteringView view_of_texel(int v, int w) const;
+    double sun_of_texel(int u) const;
+    double nu_of_texel(int u) const;
+
+    // Texels between 0 and half_size - 1 as the axis of x_mu counts them, and back.
+    int v_of(int half_index, bool meets_ground) const;
+
+  private:
+    double share_of(double distance_km) const;  // a
+
+    Shell shell_;
+    std::array<int, 3> size_;
+    int nu_size_;
+    double sun_cos_zenith_min_;
+    double top_distance_km_;  // H
+    double largest_share_;    // A
+};
+
+// The cosines between view and sun that there are, given those of both zenith angles.
+struct FeasibleCosines {
+    double low = -1;
+    double high = 1;
+};
+FeasibleCosines feasible_cosines(double view_cos_zenith, double sun_cos_zenith);
+
+}  // namespace skybake

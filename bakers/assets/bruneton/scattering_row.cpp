@@ -1,0 +1,138 @@
+#include "bakers/assets/bruneton/scattering_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "bakers/assets/bruneton/planet_shadow.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/ray_pieces.h"
+
+namespace skybake {
+
+namespace {
+
+// Of the sun's transmittance; lookups are within 1e-5 of it on Earth.
+constexpr TransmittanceField::Size kSunlightSize = {1024, 256};
+
+}  // namespace
+
+ScatteringRows::ScatteringRows(const SkyMedium& medium, const SolvedLight* light, bool wants_single,
+                               int threads)
+    : medium_(medium),
+      light_(light),
+      wants_single_(wants_single),
+      shell_(shell_of(medium.air)),
+      break_altitudes_km_(quadrature_altitudes_km(medium.air)),
+      sunlight_(medium.air, break_altitudes_km_, kSunlightSize, threads) {
+    if (light_ == nullptr) return;
+    for (const SkyLayer& layer : medium.layers) {
+        phase_moments_.push_back(legendre_moments(layer.phase, light->degree()));
+    }
+}
+
+Spectrum ScatteringRows::sunlight(double altitude_km, double s_km) const {
+    const TransmittanceField::Row row = sunlight_.row_at(altitude_km);
+    const double horizon = horizon_distance_km(shell_, altitude_km);
+    const double gain = shell_.thickness_km - altitude_km;
+    const double distance = distance_to_top_km(shell_, altitude_km, std::max(s_km, -horizon));
+    const double range = horizon + horizon_distance_km(shell_, shell_.thickness_km) - gain;
+    const double column =
+        std::clamp((distance - gain) / range, 0.0, 1.0) * (sunlight_.columns() - 1);
+    const int left = static_cast<int>(column);
+    const double t = column - left;
+    const int n = sunlight_.row_size();
+    Spectrum value{};
+    for (int c = 0; c < sunlight_.channels(); ++c) {
+        for (int side = 0; side < 2; ++side) {
+            const int i = c * sunlight_.row_stride() + left + side;
+            const double there =
+                row.weights[0] * row.values[i] + row.weights[1] * row.values[i + n] +
+                row.weights[2] * row.slopes[i] + row.weights[3] * row.slopes[i + n];
+            value[static_cast<std::size_t>(c)] += (side == 0 ? 1 - t : t) * there;
+        }
+    }
+    return value;
+}
+
+// The lit part of a piece through which the shadow's edge runs.
+void ScatteringRows::add_cut_piece(const ScatteringView& view, const FanPiece& piece,
+                                   double from_km, double to_km, double sun_cos_zenith, double nu,
+                                   std::vector<Spectrum>& sums) const {
+    const QuadratureRule& rule = ray_pieces::gauss_rule();
+    const double begin_s = (shell_.ground_radius_km + view.altitude_km) * sun_cos_zenith;
+    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+        const double x = from_km + (to_km - from_km) * rule.nodes[j];
+        const double altitude =
+            std::clamp(altitude_along_km(shell_, view.altitude_km, view.s_km, x), 0.0,
+                       shell_.thickness_km);  // rounding
+        // Suns that there are not may be higher than the zenith.
+        const double s = std::min(begin_s + x * nu, shell_.ground_radius_km + altitude);
+        const Spectrum sun = sunlight(altitude, s);
+        const auto shares = node_shares((x - piece.from_km) / (piece.to_km - piece.from_km));
+        const double weight = rule.weights[j] * (to_km - from_km);
+        for (std::size_t i = 0; i < shares.size(); ++i) {
+            for (std::size_t k = 0; k < sums.size(); ++k) {
+                const Spectrum& sent = piece.nodes[i].sent[k];
+                for (std::size_t c = 0; c < sent.size(); ++c) {
+                    sums[k][c] += weight * shares[i] * sent[c] * sun[c];
+                }
+            }
+        }
+    }
+}
+
+ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunFan& suns) const {
+    const auto count = static_cast<std::size_t>(suns.count);
+    const auto wanted = static_cast<std::size_t>(suns.wanted);
+    const std::size_t layers = medium_.layers.size();
+    std::vector<DarkStretch> dark(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        dark[i] = dark_stretch(shell_, view, suns.sun_cosines[i], suns.nu[i]);
+    }
+    std::vector<double> lit(count);
+    std::vector<double> single(layers * kMaxChannels * count);
+    std::vector<double> scattered(light_ == nullptr ? 0 : count * kChannelSlots);
+    std::vector<std::vector<Spectrum>> cut(wanted, std::vector<Spectrum>(layers));
+    for (const FanPiece& piece : make_fan_ray(medium_, break_altitudes_km_, view)) {
+        for (std::size_t i = 0; i < count && wants_single_; ++i) {
+            const double begin = std::max(dark[i].begin_km, piece.from_km);
+            const double end = std::min(dark[i].end_km, piece.to_km);
+            lit[i] = begin < end ? 0 : 1;
+            if (lit[i] > 0 || i >= wanted) continue;
+            if (begin > piece.from_km) {
+                add_cut_piece(view, piece, piece.from_km, begin, suns.sun_cosines[i], suns.nu[i],
+                              cut[i]);
+            }
+            if (end < piece.to_km) {
+                add_cut_piece(view, piece, end, piece.to_km, suns.sun_cosines[i], suns.nu[i],
+                              cut[i]);
+            }
+        }
+        if (wants_single_) add_sunlight(sunlight_, view, piece, suns, lit, single.data());
+        if (light_ != nullptr) {
+            add_solved_light(*light_, phase_moments_, shell_, view, piece, suns, scattered.data());
+        }
+    }
+    ScatteringRow result;
+    result.single.assign(layers, std::vector<Spectrum>(wanted));
+    for (std::size_t k = 0; k < layers; ++k) {
+        for (std::size_t i = 0; i < wanted; ++i) {
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                result.single[k][i][c] = single[(k * kMaxChannels + c) * count + i] + cut[i][k][c];
+            }
+        }
+    }
+    if (light_ != nullptr) {
+        result.higher.resize(wanted);
+        for (std::size_t i = 0; i < wanted; ++i) {
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                result.higher[i][c] = scattered[i * kChannelSlots + c];
+            }
+        }
+    }
+    return result;
+}
+
+}  // namespace skybake

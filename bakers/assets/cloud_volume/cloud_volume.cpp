@@ -1,0 +1,196 @@
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bakers/clouds/cloud_field.h"
+#include "bakers/clouds/cloud_reference.h"
+#include "bakers/clouds/cloud_specification.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/math/low_discrepancy.h"
+#include "bakers/noise/noise_plan.h"
+#include "config/cloud_channels.h"
+#include "config/cloud_extent.h"
+
+namespace skybake {
+
+namespace {
+
+using cloud::CloudField;
+using cloud::CloudReference;
+using config::Cloud;
+using config::CloudVolumeBake;
+using config::Outcome;
+
+std::array<AxisMapping, 3> axes_of(const Cloud& cloud) {
+    const double base = cloud.base_altitude.meters;
+    std::array<AxisMapping, 3> axes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        axes[i].quantity = i == 0 ? "x_m" : "y_m";
+        axes[i].last = cloud.extent[i].meters;
+        axes[i].formula = fmt::format("{} = {} / {}", i == 0 ? "u" : "v", i == 0 ? "x" : "y",
+                                      cloud.extent[i].meters);
+        axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
+        axes[i].wrap = AxisWrap::repeat;
+    }
+    axes[2].quantity = "altitude_m";
+    axes[2].first = base;
+    axes[2].last = base + cloud.extent[2].meters;
+    axes[2].formula = fmt::format("w = (altitude - {}) / {}", base, cloud.extent[2].meters);
+    axes[2].convention = "clamped; voxel i samples (i + 1/2) / size";
+    for (AxisMapping& axis : axes) {
+        axis.end_points = TexelConvention::end_points_on_edges;
+        axis.constants = {{"first_m", axis.first}, {"extent_m", axis.last - axis.first}};
+    }
+    return axes;
+}
+
+std::string content_of(const Cloud& cloud) {
+    const double extinction = cloud.extinction_scale.per_meter;
+    if (cloud.threshold_at == config::ThresholdAt::bake) {
+        return fmt::format("cloud density, dimensionless; extinction is density * {} /m",
+                           extinction);
+    }
+    return fmt::format(
+        "cloud value v before its threshold, dimensionless; density is v * smoothstep({}, {}, v), "
+        "extinction is density * {} /m",
+        cloud.threshold, cloud.threshold + cloud.edge_softness, extinction);
+}
+
+// What a runtime needs to know beyond the axes.
+void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, BakedVolume& volume) {
+    const auto add = [&](const char* key, FactValue value) {
+        volume.details.emplace_back(key, std::move(value));
+    };
+    const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
+    add("threshold", cloud.threshold);
+    add("edge_softness", cloud.edge_softness);
+    add("threshold_at", in_file ? "bake" : "runtime");
+    if (cloud.full_at) add("full_at", *cloud.full_at);
+    add("extinction_scale_per_m", cloud.extinction_scale.per_meter);
+    add("shaped_channels", static_cast<double>(plan.shaped_channels));
+}
+
+// The grids' names: density first, since runtimes look for it.
+std::vector<std::string> grid_names(const std::vector<std::string>& channels) {
+    std::vector<std::string> names = channels;
+    names.front() = "density";
+    return names;
+}
+
+ProbePlace place_of(const Cloud& cloud, const std::array<double, 3>& uvw) {
+    return {{{"x_m", uvw[0] * cloud.extent[0].meters},
+             {"y_m", uvw[1] * cloud.extent[1].meters},
+             {"altitude_m", cloud.base_altitude.meters + uvw[2] * cloud.extent[2].meters}},
+            {{uvw}}};
+}
+
+// Differences between voxels of the faces x = 0 and y = 0 and those a tile's length away.
+double seam_error(const CloudField& field, const std::array<int, 3>& size) {
+    constexpr int kPoints = 32;
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (int i = 0; i < kPoints; ++i) {
+            const std::array<double, 3> point = low_discrepancy_point(i);
+            noise::Voxel near;
+            for (std::size_t k = 0; k < 3; ++k) {
+                near[k] = static_cast<std::int64_t>(std::floor(point[k] * size[k]));
+            }
+            near[axis] = 0;
+            noise::Voxel far = near;
+            far[axis] = size[axis];
+            const std::vector<float> here = cloud_at(field.plan(), near);
+            const std::vector<float> there = cloud_at(field.plan(), far);
+            for (std::size_t c = 0; c < here.size(); ++c) {
+                largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
+            }
+        }
+    }
+    return largest;
+}
+
+std::shared_ptr<const CloudField> make_field(const Cloud& cloud, const CloudVolumeBake& bake,
+                                             const CloudInputs& inputs) {
+    return std::make_shared<const CloudField>(
+        make_cloud_plan(cloud, *inputs.base, inputs.detail, bake.size, inputs.maps));
+}
+
+std::string spell_extent(const std::array<config::Length, 3>& extent) {
+    return fmt::format("{} x {} x {} m", extent[0].meters, extent[1].meters, extent[2].meters);
+}
+
+BakedVolume describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake,
+                     const CloudInputs& inputs, std::shared_ptr<const CloudField> field,
+                     BakedVolume volume) {
+    const Cloud cloud = config::stretched(recipe_cloud, bake);
+    volume.kind = "cloud_volume";
+    volume.content = content_of(cloud);
+    volume.mapping = "layer";
+    volume.axes = axes_of(cloud);
+    volume.channel_names = config::cloud_channel_names(*inputs.base, cloud.channels);
+    volume.grid_names = grid_names(volume.channel_names);
+    volume.sparse = true;
+    set_files(bake, volume);
+    volume.voxel_size_m = config::voxel_edges(cloud, bake);
+    volume.minimum_m = {0, 0, cloud.base_altitude.meters};
+    volume.up_axis = "+z";
+    volume.conventions.length_unit = "m";
+    volume.conventions.coefficient_unit = "1/m";
+    volume.conventions.up_axis = volume.up_axis;
+    add_details(cloud, field->plan(), volume);
+    if (bake.extent[0].meters > 0) {
+        volume.details.emplace_back(
+            "extent", fmt::format("{}, to which the cloud's {} are stretched",
+                                  spell_extent(cloud.extent), spell_extent(recipe_cloud.extent)));
+    }
+    VolumeLevel level;
+    level.size = bake.size;
+    level.repeats = repeating_axes(volume.mapping);
+    level.voxels = std::move(field);
+    volume.levels.push_back(std::move(level));
+    return volume;
+}
+
+}  // namespace
+
+float filtered_threshold(const Cloud& cloud) {
+    const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
+    return in_file ? 0 : static_cast<float>(cloud.threshold);
+}
+
+BakedVolume make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
+                              const CloudInputs& inputs, BakedVolume volume) {
+    return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
+}
+
+Outcome<BakedVolume> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
+                                       const CloudInputs& inputs, const BakeOptions& options,
+                                       BakedVolume volume) {
+    const auto field = make_field(cloud, bake, inputs);
+    volume = describe(cloud, bake, inputs, field, std::move(volume));
+    volume.seam_error = seam_error(*field, bake.size);
+    add_mip_levels(bake.mips, options, volume);
+    // Densities are shares of 1, and so is noise.
+    const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});
+    const auto reference =
+        std::make_shared<CloudReference>(cloud, *inputs.base, inputs.detail, inputs.maps);
+    return finish_volume(
+        std::move(volume),
+        {.histogram_ranges = ranges,
+         .reference =
+             [reference](const std::array<double, 3>& place) { return (*reference)(place); },
+         .reference_name = "the cloud's definition in double precision, point by point",
+         .dear = reference->is_dear(),
+         .comparison = {},
+         .measure = {},
+         .probe_place = [&cloud](const std::array<double, 3>& uvw,
+                                 int) { return place_of(cloud, uvw); }},
+        options);
+}
+
+}  // namespace skybake

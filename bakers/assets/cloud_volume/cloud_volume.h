@@ -1,0 +1,34 @@
+// The asset cloud_volume: a cloud over its extent.
+#pragma once
+
+#include "bakers/clouds/cloud_plan.h"
+#include "bakers/field/volume.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// What a cloud is made of besides its own parameters.
+struct CloudInputs {
+    const config::Noise* base = nullptr;
+    const config::Noise* detail = nullptr;  // null where the cloud names none
+    cloud::CloudMaps maps;
+};
+
+// What a lookup of the stored values must exceed to be something.
+float filtered_threshold(const config::Cloud& cloud);
+
+// What a cloud's files say and its voxels on demand: `volume`, which has a name and parameters,
+// with all the rest but what finish_volume adds.
+BakedVolume make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
+                              const CloudInputs& inputs, BakedVolume volume);
+
+// The same, surveyed and certified. E0401, E0402: a voxel that the pixel type cannot hold. No value
+// and no diagnostics after an interruption.
+config::Outcome<BakedVolume> bake_cloud_volume(const config::Cloud& cloud,
+                                               const config::CloudVolumeBake& bake,
+                                               const CloudInputs& inputs,
+                                               const BakeOptions& options, BakedVolume volume);
+
+}  // namespace skybake

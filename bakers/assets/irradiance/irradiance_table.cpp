@@ -1,0 +1,134 @@
+#include "bakers/assets/irradiance/irradiance_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "bakers/air/shell_constants.h"
+#include "bakers/field/finish_table.h"
+#include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/sky_irradiance.h"
+#include "bakers/math/relative_error.h"
+
+namespace skybake {
+
+using config::IrradianceBake;
+using config::IrradianceContent;
+
+namespace {
+
+// Of each level, and of the reference.
+constexpr std::array<IrradianceNodes, 5> kNodes = {
+    {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}}};
+constexpr IrradianceNodes kReferenceNodes = {28, 32, 12};
+
+Spectrum irradiance(const SkyLight& light, IrradianceContent content, double altitude_km,
+                    double sun_cos_zenith, const IrradianceNodes& nodes) {
+    Spectrum value{};
+    if (content != IrradianceContent::direct) {
+        value = sky_irradiance(light, altitude_km, sun_cos_zenith, nodes);
+    }
+    if (content != IrradianceContent::sky) {
+        const Spectrum sun = sun_irradiance(light, altitude_km, sun_cos_zenith);
+        for (std::size_t c = 0; c < value.size(); ++c) value[c] += sun[c];
+    }
+    return value;
+}
+
+std::string content_text(const IrradianceBake& bake) {
+    const std::string surface =
+        "irradiance of a level surface that faces up, for a solar irradiance of 1 (dimensionless)";
+    if (bake.content == IrradianceContent::direct) return surface + ": by the sun";
+    const std::string sky = fmt::format("by the sky, {}", light_text(orders_of(bake), bake.layers));
+    if (bake.content == IrradianceContent::sky) return fmt::format("{}: {}", surface, sky);
+    return fmt::format("{}: by the sun and {}", surface, sky);
+}
+
+void describe(const IrradianceBake& bake, const Shell& shell, BakedTable& table) {
+    const bool twilight = bake.mapping == config::MultipleScatteringMapping::twilight;
+    table.kind = "irradiance";
+    table.content = content_text(bake);
+    table.mapping = twilight ? "twilight" : "hillaire";
+    table.axes[0] = {"sun_cos_zenith",
+                     twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
+                     "end points on texel centres", -1, 1};
+    table.axes[1] = {"altitude_km", "x = sqrt(altitude / (R_top - R_ground))",
+                     "end points on texel centres", 0, shell.thickness_km};
+    table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
+    table.axes[1].constants = shell_constants(shell);
+    table.conventions.angle_unit = "cosine";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+    table.pixel_type = bake.pixel_type;
+    table.compression = bake.compression;
+    table.certificate.reference =
+        fmt::format("the same integral with {} directions above and below the sun, and around",
+                    kReferenceNodes.single);
+    table.certificate.scale = kRelativeErrorScale;
+}
+
+}  // namespace
+
+double irradiance_altitude_km(const Shell& shell, double y) { return y * y * shell.thickness_km; }
+
+double irradiance_coordinate(const Shell& shell, double altitude_km) {
+    return std::sqrt(altitude_km / shell.thickness_km);
+}
+
+config::SkyOrders orders_of(const IrradianceBake& bake) {
+    if (bake.content == IrradianceContent::direct) return config::SkyOrders::single;
+    return bake.content == IrradianceContent::sky ? bake.orders : config::SkyOrders::all;
+}
+
+TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
+    const auto channels = light.medium().air.channels;
+    const auto values_at = [&light, channels, content = bake.content, mapping = bake.mapping](
+                               const IrradianceNodes& nodes, double y, const std::vector<double>& x,
+                               double* values) {
+        for (const double coordinate : x) {
+            const Spectrum value =
+                irradiance(light, content, irradiance_altitude_km(light.shell(), y),
+                           sun_cos_zenith_at(mapping, coordinate), nodes);
+            values = std::copy_n(value.begin(), channels, values);
+        }
+    };
+    TableModel model;
+    model.channels = channels;
+    model.lowest = 0;
+    model.highest = std::numeric_limits<double>::max();
+    for (const IrradianceNodes& nodes : kNodes) {
+        model.cost_per_texel.push_back(2.0 * nodes.single * nodes.single);
+    }
+    model.row = [values_at](int level, double y, const std::vector<double>& x, double* values) {
+        values_at(kNodes[static_cast<std::size_t>(level)], y, x, values);
+    };
+    model.reference = [values_at](double y, const std::vector<double>& x, double* values) {
+        values_at(kReferenceNodes, y, x, values);
+    };
+    model.error = relative_error;
+    return model;
+}
+
+config::Outcome<BakedTable> bake_irradiance(const SkyLight& light, const IrradianceBake& bake,
+                                            const BakeOptions& options, BakedTable table) {
+    const auto mapping = bake.mapping;
+    describe(bake, light.shell(), table);
+    AccuracyRequest request;
+    request.size = bake.size;
+    request.max_texel_error = bake.max_texel_error;
+    request.quick = {8, 8};
+    request.full = {64, 16};
+    const auto place_of = [&light, mapping](double x, double y) {
+        return Place{{"altitude_km", irradiance_altitude_km(light.shell(), y)},
+                     {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
+    };
+    return finish_table(irradiance_model(light, bake), request, options, place_of,
+                        std::move(table));
+}
+
+}  // namespace skybake

@@ -1,0 +1,31 @@
+// The baker of `asset = "irradiance"`.
+#pragma once
+
+#include "bakers/air/ray.h"
+#include "bakers/field/baked_table.h"
+#include "bakers/field/table_model.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// Rows gather at the ground, where the air is: y = sqrt(altitude / thickness), in [0, 1].
+double irradiance_altitude_km(const Shell& shell, double y);
+double irradiance_coordinate(const Shell& shell, double altitude_km);
+
+// The table as a function: irradiance of a level surface at the sun's cosine of x, mapped as
+// multiple scattering is (multiple_scattering_mapping.h), and at the altitude of y. The reference
+// is the same integral with more directions. `light` must outlive the model.
+TableModel irradiance_model(const SkyLight& light, const config::IrradianceBake& bake);
+
+// The orders that the light must be solved for.
+config::SkyOrders orders_of(const config::IrradianceBake& bake);
+
+// `table` brings name, parameters and channel names.
+config::Outcome<BakedTable> bake_irradiance(const SkyLight& light,
+                                            const config::IrradianceBake& bake,
+                                            const BakeOptions& options, BakedTable table);
+
+}  // namespace skybake

@@ -1,0 +1,205 @@
+#include "bakers/assets/multiple_scattering/fit_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/view_ray.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/light/solved_source.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// Of refine_view_ray: a hundredth of it changes nothing.
+constexpr double kRayTolerance = 1e-2;
+
+// A place between two neighbours of `count`; the only one is its own neighbour.
+struct Between {
+    std::size_t low = 0;
+    std::size_t high = 0;
+    double share = 0;  // of the high one
+};
+
+Between between(double position, std::size_t count) {
+    const double clamped = std::clamp(position, 0.0, static_cast<double>(count - 1));
+    const auto low = static_cast<std::size_t>(clamped);
+    return {low, std::min(low + 1, count - 1), clamped - static_cast<double>(low)};
+}
+
+Between row_of(const std::vector<double>& altitudes_km, double altitude_km) {
+    const auto above = std::upper_bound(altitudes_km.begin(), altitudes_km.end(), altitude_km);
+    if (above == altitudes_km.begin()) return {};
+    const auto low = static_cast<std::size_t>(above - altitudes_km.begin()) - 1;
+    if (above == altitudes_km.end()) return {low, low, 0};
+    return {low, low + 1, (altitude_km - altitudes_km[low]) / (*above - altitudes_km[low])};
+}
+
+// A node of a view's rays with what all of them share.
+struct Node {
+    double altitude_km = 0;
+    double distance_km = 0;
+    Spectrum weight{};             // integral of T sigma_s
+    std::vector<Spectrum> shares;  // of each layer in the scattering
+    SolvedSource source;           // per scattering
+    Between row;
+};
+
+std::vector<Spectrum> layer_shares(const SkyMedium& medium, double altitude_km) {
+    const Spectrum total = scattering_at(medium.air, altitude_km);
+    std::vector<Spectrum> shares;
+    for (const SkyLayer& layer : medium.layers) {
+        Spectrum share{};
+        if (layer.scatters) share = scattering_at(layer.alone, altitude_km);
+        for (std::size_t c = 0; c < share.size(); ++c) {
+            share[c] = total[c] > 0 ? share[c] / total[c] : 0;
+        }
+        shares.push_back(share);
+    }
+    return shares;
+}
+
+std::vector<Node> nodes_along(const SkyMedium& medium, const SolvedLight& light, const SkyRay& any,
+                              const FitAxes& axes) {
+    ViewRay ray = trace_view_ray(medium.air, quadrature_altitudes_km(medium.air), any.altitude_km,
+                                 any.s_km, any.meets_ground);
+    Spectrum whole{};
+    for (const RayCell& cell : ray.cells) {
+        for (std::size_t c = 0; c < whole.size(); ++c) {
+            whole[c] += cell.near_weight[c] + cell.far_weight[c];
+        }
+    }
+    refine_view_ray(medium.air, whole, kRayTolerance, ray);
+    std::vector<std::vector<Spectrum>> phase_moments;
+    for (const SkyLayer& layer : medium.layers) {
+        phase_moments.push_back(legendre_moments(layer.phase, light.degree()));
+    }
+    std::vector<Node> nodes;
+    for (const RayNode& at : nodes_of(medium.air, ray)) {
+        const double r = medium.air.ground_radius_km + at.altitude_km;
+        const double mu = std::clamp((any.s_km + at.distance_km) / r, -1.0, 1.0);  // rounding
+        const std::vector<Spectrum> shares = layer_shares(medium, at.altitude_km);
+        nodes.push_back({at.altitude_km, at.distance_km, at.weight, shares,
+                         SolvedSource(light, at.altitude_km, mu, shares, phase_moments),
+                         row_of(axes.altitudes_km_of_rows, at.altitude_km)});
+    }
+    return nodes;
+}
+
+// Collects the terms of one equation after the other.
+class TermCollector {
+  public:
+    explicit TermCollector(std::size_t texels) : weights_(texels), used_(texels) {}
+
+    void add(std::size_t texel, double share, const Spectrum& weight) {
+        if (!used_[texel]) {
+            used_[texel] = true;
+            texels_.push_back(texel);
+            weights_[texel] = {};
+        }
+        for (std::size_t c = 0; c < weight.size(); ++c) weights_[texel][c] += share * weight[c];
+    }
+
+    void end_equation(ViewEquations& equations) {
+        std::sort(texels_.begin(), texels_.end());
+        for (const std::size_t texel : texels_) {
+            equations.texels.push_back(texel);
+            equations.weights.push_back(weights_[texel]);
+            used_[texel] = false;
+        }
+        texels_.clear();
+        equations.first_term.push_back(equations.texels.size());
+    }
+
+  private:
+    std::vector<Spectrum> weights_;
+    std::vector<bool> used_;
+    std::vector<std::size_t> texels_;
+};
+
+void add_node_terms(const Node& node, const Between& column, std::size_t width,
+                    TermCollector& terms) {
+    const Between& row = node.row;
+    terms.add(row.low * width + column.low, (1 - row.share) * (1 - column.share), node.weight);
+    terms.add(row.low * width + column.high, (1 - row.share) * column.share, node.weight);
+    terms.add(row.high * width + column.low, row.share * (1 - column.share), node.weight);
+    terms.add(row.high * width + column.high, row.share * column.share, node.weight);
+}
+
+// Light scattered once along the rays, sunlight taken at the nodes alone.
+std::vector<Spectrum> single_scattering(const SkyMedium& medium, const std::vector<Node>& nodes,
+                                        const std::vector<SkyRay>& rays) {
+    const auto channels = static_cast<std::size_t>(medium.air.channels);
+    const std::size_t count = rays.size();
+    std::vector<Spectrum> phases(medium.layers.size() * count);
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        for (std::size_t i = 0; i < count; ++i) {
+            phases[k * count + i] = first_phase_values(medium.layers[k], rays[i].one_minus_cosine,
+                                                       rays[i].one_plus_cosine);
+        }
+    }
+    std::vector<Spectrum> sums(count);
+    std::vector<double> sun_s_km(count);
+    std::vector<bool> is_lit(count);
+    std::vector<double> sunlight(count * kMaxChannels);
+    for (const Node& node : nodes) {
+        const double horizon_km = horizon_distance_km(shell_of(medium.air), node.altitude_km);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double s_km = rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun;
+            is_lit[i] = s_km >= -horizon_km;
+            sun_s_km[i] = is_lit[i] ? s_km : 0;
+        }
+        optical_depth_to_top(medium.air, node.altitude_km, sun_s_km.data(), static_cast<int>(count),
+                             sunlight.data());
+        for (double& value : sunlight) value = -value;
+        exponentials(sunlight.data(), static_cast<int>(count * channels));
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!is_lit[i]) continue;
+            for (std::size_t c = 0; c < channels; ++c) {
+                double phase = 0;
+                for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+                    phase += node.shares[k][c] * phases[k * count + i][c];
+                }
+                sums[i][c] += node.weight[c] * phase * sunlight[c * count + i];
+            }
+        }
+    }
+    return sums;
+}
+
+}  // namespace
+
+ViewEquations view_equations(const SkyMedium& medium, const SolvedLight& light,
+                             const FitSample& sample, const FitView& view, const FitAxes& axes) {
+    const Shell shell = shell_of(medium.air);
+    std::vector<SkyRay> rays;
+    for (std::size_t i = 0; i < sample.rays_per_view(); ++i) {
+        rays.push_back(sample.ray(shell, view, i));
+    }
+    const std::vector<Node> nodes = nodes_along(medium, light, rays.front(), axes);
+    ViewEquations equations;
+    equations.single = single_scattering(medium, nodes, rays);
+    TermCollector terms(axes.texels());
+    for (const SkyRay& ray : rays) {
+        Spectrum sum{};
+        for (const Node& node : nodes) {
+            const double sun_s_km = ray.sun_s_km + node.distance_km * ray.cosine_to_sun;
+            const ScatteringPoint point =
+                scattering_point(shell, ray, node.altitude_km, sun_s_km, node.distance_km);
+            const Spectrum source =
+                node.source.scattered(point.sun_cos_zenith, point.azimuth_cosine);
+            for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += node.weight[c] * source[c];
+            add_node_terms(node, between(axes.column_of(point.sun_cos_zenith), axes.width()),
+                           axes.width(), terms);
+        }
+        terms.end_equation(equations);
+        equations.multiple.push_back(sum);
+    }
+    return equations;
+}
+
+}  // namespace skybake

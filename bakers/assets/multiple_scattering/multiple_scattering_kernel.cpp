@@ -1,0 +1,236 @@
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/assets/multiple_scattering/multiple_scattering_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "bakers/air/azimuth_rules.h"
+#include "bakers/air/transmittance_row-inl.h"
+#include "bakers/math/transcendental-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
+// A point that the sun shines on, and what reading its transmittance takes.
+struct LitPoint {
+    double r_km;
+    double dark_below_km;   // the sun is down for r mu_s below this
+    double q;               // R_top^2 - r^2
+    double nearest_top_km;  // d_min
+    double columns_per_km;
+    bool horizontal_ground;  // weight sunlight by its cosine
+    const double* row;       // transmittance at this altitude
+    int row_stride;
+    double last_column;
+};
+
+HWY_INLINE LitPoint lit_point(const TransmittanceField& field, double altitude_km,
+                              const double* row) {
+    const Shell& shell = field.shell();
+    const double rho = horizon_distance_km(shell, altitude_km);
+    const double gain = shell.thickness_km - altitude_km;
+    const double r = shell.ground_radius_km + altitude_km;
+    const double farthest = rho + horizon_distance_km(shell, shell.thickness_km);
+    const double last_column = field.columns() - 1.0;
+    return {r,     -rho, gain * (2 * r + gain), gain,       last_column / (farthest - gain),
+            false, row,  field.row_stride(),    last_column};
+}
+
+// Adds weight * sunlight to `sum` for a sun at r mu_s = s.
+template <class Real>
+HWY_INLINE void add_sunlight(const LitPoint& point, Real s, Real weight, int channels, Real* sum) {
+    const Real d = square_root(s * s + Real(point.q)) - s;
+    const Real column = (d - Real(point.nearest_top_km)) * Real(point.columns_per_km);
+    // Rounding alone leaves the row at its ends.
+    const Real inside = minimum(maximum(column, Real(0.0)), Real(point.last_column));
+    Real value[kMaxChannels];
+    read_row(point.row, point.row_stride, inside, channels, value);
+    if (point.horizontal_ground) weight = weight * maximum(s, Real(0.0)) * Real(1.0 / point.r_km);
+    for (int c = 0; c < channels; ++c) sum[c] = sum[c] + weight * value[c];
+}
+
+// The mean over azimuths of the sunlight at a point where r mu_s = a + b cos(azimuth) and the sun
+// is up for all of them.
+template <class Real>
+HWY_INLINE void mean_over_circle(const LitPoint& point, int azimuths, Real a, Real b, int channels,
+                                 Real* mean) {
+    for (int c = 0; c < channels; ++c) mean[c] = Real(0.0);
+    const AzimuthRule& rule = full_circle_rule(azimuths);
+    for (int i = 0; i < rule.count; ++i) {
+        add_sunlight(point, a + b * Real(rule.nodes[i]), Real(rule.weights[i]), channels, mean);
+    }
+}
+
+// The same where the sun is up only for azimuths below arccos((edge - a) / b), b > 0. Few suns are
+// near the terminator of a point, so these are taken one by one.
+HWY_INLINE void mean_over_lit_part(const LitPoint& point, int azimuths, double a, double b,
+                                   int channels, double* mean) {
+    const double cosine = minimum(maximum((point.dark_below_km - a) / b, -1.0), 1.0);
+    const double lit_share = arc_cosine(cosine) * (1.0 / kPi);
+    const AzimuthRule& rule = lit_part_rule(azimuths);
+    for (int c = 0; c < channels; ++c) mean[c] = 0;
+    for (int i = 0; i < rule.count; ++i) {
+        const double azimuth = cosine_of_pi(lit_share * rule.nodes[i]);
+        add_sunlight(point, a + b * azimuth, lit_share * rule.weights[i], channels, mean);
+    }
+}
+
+// The mean over all azimuths, b >= 0.
+template <class Real>
+HWY_INLINE void mean_sunlight(const LitPoint& point, int azimuths, Real a, Real b, int channels,
+                              Real* mean) {
+    using Access = LaneAccess<Real>;
+    const Real edge(point.dark_below_km);
+    const auto up_everywhere = a - b >= edge;
+    if (any(up_everywhere)) {
+        mean_over_circle(point, azimuths, a, b, channels, mean);
+        if (all(up_everywhere)) return;
+    }
+    double as[Access::kCount];
+    double bs[Access::kCount];
+    double means[kMaxChannels][Access::kCount] = {};
+    Access::store(a, as);
+    Access::store(b, bs);
+    for (int c = 0; any(up_everywhere) && c < channels; ++c) Access::store(mean[c], means[c]);
+    for (int lane = 0; lane < Access::kCount; ++lane) {
+        if (as[lane] - bs[lane] >= point.dark_below_km) continue;
+        double part[kMaxChannels] = {};
+        if (as[lane] + bs[lane] >= point.dark_below_km) {
+            mean_over_lit_part(point, azimuths, as[lane], bs[lane], channels, part);
+        }
+        for (int c = 0; c < channels; ++c) means[c][lane] = part[c];
+    }
+    for (int c = 0; c < channels; ++c) mean[c] = Access::load(means[c]);
+}
+
+// The suns of a row, padded to whole vectors.
+struct Suns {
+    std::vector<double> cosine;
+    std::vector<double> sine;
+    int padded;
+};
+
+// Adds to sum[c * padded + i], for each sun, weight[c] times the mean sunlight at a point of the
+// ray.
+template <class Real>
+HWY_INLINE void add_point(const LitPoint& point, int azimuths, double along_km, double across_km,
+                          const Spectrum& weight, int channels, const Suns& suns, double* sum) {
+    using Access = LaneAccess<Real>;
+    for (int i = 0; i < suns.padded; i += Access::kCount) {
+        const Real a = Access::load(suns.cosine.data() + i) * Real(along_km);
+        const Real b = Access::load(suns.sine.data() + i) * Real(across_km);
+        if (!any(a + b >= Real(point.dark_below_km))) continue;
+        Real mean[kMaxChannels];
+        mean_sunlight(point, azimuths, a, b, channels, mean);
+        for (int c = 0; c < channels; ++c) {
+            double* to = sum + c * suns.padded + i;
+            const Real part = Real(weight[static_cast<std::size_t>(c)]) * mean[c];
+            Access::store(Access::load(to) + part, to);
+        }
+    }
+}
+
+template <class Real>
+HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
+                          const RowQuadrature& quadrature, const double* sun_cos_zenith, int count,
+                          double* psi) {
+    const int channels = medium.channels;
+    Suns suns;
+    constexpr int kStep = LaneAccess<Real>::kCount;
+    suns.padded = (count + kStep - 1) / kStep * kStep;
+    for (int i = 0; i < suns.padded; ++i) {
+        const double cosine = sun_cos_zenith[std::min(i, count - 1)];
+        suns.cosine.push_back(cosine);
+        suns.sine.push_back(square_root(maximum((1 - cosine) * (1 + cosine), 0.0)));
+    }
+    std::vector<double> sum(static_cast<std::size_t>(channels * suns.padded));
+    std::vector<double> row(static_cast<std::size_t>(sunlight.field().row_size()));
+    LitPoint ground = lit_point(sunlight.field(), 0, sunlight.row(0));
+    ground.dark_below_km = 0;
+    ground.horizontal_ground = true;
+
+    std::vector<double> start_row(row.size());  // every ray starts at this altitude
+    combine_row<Real>(sunlight.field(), quadrature.altitude_km, start_row.data());
+    const double r = medium.ground_radius_km + quadrature.altitude_km;
+    for (const WeightedRay& ray : quadrature.rays) {
+        const double sine = square_root(maximum((1 - ray.mu) * (1 + ray.mu), 0.0));
+        for (std::size_t k = 0; k < ray.nodes.size(); ++k) {
+            const RayNode& node = ray.nodes[k];
+            Spectrum weight{};
+            double largest = 0;
+            for (std::size_t c = 0; c < weight.size(); ++c) {
+                weight[c] = ray.weight * node.weight[c] * (0.25 / kPi);
+                largest = maximum(largest, weight[c]);
+            }
+            if (largest == 0) continue;
+            const double* values = k == 0 ? start_row.data() : row.data();
+            if (node.level >= 0) {
+                values = sunlight.row(node.level);
+            } else if (k > 0) {
+                combine_row<Real>(sunlight.field(), node.altitude_km, row.data());
+            }
+            add_point<Real>(lit_point(sunlight.field(), node.altitude_km, values), ray.azimuths[k],
+                            r + node.distance_km * ray.mu, node.distance_km * sine, weight,
+                            channels, suns, sum.data());
+        }
+        if (!ray.hits_ground) continue;
+        Spectrum weight{};
+        for (std::size_t c = 0; c < weight.size(); ++c) {
+            weight[c] = ray.weight * ray.end_transmittance[c] * medium.ground_albedo[c] / kPi;
+        }
+        add_point<Real>(ground, ray.ground_azimuths, r + ray.length_km * ray.mu,
+                        ray.length_km * sine, weight, channels, suns, sum.data());
+    }
+    for (int c = 0; c < channels; ++c) {
+        const double escape = quadrature.escape[static_cast<std::size_t>(c)];
+        for (int i = 0; i < count; ++i)
+            psi[c * count + i] = sum[static_cast<std::size_t>(c * suns.padded + i)] / escape;
+    }
+}
+
+void IntegrateRow(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
+                  const double* sun_cos_zenith, int count, double* psi) {
+    integrate<Lanes>(medium, sunlight, row, sun_cos_zenith, count, psi);
+}
+
+void CombineRow(const TransmittanceField& field, double altitude_km, double* row) {
+    combine_row<Lanes>(field, altitude_km, row);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake {
+
+HWY_EXPORT(CombineRow);
+
+Sunlight::Sunlight(const Medium& medium, const std::vector<double>& altitudes_km,
+                   TransmittanceField::Size size, int threads)
+    : field_(medium, altitudes_km, size, threads),
+      row_size_(static_cast<std::size_t>(field_.row_size())),
+      rows_(row_size_ * altitudes_km.size()) {
+    for (std::size_t i = 0; i < altitudes_km.size(); ++i) {
+        HWY_DYNAMIC_DISPATCH(CombineRow)(field_, altitudes_km[i], rows_.data() + i * row_size_);
+    }
+}
+
+HWY_EXPORT(IntegrateRow);
+
+void integrate_row(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
+                   const double* sun_cos_zenith, int count, double* psi) {
+    HWY_DYNAMIC_DISPATCH(IntegrateRow)(medium, sunlight, row, sun_cos_zenith, count, psi);
+}
+
+void integrate_row_scalar(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
+                          const double* sun_cos_zenith, int count, double* psi) {
+    HWY_NAMESPACE::integrate<double>(medium, sunlight, row, sun_cos_zenith, count, psi);
+}
+
+}  // namespace skybake
+#endif  // HWY_ONCE

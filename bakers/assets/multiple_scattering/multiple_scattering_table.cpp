@@ -1,0 +1,194 @@
+#include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "bakers/air/shell_constants.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
+#include "bakers/field/finish_table.h"
+#include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/math/relative_error.h"
+
+namespace skybake {
+
+using config::MultipleScatteringBake;
+using config::MultipleScatteringMapping;
+using config::MultipleScatteringMethod;
+
+namespace {
+
+// What the reference integrates with: more and other nodes than any level of the baker.
+constexpr QuadratureLevel kReferenceLevel = {44, 1e-4, 5e-6};
+constexpr TransmittanceField::Size kReferenceField = {512, 192};
+
+// Sunlight for the baker's levels: the last two are limited by it in dense air.
+constexpr TransmittanceField::Size kField = {256, 128};
+constexpr TransmittanceField::Size kFineField = {384, 128};
+constexpr int kFirstFineLevel = 9;
+
+// Psi over rows of suns, with the sunlight that all rows share.
+class Integrator {
+  public:
+    Integrator(const Medium& medium, TransmittanceField::Size field, int threads)
+        : medium_(medium),
+          altitudes_km_(quadrature_altitudes_km(medium)),
+          sunlight_(medium, altitudes_km_, field, threads) {}
+
+    // Channels interleaved in values.
+    void row(const QuadratureLevel& level, double altitude_km,
+             const std::vector<double>& sun_cos_zenith, double* values) const {
+        const RowQuadrature quadrature =
+            make_row_quadrature(medium_, altitudes_km_, altitude_km, level);
+        const auto channels = static_cast<std::size_t>(medium_.channels);
+        std::vector<double> psi(sun_cos_zenith.size() * channels);
+        integrate_row(medium_, sunlight_, quadrature, sun_cos_zenith.data(),
+                      static_cast<int>(sun_cos_zenith.size()), psi.data());
+        for (std::size_t i = 0; i < sun_cos_zenith.size(); ++i) {
+            for (std::size_t c = 0; c < channels; ++c) {
+                values[i * channels + c] = psi[c * sun_cos_zenith.size() + i];
+            }
+        }
+    }
+
+  private:
+    const Medium& medium_;
+    std::vector<double> altitudes_km_;
+    Sunlight sunlight_;
+};
+
+// Made when first asked for: not every bake needs every one.
+class LazyIntegrator {
+  public:
+    LazyIntegrator(const Medium& medium, TransmittanceField::Size field, int threads)
+        : medium_(medium), field_(field), threads_(threads) {}
+
+    const Integrator& get() {
+        std::call_once(made_, [this] { integrator_.emplace(medium_, field_, threads_); });
+        return *integrator_;
+    }
+
+  private:
+    const Medium& medium_;
+    TransmittanceField::Size field_;
+    int threads_;
+    std::once_flag made_;
+    std::optional<Integrator> integrator_;
+};
+
+std::vector<double> suns_at(MultipleScatteringMapping mapping, const std::vector<double>& x) {
+    std::vector<double> suns;
+    for (const double coordinate : x) suns.push_back(sun_cos_zenith_at(mapping, coordinate));
+    return suns;
+}
+
+}  // namespace
+
+TableModel multiple_scattering_model(const Medium& medium, const MultipleScatteringBake& bake,
+                                     int threads) {
+    TableModel model;
+    model.channels = medium.channels;
+    model.lowest = 0;
+    model.highest = std::numeric_limits<double>::max();
+    model.convention = TexelConvention::end_points_on_texel_centres;
+    const MultipleScatteringMapping mapping = bake.mapping;
+    const double thickness_km = medium.thickness_km;
+    if (bake.method == MultipleScatteringMethod::as_in_paper) {
+        model.cost_per_texel = {1};
+        const auto transmittance =
+            std::make_shared<const Image2<float>>(as_in_paper_transmittance(medium, threads));
+        model.row = [&medium, mapping, thickness_km, transmittance](
+                        int, double y, const std::vector<double>& x, double* values) {
+            for (const double sun_cos_zenith : suns_at(mapping, x)) {
+                const Spectrum psi = multiple_scattering_as_in_paper(
+                    medium, *transmittance, y * thickness_km, sun_cos_zenith);
+                values = std::copy_n(psi.begin(), medium.channels, values);
+            }
+        };
+    } else {
+        for (const QuadratureLevel& level : quadrature_levels()) {
+            model.cost_per_texel.push_back(lookups_per_texel(level));
+        }
+        model.row = [mapping, thickness_km,
+                     coarse = std::make_shared<LazyIntegrator>(medium, kField, threads),
+                     fine = std::make_shared<LazyIntegrator>(medium, kFineField, threads)](
+                        int level, double y, const std::vector<double>& x, double* values) {
+            const Integrator& integrator = (level < kFirstFineLevel ? coarse : fine)->get();
+            integrator.row(quadrature_levels()[static_cast<std::size_t>(level)], y * thickness_km,
+                           suns_at(mapping, x), values);
+        };
+    }
+    model.reference = [mapping, thickness_km,
+                       reference =
+                           std::make_shared<LazyIntegrator>(medium, kReferenceField, threads)](
+                          double y, const std::vector<double>& x, double* values) {
+        reference->get().row(kReferenceLevel, y * thickness_km, suns_at(mapping, x), values);
+    };
+    model.error = relative_error;
+    return model;
+}
+
+config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
+                                                     const MultipleScatteringBake& bake,
+                                                     const BakeOptions& options, BakedTable table) {
+    const double thickness_km = medium.thickness_km;
+    const MultipleScatteringMapping mapping = bake.mapping;
+    const bool twilight = mapping == MultipleScatteringMapping::twilight;
+    const bool as_in_paper = bake.method == MultipleScatteringMethod::as_in_paper;
+    table.kind = "multiple_scattering";
+    table.content =
+        "Psi (1/sr): radiance of light scattered twice or more, per unit of solar irradiance and "
+        "of "
+        "scattering coefficient; multiply by sigma_s alone";
+    table.mapping = twilight ? "twilight" : "hillaire";
+    table.axes[0] = {"sun_cos_zenith",
+                     twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
+                     "end points on texel centres", -1, 1};
+    table.axes[1] = {"altitude_km", "x = altitude / (R_top - R_ground)",
+                     "end points on texel centres", 0, thickness_km};
+    table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
+    table.axes[1].constants = shell_constants(shell_of(medium));
+    table.conventions.angle_unit = "cosine";
+    table.conventions.radiance_unit = "1/sr";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+    table.pixel_type = bake.pixel_type;
+    table.compression = bake.compression;
+    table.certificate.reference =
+        "the same integral with 44 zenith nodes a part and 512 columns of sunlight";
+    table.certificate.scale = kRelativeErrorScale;
+    table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
+
+    AccuracyRequest request;
+    request.size = bake.size;
+    request.max_error = bake.max_error;
+    if (!as_in_paper) request.max_texel_error = bake.max_texel_error;
+    request.choice = {32, 16};
+    request.quick = {8, 8};
+    request.full = {1024, 16};
+    const auto place_of = [mapping, thickness_km](double x, double y) {
+        return Place{{"altitude_km", y * thickness_km},
+                     {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
+    };
+    const auto start = std::chrono::steady_clock::now();
+    const TableModel model = multiple_scattering_model(medium, bake, options.threads);
+    table.bake_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    config::Outcome<BakedTable> outcome =
+        finish_table(model, request, options, place_of, std::move(table));
+    // Where the terminator falls between texels no count of nodes helps, another mapping does.
+    if (outcome.value && !twilight && outcome.value->image.width >= 8 &&
+        outcome.value->certificate.lookup.max > 0.1) {
+        outcome.value->certificate.advice =
+            "mapping = \"twilight\" puts more texels near sunrise and sunset";
+    }
+    return outcome;
+}
+
+}  // namespace skybake

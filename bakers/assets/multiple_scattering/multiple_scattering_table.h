@@ -1,0 +1,25 @@
+// The baker of `asset = "multiple_scattering"`.
+#pragma once
+
+#include "bakers/air/medium.h"
+#include "bakers/field/baked_table.h"
+#include "bakers/field/table_model.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// The table as a function: Psi (1/sr) at the sun's cosine and altitude of (x, y). The reference is
+// the same integral with many more nodes and a finer table of sunlight, itself within 1e-4 of
+// nested adaptive quadrature (multiple_scattering_reference.h). `medium` must outlive the model.
+TableModel multiple_scattering_model(const Medium& medium,
+                                     const config::MultipleScatteringBake& bake, int threads);
+
+// Hillaire's multiple scattering, multiple_scattering_kernel.h and multiple_scattering_mapping.h.
+// `table` brings name, parameters and channel names.
+config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
+                                                     const config::MultipleScatteringBake& bake,
+                                                     const BakeOptions& options, BakedTable table);
+
+}  // namespace skybake

@@ -1,0 +1,33 @@
+// What a table of multiple scattering is worth: the sky made with it against a better sky.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bakers/field/baked_table.h"
+#include "bakers/light/sky_radiance.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+struct SkySample {
+    double altitude_km = 0;
+    SunZenith sun;
+    SkyDirection direction;
+};
+
+// A camera near the ground, suns from the zenith to 6 degrees below the horizon, views from 15
+// degrees off the zenith to half a degree above the horizontal, at several azimuths; of a scene a
+// camera and suns within its ranges.
+std::vector<SkySample> sky_samples(const Shell& shell, const std::optional<config::Scene>& scene);
+
+// Light that reaches the camera through the air: single and multiple scattering, not the ground.
+std::vector<Spectrum> sky_values(const SkyMedium& medium, const HigherOrders& higher_orders,
+                                 const std::vector<SkySample>& samples, int threads);
+
+// Of |value / reference - 1| over all samples and channels, those without light left out.
+SkyError sky_error(int channels, const std::vector<Spectrum>& values,
+                   const std::vector<Spectrum>& references);
+
+}  // namespace skybake

@@ -1,0 +1,286 @@
+#include "bakers/assets/multiple_scattering/solved_scattering_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "bakers/air/shell_constants.h"
+#include "bakers/assets/multiple_scattering/fitted_table.h"
+#include "bakers/assets/multiple_scattering/sky_error.h"
+#include "bakers/field/finish_table.h"
+#include "bakers/field/stack_tables.h"
+#include "bakers/light/check_light.h"
+#include "bakers/light/path_tracer/path_tracer.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solver/energy_balance.h"
+#include "bakers/light/solver/solve_light.h"
+#include "bakers/light/table_orders.h"
+#include "bakers/math/relative_error.h"
+
+namespace skybake {
+
+using config::MultipleScatteringBake;
+using config::MultipleScatteringContent;
+using config::MultipleScatteringMapping;
+
+namespace {
+
+// Moments that feed the mean radiance, and those of the sky that tables are compared with.
+constexpr int kDegree = 4;
+// Of the light that skies are fitted to.
+constexpr int kFitDegree = 8;
+// Paths in each direction with --certify=full, 64 times this many in all channels.
+constexpr std::int64_t kPaths = 20000;
+
+// M_lm of solved_scattering_table.h.
+Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
+                   double sun_cos_zenith) {
+    if (l == 0) return light.mean_radiance_at(altitude_km, sun_cos_zenith);
+    std::vector<double> moments(static_cast<std::size_t>(moment_count(light.degree())) *
+                                kMaxChannels);
+    light.moments_at(altitude_km, sun_cos_zenith, moments.data());
+    Spectrum value{};
+    for (std::size_t c = 0; c < value.size(); ++c) {
+        value[c] = harmonic_norm(l, m) *
+                   moments[static_cast<std::size_t>(moment_index(l, m)) * kMaxChannels + c];
+    }
+    return value;
+}
+
+// Of all channels, on the solution's grid; 0 where there is no solution.
+double largest_moment(const SolvedLight& light, int l, int m) {
+    double largest = 0;
+    for (const double altitude_km : light.altitudes_km) {
+        for (const double cosine : light.suns.cosines) {
+            for (const double value : moment_of(light, l, m, altitude_km, cosine)) {
+                largest = std::max(largest, std::fabs(value));
+            }
+        }
+    }
+    return largest;
+}
+
+TableModel moment_model(const SolvedLight& light, const SolvedLight& finer_light, int l, int m,
+                        const SunColumns& columns, double thickness_km) {
+    TableModel model;
+    model.channels = light.channels;
+    model.lowest = l == 0 ? 0 : std::numeric_limits<double>::lowest();
+    model.highest = std::numeric_limits<double>::max();
+    model.cost_per_texel = {1};
+    const auto row = [l, m, &columns, thickness_km](const SolvedLight& from, double y,
+                                                    const std::vector<double>& x, double* values) {
+        for (const double coordinate : x) {
+            const Spectrum value =
+                moment_of(from, l, m, y * thickness_km, columns.cosine(coordinate));
+            values = std::copy_n(value.begin(), from.channels, values);
+        }
+    };
+    model.row = [row, &light](int, double y, const std::vector<double>& x, double* values) {
+        row(light, y, x, values);
+    };
+    model.reference = [row, &finer_light](double y, const std::vector<double>& x, double* values) {
+        row(finer_light, y, x, values);
+    };
+    if (l == 0) {
+        model.error = relative_error;
+    } else {
+        // Moments have both signs: their errors are shares of the largest.
+        const double largest = largest_moment(finer_light, l, m);
+        model.error = [largest](double value, double reference, double) {
+            return largest > 0 ? (value - reference) / largest : value - reference;
+        };
+    }
+    return model;
+}
+
+void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int degree,
+              const Shell& shell, BakedTable& table) {
+    const bool twilight = bake.mapping == MultipleScatteringMapping::twilight;
+    const int parts = moment_count(degree);
+    table.kind = "multiple_scattering";
+    table.content =
+        "Psi (1/sr): mean radiance of all light but the sun's own, per unit of solar irradiance; "
+        "multiply by sigma_s alone";
+    if (degree > 0) {
+        table.kind = "multiple_scattering_moments";
+        table.content = fmt::format(
+            "moments M_lm (1/sr) of the light, degree {}: sigma_s chi_l M_lm P_l^m(mu) cos(m phi), "
+            "summed over l and m, is what an eye that looks along (mu, phi) gets from a km of a "
+            "layer",
+            degree);
+    }
+    table.mapping = twilight ? "twilight" : "hillaire";
+    const std::string formula = twilight ? "(1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "(mu_s + 1) / 2";
+    const bool cropped = columns.first > 0 || columns.last < 1;
+    table.axes[0] = {"sun_cos_zenith",
+                     cropped ? fmt::format("x = ({} - {:.17g}) / {:.17g}", formula, columns.first,
+                                           columns.last - columns.first)
+                             : "x = " + formula,
+                     "end points on texel centres", columns.cosine(0), columns.cosine(1)};
+    table.axes[1] = {"altitude_km",
+                     parts > 1 ? fmt::format("x = altitude / (R_top - R_ground) in each of {} "
+                                             "tables one below the other, (l, m) the {}-th: "
+                                             "v = (l (l + 1) / 2 + m + v of its table) / {}",
+                                             parts, "(l (l + 1) / 2 + m)", parts)
+                               : "x = altitude / (R_top - R_ground)",
+                     "end points on texel centres", 0, shell.thickness_km};
+    table.axes[0].constants = {{"first", columns.first}, {"share", columns.last - columns.first}};
+    table.axes[1].constants = shell_constants(shell);
+    table.axes[1].constants.emplace_back("tables", static_cast<double>(parts));
+    table.axes[1].constants.emplace_back("degree", static_cast<double>(degree));
+    table.conventions.angle_unit = "cosine";
+    table.conventions.radiance_unit = "1/sr";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+    table.pixel_type = bake.pixel_type;
+    table.compression = bake.compression;
+    table.certificate.reference =
+        "the same equation on a finer grid of altitudes, directions and rays";
+    table.certificate.scale = kRelativeErrorScale;
+    if (bake.content == MultipleScatteringContent::fitted) {
+        table.content =
+            "Psi (1/sr) for which the sky is right when it is scattered alike in all directions, "
+            "per unit of solar irradiance; multiply by sigma_s alone";
+        table.certificate.reference = "the fit before it was stored";
+    }
+    if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
+}
+
+SkyError measure_sky(const SkyMedium& medium, const std::optional<config::Scene>& scene,
+                     const BakedTable& table, int degree, const SunColumns& columns,
+                     const SolvedLight& finer_light, const BakeOptions& options) {
+    const double thickness_km = medium.air.thickness_km;
+    const TableOrders orders(
+        medium, table.image, degree,
+        [&columns, thickness_km](double altitude_km, double sun_cos_zenith) {
+            return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / thickness_km};
+        });
+    const std::vector<SkySample> samples = sky_samples(shell_of(medium.air), scene);
+    const std::vector<Spectrum> values = sky_values(medium, orders, samples, options.threads);
+    std::vector<Spectrum> references;
+    std::string name;
+    if (options.certification == Certification::full) {
+        const PathTracer tracer(medium);
+        PathTracerSettings settings;
+        settings.paths = kPaths;
+        settings.include_seen_ground = false;
+        for (const SkySample& sample : samples) {
+            references.push_back(trace_paths(tracer, sample.altitude_km, sample.sun,
+                                             sample.direction, settings, options.threads)
+                                     .radiance);
+            ++settings.ray;
+        }
+        name = fmt::format("{} paths of light in each direction", kPaths);
+    } else {
+        const SolvedOrders solved(medium, finer_light, finer_light.degree());
+        references = sky_values(medium, solved, samples, options.threads);
+        name = fmt::format("all orders solved with moments to degree {}", finer_light.degree());
+    }
+    SkyError error = sky_error(medium.air.channels, values, references);
+    error.reference = std::move(name);
+    return error;
+}
+
+}  // namespace
+
+config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atmosphere,
+                                                   const std::optional<config::Scene>& scene,
+                                                   const MultipleScatteringBake& bake,
+                                                   const BakeOptions& options, BakedTable table) {
+    const SkyMedium medium = make_sky_medium(atmosphere);
+    const double thickness_km = medium.air.thickness_km;
+    const bool moments = bake.content == MultipleScatteringContent::moments;
+    const int degree = moments ? bake.degree : 0;
+    const SunColumns columns = sun_columns(bake.mapping, scene, shell_of(medium.air));
+    describe(bake, columns, degree, shell_of(medium.air), table);
+
+    config::Outcome<BakedTable> outcome;
+    const bool fitted = bake.content == MultipleScatteringContent::fitted;
+    if ((fitted || moments) && bake.max_error) {
+        config::Diagnostic failure;
+        failure.code = "E0403";
+        failure.message =
+            fmt::format("`{}`: max_error does not work with this `content`", table.name);
+        failure.label = "give `size` in place of `max_error`";
+        outcome.diagnostics.push_back(std::move(failure));
+        return outcome;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    SolverSettings settings;
+    settings.degree = fitted ? kFitDegree : std::max(degree, kDegree);
+    const SolvedLight light = solve_light(medium, settings, options.threads, options.progress);
+    if (options.cancelled()) return outcome;
+    Image2<double> texels;
+    if (fitted) texels = fitted_texels(medium, light, scene, columns, bake.size, options.threads);
+    table.bake_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const EnergyBalance balance = energy_balance(medium, light);
+    if (const auto failure = check_light(balance, light, table.name)) {
+        outcome.diagnostics.push_back(*failure);
+        return outcome;
+    }
+    table.details.emplace_back("method", "solved");
+    table.details.emplace_back("orders", light.applications + 1.0);
+    table.details.emplace_back("left_out", to_digits(light.left_out, 2));
+    table.details.emplace_back("energy_error", to_digits(balance.largest_error(), 2));
+
+    SolvedLight finer_light;
+    if (options.certification != Certification::off || bake.max_error) {
+        SolverSettings reference = finer(settings);
+        if (moments) reference.degree += 2;
+        finer_light = solve_light(medium, reference, options.threads, options.progress);
+        if (options.cancelled()) return outcome;
+    }
+
+    AccuracyRequest request;
+    request.size = bake.size;
+    request.max_error = bake.max_error;
+    request.choice = {32, 16};
+    request.quick = {32, 16};
+    request.full = {1024, 16};
+    std::vector<BakedTable> parts;
+    std::vector<ProbeSpace> spaces;
+    for (int l = 0; l <= degree; ++l) {
+        for (int m = 0; m <= l; ++m) {
+            const auto place_of = [&columns, thickness_km, moments, l, m](double x, double y) {
+                Place place = {{"altitude_km", y * thickness_km},
+                               {"sun_cos_zenith", columns.cosine(x)}};
+                if (moments) place.insert(place.end(), {{"l", l}, {"m", m}});
+                return place;
+            };
+            const TableModel model =
+                fitted ? fitted_model(texels)
+                       : moment_model(light, finer_light, l, m, columns, thickness_km);
+            config::Outcome<BakedTable> part =
+                finish_table(model, request, options, place_of, table);
+            outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
+                                       part.diagnostics.end());
+            if (!part.value) return outcome;
+            const Image2<float>& image = part.value->image;
+            spaces.push_back(table_space(model, {image.width, image.height}, place_of));
+            parts.push_back(std::move(*part.value));
+            table.bake_seconds = 0;
+        }
+    }
+    config::Outcome<BakedTable> stacked =
+        stack_tables(std::move(parts), std::move(spaces), options);
+    outcome.diagnostics.insert(outcome.diagnostics.end(), stacked.diagnostics.begin(),
+                               stacked.diagnostics.end());
+    if (!stacked.value) return outcome;
+    BakedTable& stack = *stacked.value;
+    if (stack.certified) {
+        SkyError sky = measure_sky(medium, scene, stack, degree, columns, finer_light, options);
+        if (options.cancelled()) return outcome;
+        // Where nothing scatters there is no sky to be off.
+        if (sky.points > 0) stack.certificate.sky = std::move(sky);
+    }
+    outcome.value = std::move(stack);
+    return outcome;
+}
+
+}  // namespace skybake

@@ -1,0 +1,36 @@
+// The table of multiple scattering with all orders solved (scattering/solve_light.h).
+//
+//   hillaire   the mean radiance Psi = E0 / 4pi: the texture of Hillaire 2020, made of every order
+//              with its layer's own phase function and of the ground's light in all of them
+//   fitted     the same texture with the texels that make the sky right when it is scattered alike
+//              in all directions (fitted_radiance.h)
+//   moments    moments of the light up to a degree N, one table below the other by rising l, and in
+//              it by rising m: M_lm in 1/sr, the first of them Psi itself. Towards a direction
+//              whose zenith angle has the cosine mu and whose azimuth from the sun is phi a km of
+//              air sends
+//
+//                sum over layers of sigma_s sum over l of chi_l sum over m of
+//                    M_lm P_l^m(mu) cos(m phi)
+//
+//              with the layer's Legendre moments chi_l (phase/legendre_moments.h) and associated
+//              Legendre functions without the sign (-1)^m: P_1^1 = sqrt(1 - mu^2).
+#pragma once
+
+#include <optional>
+
+#include "bakers/field/baked_table.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// `scene` crops the table to the suns that its cameras can see at points of the air. `table` comes
+// labelled. Errors as of finish_table, and E0405 where the solution is no light: negative, or what
+// goes in does not come out.
+config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atmosphere,
+                                                   const std::optional<config::Scene>& scene,
+                                                   const config::MultipleScatteringBake& bake,
+                                                   const BakeOptions& options, BakedTable table);
+
+}  // namespace skybake

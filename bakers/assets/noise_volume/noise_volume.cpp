@@ -1,0 +1,174 @@
+#include "bakers/assets/noise_volume/noise_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "bakers/field/finish_volume.h"
+#include "bakers/math/low_discrepancy.h"
+#include "bakers/noise/noise_field.h"
+#include "bakers/noise/noise_reference.h"
+#include "bakers/noise/noise_specification.h"
+
+namespace skybake {
+
+namespace {
+
+using config::Noise;
+using config::NoisePacking;
+using config::NoiseSampling;
+using config::NoiseVolumeBake;
+using config::Outcome;
+using noise::NoiseField;
+using noise::NoisePlan;
+
+std::array<bool, 3> centered_axes(NoiseSampling sampling) {
+    const bool across = sampling != NoiseSampling::corners;
+    return {across, across, sampling == NoiseSampling::centers};
+}
+
+std::array<AxisMapping, 3> axes_of(const std::array<int, 3>& size, NoiseSampling sampling) {
+    static constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
+    static constexpr std::array<const char*, 3> kCoordinates = {"u", "v", "w"};
+    const std::array<bool, 3> centered = centered_axes(sampling);
+    std::array<AxisMapping, 3> axes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axes[i].quantity = fmt::format("{}_tile", kNames[i]);
+        axes[i].last = 1;
+        axes[i].end_points = TexelConvention::end_points_on_edges;
+        axes[i].wrap = AxisWrap::repeat;
+        axes[i].constants = {{"offset", centered[i] ? 0 : 0.5 / size[i]}};
+        if (centered[i]) {
+            axes[i].formula = fmt::format("{} = {}", kCoordinates[i], kNames[i]);
+            axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
+        } else {
+            axes[i].formula =
+                fmt::format("{} = {} + 1 / (2 * {})", kCoordinates[i], kNames[i], size[i]);
+            axes[i].convention = "repeats; voxel i samples i / size";
+        }
+    }
+    return axes;
+}
+
+std::vector<std::string> channel_names(const Noise& noise) {
+    if (noise.pack != NoisePacking::none || noise.channels.size() == 1) return {"Y"};
+    std::vector<std::string> names;
+    for (const config::NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    return names;
+}
+
+std::vector<std::array<double, 2>> histogram_ranges(const Noise& noise) {
+    if (noise.pack != NoisePacking::none) return {{0, 1}};
+    std::vector<std::array<double, 2>> ranges;
+    for (const config::NoiseChannel& channel : noise.channels) {
+        ranges.push_back(noise::nominal_range(channel));
+    }
+    return ranges;
+}
+
+VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size) {
+    const std::array<bool, 3> centered = centered_axes(noise.sampling);
+    return [&noise, size, centered](const std::array<double, 3>& uvw) {
+        std::array<double, 3> place = uvw;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!centered[i]) place[i] -= 0.5 / size[i];
+        }
+        return noise::noise_reference(noise, place);
+    };
+}
+
+// A place of the tile, in [0, 1).
+ProbePlace place_of(const std::array<int, 3>& size, NoiseSampling sampling,
+                    const std::array<double, 3>& uvw) {
+    static constexpr std::array<const char*, 3> kNames = {"x_tile", "y_tile", "z_tile"};
+    const std::array<bool, 3> centered = centered_axes(sampling);
+    ProbePlace place{{}, {{uvw}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double at = centered[i] ? uvw[i] : uvw[i] - 0.5 / size[i];
+        place.at.emplace_back(kNames[i], at - std::floor(at));
+    }
+    return place;
+}
+
+// The largest difference between voxels of the lower faces, as the kernels make them, and those a
+// tile's length away, which their specification finds at other lattice coordinates.
+double seam_error(const NoiseField& field, const std::array<int, 3>& size) {
+    constexpr int kPoints = 32;
+    const auto channels = static_cast<std::size_t>(field.plan().output_channels());
+    std::vector<float> here(channels);
+    std::vector<float*> targets;
+    for (float& value : here) targets.push_back(&value);
+    double largest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i < kPoints; ++i) {
+            const std::array<double, 3> point = low_discrepancy_point(i);
+            VoxelBox near{{}, {1, 1, 1}};
+            for (std::size_t k = 0; k < 3; ++k) {
+                near.origin[k] = static_cast<int>(std::floor(point[k] * size[k]));
+            }
+            near.origin[axis] = 0;
+            noise::Voxel far = {near.origin[0], near.origin[1], near.origin[2]};
+            far[axis] = size[axis];
+            field.fill(near, targets);
+            const std::vector<float> there = noise_at(field.plan(), far);
+            for (std::size_t c = 0; c < channels; ++c) {
+                largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
+            }
+        }
+    }
+    return largest;
+}
+
+// Lattices that are hashed, each once however many channels use it or derivatives it has.
+std::size_t distinct_octaves(const NoisePlan& plan) {
+    std::set<std::uint64_t> keys;
+    for (const noise::CellField& field : plan.fields) keys.insert(field.key);
+    for (const noise::ChannelPlan& channel : plan.channels) {
+        for (const noise::GradientOctave& octave : channel.gradient.octaves)
+            keys.insert(octave.key);
+    }
+    return keys.size();
+}
+
+}  // namespace
+
+Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
+                                       const BakeOptions& options, BakedVolume volume) {
+    volume.kind = "noise_volume";
+    volume.content = "noise, dimensionless; the volume repeats along x, y and z";
+    volume.mapping = "tile";
+    volume.axes = axes_of(bake.size, noise.sampling);
+    volume.channel_names = channel_names(noise);
+    set_files(bake, volume);
+    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the tile is a metre wide
+    volume.up_axis = "+z";
+    volume.conventions.up_axis = volume.up_axis;
+
+    const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
+    volume.details.emplace_back("distinct_octaves",
+                                static_cast<double>(distinct_octaves(field->plan())));
+    VolumeLevel level;
+    level.size = bake.size;
+    level.voxels = field;
+    volume.levels.push_back(std::move(level));
+    add_mip_levels(bake.mips, options, volume);
+    volume.seam_error = seam_error(*field, bake.size);
+    return finish_volume(
+        std::move(volume),
+        {.histogram_ranges = histogram_ranges(noise),
+         .reference = reference_of(noise, bake.size),
+         .reference_name = "the noise's definition in double precision, point by point",
+         .dear = false,
+         .comparison = {},
+         .measure = {},
+         .probe_place = [&noise, &bake](const std::array<double, 3>& uvw,
+                                        int) { return place_of(bake.size, noise.sampling, uvw); }},
+        options);
+}
+
+}  // namespace skybake

@@ -1,0 +1,234 @@
+#include "bakers/assets/occupancy/occupancy_grid.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/occupancy/occupancy_proof.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/occupancy/cell_source.h"
+#include "bakers/occupancy/pyramid.h"
+#include "config/fields.h"
+
+namespace skybake {
+
+namespace {
+
+using config::OccupancyBake;
+using config::OccupancyContent;
+using config::OccupancyRule;
+using config::Outcome;
+using occupancy::CellGrid;
+using occupancy::CellRanges;
+using occupancy::CellSource;
+using occupancy::ChannelSource;
+using occupancy::OccupiedCells;
+
+constexpr double kFarthestLeap = 255;
+
+// The word that recipes have for a choice.
+template <class Choice>
+std::string word_of(std::string_view key, Choice choice) {
+    const config::Section& section = *config::find_section("bake.*", "occupancy");
+    const auto words = config::choice_names(*config::find_field(section, key));
+    return std::string(words[static_cast<std::size_t>(choice)]);
+}
+
+std::vector<std::string> channel_names(std::size_t count) {
+    static constexpr std::array<const char*, 4> kColours = {"R", "G", "B", "A"};
+    if (count == 1) return {"Y"};
+    return {kColours.begin(), kColours.begin() + count};
+}
+
+std::vector<std::string> grid_names(const std::vector<OccupancyContent>& contents) {
+    std::vector<std::string> names;
+    for (const OccupancyContent content : contents) names.push_back(word_of("contents", content));
+    return names;
+}
+
+bool is_unorm(const OccupancyBake& bake) {
+    return bake.pixel_type == config::PixelType::unorm8 ||
+           bake.pixel_type == config::PixelType::unorm16;
+}
+
+std::string content_of(const OccupancyBake& bake) {
+    return fmt::format(
+        "cells of {} voxels: {} (occupied: 1 or 0; leap: Chebyshev distance in cells to the "
+        "nearest occupied one{}; minimum, maximum: of lookups within the cell)",
+        bake.cell, fmt::join(grid_names(bake.contents), ", "), is_unorm(bake) ? ", over 255" : "");
+}
+
+std::array<AxisMapping, 3> axes_of(const BakedVolume& of, const CellGrid& grid) {
+    std::array<AxisMapping, 3> axes = of.axes;
+    const std::array<int, 3> cells = grid.size();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double edge = of.voxel_size_m[i] * grid.cell;
+        axes[i].last = axes[i].first + edge * cells[i];
+        axes[i].formula = fmt::format("{} = ({} - {}) / {}", "uvw"[i], axes[i].quantity,
+                                      axes[i].first, axes[i].last - axes[i].first);
+        axes[i].convention =
+            fmt::format("{}; cell k has voxels {} k to {} k + {}, look up nearest",
+                        i < 2 ? "repeats" : "clamped", grid.cell, grid.cell, grid.cell - 1);
+        axes[i].filter = AxisFilter::nearest;
+        axes[i].constants = {{"first_m", axes[i].first},
+                             {"extent_m", axes[i].last - axes[i].first},
+                             {"cell_m", edge},
+                             {"cell_voxels", static_cast<double>(grid.cell)}};
+    }
+    return axes;
+}
+
+// The nearest place to texture coordinates that is a quarter of a cell from its middle along each
+// axis: near enough for no rounding to reach the next cell, and off the middle, so that linear
+// lookups differ.
+ProbePlace place_of(const BakedVolume& of, int cell, const std::array<double, 3>& uvw) {
+    const CellGrid grid{of.levels.front().size, cell};
+    const std::array<int, 3> cells = grid.size();
+    ProbePlace place{{}, {{}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double position = std::clamp(uvw[i], 0.0, 1.0) * cells[i];
+        const int k = std::min(static_cast<int>(position), cells[i] - 1);
+        const occupancy::Span voxels = grid.voxels_of(i, k);
+        const double part = position - k < 0.5 ? 0.25 : 0.75;
+        const double voxel = voxels.first + part * voxels.count();
+        place.at.emplace_back(of.axes[i].quantity, of.axes[i].first + voxel * of.voxel_size_m[i]);
+        place.lookups.front().uvw[i] = voxel / (static_cast<double>(cell) * cells[i]);
+    }
+    return place;
+}
+
+// Cells that are empty by `rule` and not by the exact one.
+std::size_t unsafe_cells(const OccupiedCells& rule, const OccupiedCells& exact) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < exact.occupied.size(); ++i) {
+        if (exact.occupied[i] > rule.occupied[i]) ++count;
+    }
+    return count;
+}
+
+config::Diagnostic lost_cell(const BakedVolume& volume, const occupancy::LostCell& lost) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0405";
+    diagnostic.message =
+        fmt::format("`{}`: cell ({}, {}, {}) is marked empty, but a lookup in it reaches {}",
+                    volume.name, lost.cell[0], lost.cell[1], lost.cell[2], lost.value);
+    return diagnostic;
+}
+
+// The grid of level 0, with what is known of it among the volume's details. No value after an
+// interruption, or with a diagnostic.
+Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
+                                                      const OccupancyBake& bake,
+                                                      const CellGrid& grid,
+                                                      const BakeOptions& options,
+                                                      BakedVolume& volume) {
+    Outcome<std::shared_ptr<const CellSource>> outcome;
+    const ChannelSource source{
+        *of.volume.levels.front().voxels, static_cast<int>(channel_named(of.volume, bake.channel)),
+        static_cast<int>(of.volume.channel_names.size()), of.volume.pixel_type};
+    const float threshold = of.threshold;
+    const auto start = std::chrono::steady_clock::now();
+    CellRanges ranges = cell_ranges(source, grid, bake.filter, options);
+    if (options.cancelled()) return outcome;
+    const OccupiedCells exact = occupied_cells(ranges, threshold);
+    OccupiedCells occupied = exact;
+    if (bake.rule == OccupancyRule::thesis) {
+        occupied = occupied_cells_as_in_thesis(source, grid, threshold, options);
+        volume.details.emplace_back("unsafe_cells",
+                                    static_cast<double>(unsafe_cells(occupied, exact)));
+    }
+    volume.details.emplace_back("occupied_share", occupied_share(occupied));
+    volume.details.emplace_back("smallest_safe_share", occupied_share(exact));
+    const auto cells = std::make_shared<const CellSource>(std::move(ranges), std::move(occupied),
+                                                          bake.contents, bake.pixel_type);
+    volume.bake_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (bake.rule == OccupancyRule::exact) {
+        const auto lost = find_lost_cell(source, grid, bake.filter, exact, threshold, options);
+        if (lost) outcome.diagnostics.push_back(lost_cell(volume, *lost));
+    }
+    if (!options.cancelled() && outcome.diagnostics.empty()) outcome.value = cells;
+    return outcome;
+}
+
+void add_levels(std::shared_ptr<const CellSource> cells, const OccupancyBake& bake,
+                BakedVolume& volume) {
+    for (int level = 0; level < bake.mips; ++level) {
+        VolumeLevel entry;
+        entry.size = cells->ranges().size;
+        entry.repeats = repeating_axes(volume.mapping);
+        entry.voxels = cells;
+        volume.levels.push_back(std::move(entry));
+        if (level + 1 == bake.mips) return;
+        cells = std::make_shared<const CellSource>(next_level(cells->ranges()),
+                                                   next_level(cells->occupied()), bake.contents,
+                                                   bake.pixel_type);
+    }
+}
+
+std::vector<std::array<double, 2>> histogram_ranges(const OccupancyBake& bake) {
+    const bool half_or_float =
+        bake.pixel_type == config::PixelType::half || bake.pixel_type == config::PixelType::float32;
+    std::vector<std::array<double, 2>> ranges;
+    for (const OccupancyContent content : bake.contents) {
+        const bool in_cells = content == OccupancyContent::leap && half_or_float;
+        ranges.push_back({0, in_cells ? kFarthestLeap : 1});
+    }
+    return ranges;
+}
+
+}  // namespace
+
+std::size_t channel_named(const BakedVolume& volume, const std::string& name) {
+    const auto found = std::find(volume.channel_names.begin(), volume.channel_names.end(), name);
+    return name.empty() ? 0 : static_cast<std::size_t>(found - volume.channel_names.begin());
+}
+
+Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,
+                                    const BakeOptions& options, BakedVolume volume) {
+    const CellGrid grid{of.volume.levels.front().size, bake.cell};
+    volume.kind = "occupancy";
+    volume.content = content_of(bake);
+    volume.mapping = of.volume.mapping;
+    volume.axes = axes_of(of.volume, grid);
+    volume.channel_names = channel_names(bake.contents.size());
+    volume.grid_names = grid_names(bake.contents);
+    set_files(bake, volume);
+    for (std::size_t i = 0; i < 3; ++i) {
+        volume.voxel_size_m[i] = of.volume.voxel_size_m[i] * bake.cell;
+    }
+    volume.minimum_m = of.volume.minimum_m;
+    volume.up_axis = of.volume.up_axis;
+    volume.conventions = of.volume.conventions;
+    const auto add = [&](const char* key, FactValue value) {
+        volume.details.emplace_back(key, std::move(value));
+    };
+    add("of", bake.of);
+    add("channel", of.volume.channel_names[channel_named(of.volume, bake.channel)]);
+    add("cell", static_cast<double>(bake.cell));
+    add("filter", word_of("filter", bake.filter));
+    add("rule", word_of("rule", bake.rule));
+    add("threshold", to_shortest(of.threshold));
+    const auto leap = std::find(bake.contents.begin(), bake.contents.end(), OccupancyContent::leap);
+    if (leap != bake.contents.end()) add("leap_scale", is_unorm(bake) ? kFarthestLeap : 1.0);
+
+    auto cells = make_cells(of, bake, grid, options, volume);
+    if (!cells.value) return {{}, std::move(cells.diagnostics)};
+    add_levels(*cells.value, bake, volume);
+    VolumeFinish finish;
+    finish.histogram_ranges = histogram_ranges(bake);
+    finish.probe_place = [&of, &bake](const std::array<double, 3>& uvw, int level) {
+        return place_of(of.volume, bake.cell << level, uvw);
+    };
+    return finish_volume(std::move(volume), finish, options);
+}
+
+}  // namespace skybake

@@ -1,0 +1,99 @@
+// Where the column of a path stands in its table.
+//
+// A path is a straight line in the shell that does not enter the ground: it *rises* all along,
+// *passes* its point nearest to the planet's centre, at the altitude h_p, or *falls* to the ground.
+// The courses have their own texels along u. What tables must tell apart are altitudes, of the ends
+// and of h_p: thin fog is a few scale heights of 64 km. They are told by
+//
+//   g(h) = sqrt(ln(1 + h / f) / ln(1 + D / f)),   D the shell's thickness, f `fine_km`,
+//
+// which is as sqrt(h), smooth along grazing rays, up to f and as sqrt(ln h) above. With R the
+// ground's radius, r = R + h, s = r mu and mu the cosine of the zenith angle, coordinates in [0,
+// 1]:
+//
+//   to the top, from h
+//     altitude  g(h)
+//     rises     angle = (d - d_0) / (d_h - d_0),   d the distance to the top, d_0 = D - h of the
+//     ray
+//               straight up, d_h of the level one (Bruneton & Neyret 2008, above the horizontal)
+//     passes    angle = sqrt(1 - g(h_p) / g(h)):   0 is level, 1 grazes the ground
+//   between two points at altitudes low <= high, so that exchanging them changes nothing
+//     high      g(high)
+//     low       g(low) / g(high)
+//     rises     angle = (d - d_0) / (d_h - d_0),   d their distance, d_0 = high - low, d_h where
+//     the
+//               path is level at the lower point
+//     passes    angle = sqrt(1 - g(h_p) / g(low))
+//   from h along a ray
+//     altitude  g(h)
+//     rises     angle as to the top;   distance = sqrt((g(h') - g(h)) / (1 - g(h))), h' where it
+//     ends passes    angle as to the top;   distance = (b(end) - b(start)) / (b(top) - b(start)),
+//               b = sqrt(g(altitude) - g(h_p)), negative before the nearest point
+//     falls     angle = (rho - d) / (rho - h),   d the distance to the ground, rho to the horizon;
+//               distance = 1 - sqrt(g(h') / g(h))
+//
+// All are continuous from course to course. Hard cases: h = 0 and D, where ranges have no width
+// (the coordinate is 0); paths of no length; h_p = 0; level rays.
+#pragma once
+
+#include "bakers/air/ray.h"
+
+namespace skybake {
+
+struct AltitudeScale {
+    double thickness_km = 0;
+    double fine_km = 0;  // below it altitudes are as fine as sqrt(h) makes them
+};
+
+// g, from 0 to 1. altitude_at is its inverse.
+double scaled_altitude(const AltitudeScale& scale, double altitude_km);
+double altitude_at(const AltitudeScale& scale, double scaled);
+
+struct ColumnGeometry {
+    Shell shell;
+    AltitudeScale scale;
+};
+
+// From an altitude, with s = r mu there. Pairs of points: from the lower one.
+struct ColumnPath {
+    double altitude_km = 0;
+    double s_km = 0;
+    double length_km = 0;
+};
+
+enum class Course { rises, passes, falls };
+
+struct TopCoordinates {
+    Course course = Course::rises;
+    double angle = 0;
+    double altitude = 0;
+};
+ColumnPath path_to_top(const ColumnGeometry& geometry, const TopCoordinates& x);
+TopCoordinates top_coordinates(const ColumnGeometry& geometry, double altitude_km, double s_km);
+
+struct PairCoordinates {
+    Course course = Course::rises;
+    double angle = 0;
+    double high = 0;
+    double low = 0;
+};
+ColumnPath path_between(const ColumnGeometry& geometry, const PairCoordinates& x);
+
+// Of a path in either direction.
+PairCoordinates pair_coordinates(const ColumnGeometry& geometry, const ColumnPath& path);
+
+// The path between two altitudes whose ends are `angle` radians apart at the planet's centre. It
+// must not enter the ground.
+ColumnPath path_of_angle(const Shell& shell, double altitude_km, double other_altitude_km,
+                         double angle);
+
+struct DistanceCoordinates {
+    Course course = Course::rises;
+    double angle = 0;
+    double altitude = 0;
+    double distance = 0;
+};
+ColumnPath path_along(const ColumnGeometry& geometry, const DistanceCoordinates& x);
+DistanceCoordinates distance_coordinates(const ColumnGeometry& geometry, const ColumnPath& path);
+
+}  // namespace skybake

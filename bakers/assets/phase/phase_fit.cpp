@@ -1,0 +1,191 @@
+#include "bakers/assets/phase/phase_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "bakers/assets/phase/phase_axis.h"
+
+namespace skybake {
+
+namespace {
+
+// As phase_function.h has it, without the general form's numerator.
+double henyey_greenstein(double g, double one_minus, double one_plus) {
+    const double absolute = std::fabs(g);
+    const double apart = g < 0 ? one_plus : one_minus;
+    const double denominator = (1 - absolute) * (1 - absolute) + 2 * absolute * apart;
+    return std::numbers::inv_pi / 4 * (1 - g) * (1 + g) / (denominator * std::sqrt(denominator));
+}
+
+struct Range {
+    double low = 0;
+    double high = 0;
+};
+
+constexpr Range kAsymmetry = {-0.9999, 0.9999};
+
+struct Form {
+    std::string_view name;
+    std::vector<std::string_view> parameters;
+    std::vector<Range> ranges;
+    std::vector<std::vector<double>> starts;
+    double (*value)(const std::vector<double>& parameters, double one_minus, double one_plus);
+};
+
+double draine(double g, double alpha, double one_minus, double one_plus) {
+    const double nu = 0.5 * (one_plus - one_minus);
+    return henyey_greenstein(g, one_minus, one_plus) * (1 + alpha * nu * nu) /
+           (1 + alpha * (1 + 2 * g * g) / 3);
+}
+
+const std::vector<Form>& forms() {
+    static const std::vector<Form> all = {
+        {"henyey_greenstein",
+         {"g"},
+         {kAsymmetry},
+         {{-0.9}, {-0.5}, {0.0}, {0.5}, {0.9}, {0.98}, {0.999}},
+         [](const std::vector<double>& p, double one_minus, double one_plus) {
+             return henyey_greenstein(p[0], one_minus, one_plus);
+         }},
+        {"double_henyey_greenstein",
+         {"g_1", "g_2", "w"},
+         {kAsymmetry, kAsymmetry, {0, 1}},
+         {{0.5, -0.5, 0.5}, {0.9, -0.3, 0.9}, {0.98, 0.6, 0.5}, {0.8, 0.3, 0.7}, {0.999, 0.7, 0.5}},
+         [](const std::vector<double>& p, double one_minus, double one_plus) {
+             return p[2] * henyey_greenstein(p[0], one_minus, one_plus) +
+                    (1 - p[2]) * henyey_greenstein(p[1], one_minus, one_plus);
+         }},
+        {"cornette_shanks",
+         {"g"},
+         {kAsymmetry},
+         {{-0.9}, {-0.5}, {0.0}, {0.5}, {0.9}, {0.98}, {0.999}},
+         [](const std::vector<double>& p, double one_minus, double one_plus) {
+             return draine(p[0], 1, one_minus, one_plus);
+         }},
+        {"draine",
+         {"g", "alpha"},
+         {kAsymmetry, {0, 1000}},
+         {{0.0, 0.5}, {0.5, 0.5}, {0.9, 1}, {0.6, 100}, {0.98, 0}, {0.999, 0}},
+         [](const std::vector<double>& p, double one_minus, double one_plus) {
+             return draine(p[0], p[1], one_minus, one_plus);
+         }},
+    };
+    return all;
+}
+
+const Form& form_named(std::string_view name) {
+    const auto found = std::find_if(forms().begin(), forms().end(),
+                                    [&](const Form& form) { return form.name == name; });
+    assert(found != forms().end());
+    return *found;
+}
+
+// The function at nodes of a trapezoidal rule over directions, clustered at the poles.
+struct Node {
+    ScatteringAngle angle;
+    double weight = 0;  // solid angle
+    double value = 0;
+};
+
+std::vector<Node> make_nodes(const PhaseFunction& phase) {
+    constexpr int kCells = 512;
+    std::vector<Node> nodes;
+    for (int i = 0; i <= kCells; ++i) {
+        Node node;
+        node.angle = scattering_angle(config::PhaseSpacing::peaks, double(i) / kCells);
+        node.value = phase_value(phase, node.angle.one_minus, node.angle.one_plus);
+        nodes.push_back(node);
+    }
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        // From the pole where the difference keeps its digits.
+        const bool forward = nodes[i + 1].angle.one_minus <= 1;
+        const double width = forward ? nodes[i + 1].angle.one_minus - nodes[i].angle.one_minus
+                                     : nodes[i].angle.one_plus - nodes[i + 1].angle.one_plus;
+        nodes[i].weight += std::numbers::pi * width;
+        nodes[i + 1].weight += std::numbers::pi * width;
+    }
+    return nodes;
+}
+
+double misplaced(const Form& form, const std::vector<double>& parameters,
+                 const std::vector<Node>& nodes) {
+    double sum = 0;
+    for (const Node& node : nodes) {
+        sum += node.weight *
+               std::fabs(form.value(parameters, node.angle.one_minus, node.angle.one_plus) -
+                         node.value);
+    }
+    return 0.5 * sum;
+}
+
+// How far a parameter goes at a time: asymmetries by their distance from 1, which is how wide their
+// lobe is; alpha by factors of itself.
+double scale_of(const Range& range, double value) {
+    if (range.low < 0) return 1 - std::fabs(value);
+    return range.high > 1 ? 1 + value : 1;
+}
+
+// Compass search (Hooke & Jeeves 1961): along each parameter by a step that halves when none helps.
+// Comparisons of sums of products alone, so that it ends at the same bits everywhere.
+struct Minimum {
+    std::vector<double> at;
+    double value = 0;
+};
+
+Minimum search(const Form& form, std::vector<double> at, const std::vector<Node>& nodes) {
+    Minimum best = {at, misplaced(form, at, nodes)};
+    for (double step = 0.25; step > 1e-4;) {
+        bool better = false;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            for (const double sign : {1.0, -1.0}) {
+                std::vector<double> next = best.at;
+                const Range& range = form.ranges[i];
+                const double length = step * scale_of(range, next[i]);
+                next[i] = std::clamp(next[i] + sign * length, range.low, range.high);
+                const double value = misplaced(form, next, nodes);
+                if (!(value < best.value)) continue;
+                best = {std::move(next), value};
+                better = true;
+            }
+        }
+        if (!better) step *= 0.5;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::vector<PhaseFit> fit_phase(const PhaseFunction& phase) {
+    const std::vector<Node> nodes = make_nodes(phase);
+    std::vector<PhaseFit> fits;
+    for (const Form& form : forms()) {
+        Minimum best = search(form, form.starts.front(), nodes);
+        for (std::size_t i = 1; i < form.starts.size(); ++i) {
+            Minimum other = search(form, form.starts[i], nodes);
+            if (other.value < best.value) best = std::move(other);
+        }
+        PhaseFit fit = {form.name, best.at, best.value, 1};
+        for (const Node& node : nodes) {
+            const double ratio =
+                form.value(best.at, node.angle.one_minus, node.angle.one_plus) / node.value;
+            fit.largest_ratio = std::max({fit.largest_ratio, ratio, 1 / ratio});
+        }
+        fits.push_back(std::move(fit));
+    }
+    return fits;
+}
+
+std::vector<std::string_view> parameter_names(std::string_view form) {
+    return form_named(form).parameters;
+}
+
+double fitted_value(std::string_view form, const std::vector<double>& parameters,
+                    double one_minus_cosine, double one_plus_cosine) {
+    return form_named(form).value(parameters, one_minus_cosine, one_plus_cosine);
+}
+
+}  // namespace skybake

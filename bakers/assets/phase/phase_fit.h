@@ -1,0 +1,37 @@
+// Closed forms in place of a phase function: those parameters with which the least light goes
+// elsewhere.
+//
+//   misplaced = 1/2 integral over directions |p_form - p|        a share of the light, in [0, 1]
+//
+//   henyey_greenstein         g
+//   double_henyey_greenstein  w HG(g_1) + (1 - w) HG(g_2)         parameters g_1, g_2, w
+//   cornette_shanks           g
+//   draine                    g, alpha: HG times (1 + alpha nu^2) / (1 + alpha (1 + 2 g^2) / 3)
+//                             (Draine 2003; alpha 0 is Henyey-Greenstein, 1 Cornette-Shanks)
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "bakers/air/particles/phase_function.h"
+
+namespace skybake {
+
+struct PhaseFit {
+    std::string_view form;           // as above
+    std::vector<double> parameters;  // in the order above
+    double misplaced = 0;            // share of the light
+    double largest_ratio = 1;        // of form and function, whichever is the larger, at any angle
+};
+
+// One fit of each form, the same on every machine.
+std::vector<PhaseFit> fit_phase(const PhaseFunction& phase);
+
+// The names of a form's parameters.
+std::vector<std::string_view> parameter_names(std::string_view form);
+
+// p of a form at an angle, 1/sr.
+double fitted_value(std::string_view form, const std::vector<double>& parameters,
+                    double one_minus_cosine, double one_plus_cosine);
+
+}  // namespace skybake

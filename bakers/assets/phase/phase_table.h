@@ -1,0 +1,26 @@
+// The table of a phase function by angle, or of its inverse cumulative distribution (asset =
+// "phase").
+#pragma once
+
+#include "bakers/air/particles/phase_source.h"
+#include "bakers/field/baked_table.h"
+#include "bakers/field/table_model.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// `table` has its name, channels, parameters and details.
+config::Outcome<BakedTable> bake_phase(const config::Parameters& parameters,
+                                       const config::PhaseBake& bake, const BakeOptions& options,
+                                       BakedTable table);
+
+// p by angle, for any spacing but `best`; errors relative to p itself, which spans decades. The
+// source must outlive both models.
+TableModel phase_model(const PhaseSource& source, config::PhaseSpacing spacing);
+
+// 1 - cos theta by the share of light that is scattered by less than theta; errors in half turns.
+TableModel inverse_phase_model(const PhaseSource& source);
+
+}  // namespace skybake

@@ -1,0 +1,163 @@
+#include "bakers/assets/sky_view/sky_view_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "bakers/air/shell_constants.h"
+#include "bakers/field/finish_table.h"
+#include "bakers/field/stack_tables.h"
+#include "bakers/light/sky_row.h"
+#include "bakers/math/relative_error.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+using config::SkyViewBake;
+
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
+
+// The suns whose tables stand one below the other, and the camera, in the digits that people write.
+Facts sky_view_facts(const SkyViewBake& bake) {
+    std::vector<double> elevations;
+    for (const config::Angle& elevation : bake.sun_elevations) {
+        elevations.push_back(elevation.radians * kDegrees);
+    }
+    return {{"sun_elevations_deg", to_digits(std::move(elevations), 9)},
+            {"camera_altitude_km", to_digits(bake.altitude.kilometers(), 9)}};
+}
+
+void describe_axes(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell& shell,
+                   BakedTable& table) {
+    table.axes[0].constants = {{"range_deg", 180.0}};
+    table.axes[1].constants = shell_constants(shell);
+    const Facts numbers = {{"dip_deg", camera.dip() * kDegrees},
+                           {"range_below_deg", camera.range_below() * kDegrees},
+                           {"range_above_deg", camera.range_above() * kDegrees},
+                           {"tables", static_cast<double>(bake.sun_elevations.size())}};
+    for (const Facts& more : {numbers, sky_view_facts(bake)}) {
+        table.axes[1].constants.insert(table.axes[1].constants.end(), more.begin(), more.end());
+    }
+    table.conventions.angle_unit = "deg";
+    table.conventions.radiance_unit = "1/sr";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+}
+
+void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell& shell,
+              BakedTable& table) {
+    const std::size_t suns = bake.sun_elevations.size();
+    table.kind = "sky_view";
+    const bool from_strips =
+        bake.sky == config::SkyMethod::strips && bake.orders != config::SkyOrders::single;
+    table.content = fmt::format(
+        "radiance of the sky and, below the horizon, of the ground (1/sr) for a solar irradiance "
+        "of 1, without the sun's disc: {}{}",
+        light_text(bake.orders, bake.layers),
+        from_strips ? "; of the orders from the second on the second alone, lit by eight strips of "
+                      "sky"
+                    : "");
+    table.mapping = "hillaire";
+    table.axes[0] = {"azimuth_deg", "x = azimuth from the sun / 180 degrees",
+                     "end points on texel centres", 0, 180};
+    const std::string stacked =
+        suns == 1 ? ""
+                  : fmt::format(
+                        "; {} tables one below the other, sun k from 0 on at v = (k + v of "
+                        "its table) / {}",
+                        suns, suns);
+    table.axes[1] = {
+        "above_horizon_deg",
+        fmt::format("y = 1/2 + 1/2 sign(l) sqrt(|l| / range), l the angle above the horizon, which "
+                    "is {:.9g} degrees below the horizontal, range {:.9g} degrees below and {:.9g} "
+                    "above it{}",
+                    camera.dip() * kDegrees, camera.range_below() * kDegrees,
+                    camera.range_above() * kDegrees, stacked),
+        "end points on texel centres", -camera.range_below() * kDegrees,
+        camera.range_above() * kDegrees};
+    table.pixel_type = bake.pixel_type;
+    table.compression = bake.compression;
+    table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
+    table.certificate.scale = kRelativeErrorScale;
+    describe_axes(bake, camera, shell, table);
+    const Facts facts = sky_view_facts(bake);
+    table.details.insert(table.details.end(), facts.begin(), facts.end());
+}
+
+}  // namespace
+
+TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
+                          const SunZenith& sun) {
+    const auto channels = light.medium().air.channels;
+    TableModel model;
+    model.channels = channels;
+    model.lowest = 0;
+    model.highest = std::numeric_limits<double>::max();
+    model.v_of = sky_view_v;
+    model.probe_place = [&camera](double x, double y) {
+        return std::array<double, 2>{x, camera.off_the_edges(y)};
+    };
+    model.cost_per_texel = {1};
+    model.row = [&light, &camera, sun, channels](int, double y, const std::vector<double>& x,
+                                                 double* values) {
+        std::vector<double> cosines;
+        for (const double azimuth : x) cosines.push_back(cosine_of_pi(azimuth));
+        const SkyRow row(light.integrator(), light.medium(), light.higher_orders(),
+                         camera.ray(y, sun, 1));
+        const auto ray_at = [&](double cosine) { return camera.ray(y, sun, cosine); };
+        for (const SkyRadiance& radiance : row.radiance(ray_at, cosines)) {
+            const Spectrum wanted = light.wanted(radiance);
+            values = std::copy_n(wanted.begin(), channels, values);
+        }
+    };
+    model.reference = [&light, &camera, sun, channels](double y, const std::vector<double>& x,
+                                                       double* values) {
+        for (const double azimuth : x) {
+            const SkyRay ray = camera.ray(y, sun, cosine_of_pi(azimuth));
+            const Spectrum wanted = light.wanted(light.integrator().radiance(ray));
+            values = std::copy_n(wanted.begin(), channels, values);
+        }
+    };
+    model.error = relative_error;
+    return model;
+}
+
+config::Outcome<BakedTable> bake_sky_view(const SkyLight& light, const SkyViewBake& bake,
+                                          const BakeOptions& options, BakedTable table) {
+    const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
+    describe(bake, camera, light.shell(), table);
+    AccuracyRequest request;
+    request.size = bake.size;
+    request.quick = {256, 1};
+    request.full = {4096, 1};
+    config::Outcome<BakedTable> outcome;
+    std::vector<BakedTable> parts;
+    std::vector<ProbeSpace> spaces;
+    for (const config::Angle& elevation : bake.sun_elevations) {
+        const auto place_of = [&camera, elevation](double x, double y) {
+            return Place{{"azimuth_deg", 180 * x},
+                         {"above_horizon_deg", camera.angle_at(y) * kDegrees},
+                         {"sun_elevation_deg", elevation.radians * kDegrees}};
+        };
+        const TableModel model = sky_view_model(light, camera, sun_at_elevation(elevation.radians));
+        config::Outcome<BakedTable> part = finish_table(model, request, options, place_of, table);
+        outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
+                                   part.diagnostics.end());
+        if (!part.value) return outcome;
+        parts.push_back(std::move(*part.value));
+        spaces.push_back(table_space(model, bake.size, place_of));
+    }
+    config::Outcome<BakedTable> stack = stack_tables(std::move(parts), std::move(spaces), options);
+    outcome.diagnostics.insert(outcome.diagnostics.end(), stack.diagnostics.begin(),
+                               stack.diagnostics.end());
+    outcome.value = std::move(stack.value);
+    return outcome;
+}
+
+}  // namespace skybake

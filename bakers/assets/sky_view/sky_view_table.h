@@ -1,0 +1,23 @@
+// The baker of `asset = "sky_view"`.
+#pragma once
+
+#include "bakers/field/baked_table.h"
+#include "bakers/field/table_model.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/light/sky_view_mapping.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// The table of one sun as a function: radiance (1/sr) at azimuth and angle of (x, y), by sky_row.h.
+// The reference is SkyIntegrator, ray by ray. All must outlive the model.
+TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun);
+
+// The sky from one altitude under one sun or several, sky_view_mapping.h. No disc of the sun.
+// `table` brings name, parameters and channel names.
+config::Outcome<BakedTable> bake_sky_view(const SkyLight& light, const config::SkyViewBake& bake,
+                                          const BakeOptions& options, BakedTable table);
+
+}  // namespace skybake

@@ -1,0 +1,133 @@
+#include "bakers/assets/transmittance/transmittance_table.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/optical_depth_reference.h"
+#include "bakers/air/shell_constants.h"
+#include "bakers/air/transmittance_mapping.h"
+#include "bakers/field/finish_table.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+using config::TransmittanceBake;
+using config::TransmittanceContent;
+using config::TransmittanceMapping;
+
+namespace {
+
+// The certificate's reference is right to this, far below any pixel type.
+constexpr double kReferenceAccuracy = 1e-10;
+
+}  // namespace
+
+TableModel transmittance_model(const Medium& medium, const TransmittanceBake& bake) {
+    const Shell shell = shell_of(medium);
+    const bool as_depth = bake.content == TransmittanceContent::optical_depth;
+    TableModel model;
+    model.channels = medium.channels;
+    model.convention = bake.mapping == TransmittanceMapping::ue
+                           ? TexelConvention::end_points_on_edges
+                           : TexelConvention::end_points_on_texel_centres;
+    model.probe_place = [shell](double x, double y) {
+        const UnitCoordinates off = off_the_horizon(shell, {x, y});
+        return std::array<double, 2>{off.x_mu, off.x_r};
+    };
+    model.cost_per_texel = {1};
+    model.lowest = 0;
+    model.highest = as_depth ? std::numeric_limits<double>::max() : 1;
+    model.row = [&medium, shell, as_depth](int, double y, const std::vector<double>& x,
+                                           double* values) {
+        const auto count = static_cast<int>(x.size());
+        const auto channels = static_cast<std::size_t>(medium.channels);
+        std::vector<double> s;
+        double altitude = 0;
+        for (const double x_mu : x) {
+            const TransmittanceRay ray = transmittance_ray(shell, {x_mu, y});
+            altitude = ray.altitude_km;
+            s.push_back(ray.s_km);
+        }
+        std::vector<double> depth(x.size() * channels);
+        optical_depth_to_top(medium, altitude, s.data(), count, depth.data());
+        if (!as_depth) {
+            for (double& value : depth) value = -value;
+            exponentials(depth.data(), static_cast<int>(depth.size()));
+        }
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            for (std::size_t c = 0; c < channels; ++c) {
+                values[i * channels + c] = depth[c * x.size() + i];
+            }
+        }
+    };
+    model.reference = [&medium, shell, as_depth](double y, const std::vector<double>& x,
+                                                 double* values) {
+        for (const double x_mu : x) {
+            const TransmittanceRay ray = transmittance_ray(shell, {x_mu, y});
+            const Spectrum depth = reference_optical_depth_to_top(medium, ray.altitude_km, ray.s_km,
+                                                                  kReferenceAccuracy);
+            for (int c = 0; c < medium.channels; ++c) {
+                const double tau = depth[static_cast<std::size_t>(c)];
+                *values++ = as_depth ? tau : exponential(-tau);
+            }
+        }
+    };
+    model.error = [as_depth](double value, double reference, double) {
+        return as_depth ? exponential(-value) - exponential(-reference) : value - reference;
+    };
+    return model;
+}
+
+config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const TransmittanceBake& bake,
+                                               const BakeOptions& options, BakedTable table) {
+    const Shell shell = shell_of(medium);
+    const bool ue = bake.mapping == TransmittanceMapping::ue;
+    table.kind = "transmittance";
+    table.content =
+        bake.content == TransmittanceContent::optical_depth
+            ? "optical depth from a point to the top of the atmosphere (dimensionless); "
+              "transmittance is exp(-x)"
+            : "transmittance from a point to the top of the atmosphere (dimensionless)";
+    table.mapping = ue ? "ue" : "bruneton";
+    const std::string convention =
+        ue ? "end points on texture edges" : "end points on texel centres";
+    table.axes[0] = {
+        "distance_to_top_km",
+        "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(s^2 + q) - s, for s > 0 as q / (sqrt(s^2 + "
+        "q) + s), s = r mu, q = d_min (R_top + r), d_min = R_top - r, d_max = rho + H; x_mu = 0 "
+        "straight up, 1 the horizon",
+        convention, 0, 1};
+    table.axes[1] = {"altitude_km",
+                     "x_r = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the "
+                     "top; x_r = 0 the ground, 1 the top",
+                     convention, 0, shell.thickness_km};
+    for (AxisMapping& axis : table.axes) {
+        axis.end_points = ue ? TexelConvention::end_points_on_edges
+                             : TexelConvention::end_points_on_texel_centres;
+        axis.constants = shell_constants(shell);
+    }
+    table.conventions.angle_unit = "cosine";
+    table.pixel_type = bake.pixel_type;
+    table.compression = bake.compression;
+    table.certificate.reference =
+        "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
+    table.certificate.scale = "transmittance, absolute";
+
+    AccuracyRequest request;
+    request.size = bake.size;
+    request.max_error = bake.max_error;
+    request.choice = {4096, 1};
+    request.quick = {1024, 1};
+    request.full = {16384, 1};
+    const auto place_of = [shell](double x, double y) {
+        const TransmittanceRay ray = transmittance_ray(shell, {x, y});
+        return Place{{"altitude_km", ray.altitude_km}, {"cos_zenith", cos_zenith_of(shell, ray)}};
+    };
+    return finish_table(transmittance_model(medium, bake), request, options, place_of,
+                        std::move(table));
+}
+
+}  // namespace skybake

@@ -1,0 +1,25 @@
+// The baker of `asset = "transmittance"`.
+#pragma once
+
+#include <string>
+
+#include "bakers/air/medium.h"
+#include "bakers/field/baked_table.h"
+#include "bakers/field/table_model.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// The table as a function: transmittance, or optical depth, of the ray at (x_mu, x_r). The
+// reference is optical_depth_reference.h. `medium` must outlive the model.
+TableModel transmittance_model(const Medium& medium, const config::TransmittanceBake& bake);
+
+// Transmittance from a point to the top of the atmosphere, transmittance_mapping.h. `table` brings
+// name, parameters and channel names.
+config::Outcome<BakedTable> bake_transmittance(const Medium& medium,
+                                               const config::TransmittanceBake& bake,
+                                               const BakeOptions& options, BakedTable table);
+
+}  // namespace skybake

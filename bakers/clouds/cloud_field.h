@@ -1,0 +1,25 @@
+// A cloud over its voxels, on demand. Bounds on profile, towers, coverage and noise prove regions
+// empty, and no noise is made there: the time follows the cloud, not the box.
+#pragma once
+
+#include <vector>
+
+#include "bakers/clouds/cloud_plan.h"
+#include "bakers/clouds/column_field.h"
+#include "bakers/field/volume.h"
+
+namespace skybake::cloud {
+
+class CloudField : public VoxelSource {
+  public:
+    explicit CloudField(CloudPlan plan);
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
+    bool is_empty(const VoxelBox& box) const override;
+    const CloudPlan& plan() const { return plan_; }
+
+  private:
+    CloudPlan plan_;
+    Columns columns_;  // all of them, or none where they are many
+};
+
+}  // namespace skybake::cloud

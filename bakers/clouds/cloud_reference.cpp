@@ -1,0 +1,155 @@
+#include "bakers/clouds/cloud_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "bakers/clouds/height_profile.h"
+#include "bakers/noise/noise_reference.h"
+
+namespace skybake::cloud {
+
+namespace {
+
+using config::HeightProfileType;
+using config::Tower;
+
+// How far sums go: terms beyond are below e^-40 of the greatest.
+constexpr double kReach = 9;  // standard deviations; 9^2 / 2 > 40
+
+// Of a tower, along x and y.
+struct Covariance {
+    double xx = 0, xy = 0, yy = 0;
+    double determinant = 0;
+};
+
+Covariance covariance_of(const Tower& tower) {
+    const double c = std::cos(tower.rotation.radians);
+    const double s = std::sin(tower.rotation.radians);
+    const double rho = tower.correlation;
+    const double u = tower.sigma[0];
+    const double v = tower.sigma[1];
+    return {c * c * u * u - 2 * c * s * rho * u * v + s * s * v * v,
+            c * s * (u * u - v * v) + (c * c - s * s) * rho * u * v,
+            s * s * u * u + 2 * c * s * rho * u * v + c * c * v * v,
+            u * u * v * v * (1 - rho) * (1 + rho)};
+}
+
+// Calls term(i, j) for the integers i, j within `reach` standard deviations of `center` by a
+// covariance.
+template <class Term>
+double sum_within(const Covariance& c, double reach, const std::array<double, 2>& center,
+                  const Term& term) {
+    double sum = 0;
+    const double rows = reach * std::sqrt(c.yy);
+    const double columns = reach * std::sqrt(c.determinant / c.yy);
+    for (double j = std::ceil(center[1] - rows); j <= center[1] + rows; ++j) {
+        const double middle = center[0] + c.xy / c.yy * (j - center[1]);
+        for (double i = std::ceil(middle - columns); i <= middle + columns; ++i) sum += term(i, j);
+    }
+    return sum;
+}
+
+// One tower and its images: the field of tower_field.h. Few images make up a narrow tower, few
+// waves a wide one: where the covariance's determinant is 1, both are an area of 81 pi.
+double images_of(const Tower& tower, const std::array<double, 2>& place) {
+    const Covariance c = covariance_of(tower);
+    const std::array<double, 2> from = {place[0] - tower.center[0], place[1] - tower.center[1]};
+    if (c.determinant < 1) {
+        return sum_within(c, kReach, from, [&](double i, double j) {
+            const double x = from[0] - i;
+            const double y = from[1] - j;
+            const double across = x - c.xy / c.yy * y;
+            return tower.amplitude *
+                   std::exp(-(y * y / c.yy + across * across * c.yy / c.determinant) / 2);
+        });
+    }
+    // Waves have the inverse of the covariance, over (2 pi)^2.
+    const double pi = std::numbers::pi;
+    const double square = 4 * pi * pi;
+    const Covariance waves = {c.yy / c.determinant / square, -c.xy / c.determinant / square,
+                              c.xx / c.determinant / square, 1 / (c.determinant * square * square)};
+    const double scale = 2 * pi * std::sqrt(c.determinant) * tower.amplitude;
+    return sum_within(waves, kReach, {0, 0}, [&](double i, double j) {
+        const double q = c.xx * i * i + 2 * c.xy * i * j + c.yy * j * j;
+        return scale * std::exp(-2 * pi * pi * q) * std::cos(2 * pi * (i * from[0] + j * from[1]));
+    });
+}
+
+double smooth_step(double from, double to, double x) {
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+double blended(double h, double type) {
+    const std::array<double, 3> profiles = classic_profiles(h);
+    return type < 0.5 ? std::lerp(profiles[0], profiles[1], 2 * type)
+                      : std::lerp(profiles[1], profiles[2], 2 * type - 1);
+}
+
+}  // namespace
+
+double tower_reference(std::span<const Tower> towers, const std::array<double, 2>& place) {
+    double sum = 0;
+    for (const Tower& tower : towers) sum += images_of(tower, place);
+    return sum;
+}
+
+double height_profile_reference(const config::HeightProfile& profile, double h) {
+    if (profile.type == HeightProfileType::thesis) {
+        return -std::expm1(-profile.bottom_sharpness * h) * std::exp(-profile.top_falloff * h);
+    }
+    if (profile.type == HeightProfileType::blended) return blended(h, profile.cloud_type);
+    return height_profile(profile, h);
+}
+
+CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise& base,
+                               const config::Noise* detail, CloudMaps maps)
+    : cloud_(cloud),
+      towers_(cloud.towers),
+      base_(cloud_noise(base, cloud.noise_scale, cloud.channels)),
+      maps_(std::move(maps)) {
+    const std::vector<Tower> scattered = scattered_towers(cloud.scatter);
+    towers_.insert(towers_.end(), scattered.begin(), scattered.end());
+    if (detail != nullptr) {
+        detail_ = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
+    }
+}
+
+double CloudReference::shaped(const std::array<double, 3>& place, double base_noise) const {
+    const auto [x, y, h] = place;
+    const double profile = maps_.type ? blended(h, maps_.type->at(x, y))
+                                      : height_profile_reference(cloud_.height_profile, h);
+    const double coverage = cloud_.coverage * (maps_.coverage ? maps_.coverage->at(x, y) : 1);
+    const double base = base_noise * (profile + tower_reference(towers_, {x, y})) - (1 - coverage);
+    const bool in_file = cloud_.threshold_at == config::ThresholdAt::bake;
+    if (base <= (in_file ? cloud_.threshold : 0)) return 0;
+    double value = base;
+    if (detail_) {
+        const double d = std::clamp(noise::noise_reference(*detail_, place)[0], 0.0, 1.0);
+        const double billow = h < cloud_.wisp_height ? h / cloud_.wisp_height : 1;
+        const double erosion =
+            std::lerp(cloud_.erosion[0], cloud_.erosion[1], h) * std::lerp(d, 1 - d, billow);
+        value = std::max(0.0, (base - erosion) / (1 - erosion));
+    }
+    if (!in_file) return value;
+    const double inside = cloud_.full_at ? std::fmin(value / *cloud_.full_at, 1) : value;
+    if (cloud_.edge_softness == 0) return value > cloud_.threshold ? inside : 0;
+    return inside * smooth_step(cloud_.threshold, cloud_.threshold + cloud_.edge_softness, value);
+}
+
+bool CloudReference::is_dear() const {
+    constexpr std::size_t kTowers = 300;  // some microseconds each
+    return towers_.size() > kTowers;
+}
+
+std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {
+    std::vector<double> values = noise::noise_reference(base_, place);
+    const std::size_t shaped_channels = std::min<std::size_t>(values.size(), 2);
+    for (std::size_t i = 0; i < shaped_channels; ++i) values[i] = shaped(place, values[i]);
+    return values;
+}
+
+}  // namespace skybake::cloud

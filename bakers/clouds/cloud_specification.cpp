@@ -1,0 +1,54 @@
+#include "bakers/clouds/cloud_specification.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "bakers/clouds/column_field.h"
+
+namespace skybake::cloud {
+
+namespace {
+
+float density(const CloudPlan& plan, float value) {
+    const float inside = plan.inverse_full > 0 ? std::min(value * plan.inverse_full, 1.0f) : value;
+    if (plan.inverse_softness == 0) return value > plan.threshold ? inside : 0.0f;
+    const float x =
+        std::min(std::max((value - plan.threshold) * plan.inverse_softness, 0.0f), 1.0f);
+    return inside * ((x * x) * (3.0f - 2.0f * x));
+}
+
+float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& column, float noise,
+             float detail) {
+    float profile = slice.profile[0];
+    if (plan.type_map) {
+        const float second = column.second_type[0] * (slice.profile[1] - slice.profile[0]);
+        const float third = column.third_type[0] * (slice.profile[2] - slice.profile[1]);
+        profile = (profile + second) + third;
+    }
+    const float base = noise * (profile + column.towers[0]) + column.offset[0];
+    if (!(base > plan.level())) return 0;
+    float value = base;
+    if (plan.detail) {
+        const float d = std::min(std::max(detail, 0.0f), 1.0f);
+        const float erosion = slice.erosion * (d + slice.billow * (1.0f - 2.0f * d));
+        value = std::max((base - erosion) / (1.0f - erosion), 0.0f);
+    }
+    return plan.threshold_in_file ? density(plan, value) : value;
+}
+
+}  // namespace
+
+std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel) {
+    const Columns column =
+        make_columns(plan, static_cast<int>(voxel[0]), 1, static_cast<int>(voxel[1]), 1);
+    const SliceShape& slice = plan.slices[static_cast<std::size_t>(voxel[2])];
+    std::vector<float> values = noise_at(plan.base->plan(), voxel);
+    const float detail = plan.detail ? noise_at(plan.detail->plan(), voxel)[0] : 0.0f;
+    for (int i = 0; i < plan.shaped_channels; ++i) {
+        float& value = values[static_cast<std::size_t>(i)];
+        value = shaped(plan, slice, column, value, detail);
+    }
+    return values;
+}
+
+}  // namespace skybake::cloud

@@ -1,0 +1,32 @@
+// What a cloud has over its ground plan: towers, coverage and type, column by column.
+#pragma once
+
+#include <cstddef>
+
+#include "bakers/clouds/cloud_plan.h"
+#include "bakers/math/aligned_floats.h"
+
+namespace skybake::cloud {
+
+// Columns first_x ... first_x + width - 1, first_y ... first_y + rows - 1, rows of `width` values.
+struct Columns {
+    int first_x = 0;
+    int first_y = 0;
+    int width = 0;
+    int rows = 0;
+    AlignedFloats towers;       // T
+    AlignedFloats offset;       // c - 1
+    AlignedFloats second_type;  // with a type map: P = p0 + second (p1 - p0) + third (p2 - p1)
+    AlignedFloats third_type;
+
+    // Where column (x, y) of the plan is in a row.
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - first_y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x - first_x);
+    }
+};
+
+// The columns of the plan. Each is a pure function of its place, rounded to float once.
+Columns make_columns(const CloudPlan& plan, int first_x, int width, int first_y, int rows);
+
+}  // namespace skybake::cloud

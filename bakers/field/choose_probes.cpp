@@ -1,0 +1,370 @@
+#include "bakers/field/choose_probes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "bakers/field/pixel_type.h"
+#include "bakers/math/tiles.h"
+
+namespace skybake {
+
+namespace {
+
+// Off by so many tolerances a wrong lookup shows; more than plenty is no better.
+constexpr double kShows = 2;
+constexpr double kPlenty = 16;
+
+// Probes are taken until each wrong lookup shows at so many.
+constexpr int kWantedProbes = kSeveralProbes + 1;
+
+// A texture of no more texels is looked at everywhere, if need be.
+constexpr std::int64_t kFewTexels = 4096;
+
+struct ProbeCandidate {
+    std::size_t space = 0;
+    std::array<double, 3> wanted{};
+    ProbePlace place;
+    ProbeValue value;
+    std::vector<double> off;  // by how many tolerances, one per wrong lookup
+    bool taken = false;
+};
+
+// Remembers what was read: lookups about one place share their texels.
+ReadableTexture remembering(const ReadableTexture& texture) {
+    using Key = std::array<std::array<int, 3>, 2>;
+    auto known = std::make_shared<std::map<Key, std::vector<float>>>();
+    ReadableTexture result = texture;
+    result.read = [texture, known](const std::array<VoxelTap, 8>& taps, float* values) {
+        std::vector<float>& kept = (*known)[{taps[0].voxel, taps[7].voxel}];
+        if (kept.empty()) {
+            kept.resize(8 * texture.channels);
+            texture.read(taps, kept.data());
+        }
+        std::copy(kept.begin(), kept.end(), values);
+    };
+    return result;
+}
+
+// How far filtering may move a lookup: by less than 1/256 of a texel along each axis.
+void add_filtering(const ReadableTexture& texture, const ProbeLookup& lookup,
+                   std::vector<double>& tolerance) {
+    std::vector<double> exact(texture.channels, 0.0);
+    add_lookup(texture, texture.use, lookup.uvw, 1, exact);
+    std::vector<double> farthest(texture.channels, 0.0);
+    for (unsigned step = 0; step < 8; ++step) {
+        std::array<double, 3> moved = lookup.uvw;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double sign = (step >> axis) % 2 == 0 ? -1 : 1;
+            moved[axis] += sign / 256 / texture.use.size[axis];
+        }
+        std::vector<double> found(texture.channels, 0.0);
+        add_lookup(texture, texture.use, moved, 1, found);
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            farthest[c] = std::max(farthest[c], std::fabs(found[c] - exact[c]));
+        }
+    }
+    for (std::size_t c = 0; c < farthest.size(); ++c) tolerance[c] += lookup.share * farthest[c];
+}
+
+// In tolerances, of the channel where it shows most.
+double tolerances_off(const std::vector<double>& found, const ProbeValue& probe) {
+    double most = 0;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+        most = std::max(most, std::fabs(found[c] - probe.value[c]) / probe.tolerance[c]);
+    }
+    return most;
+}
+
+void measure_candidate(const ProbedTexture& probed, const std::vector<WrongLookup>& wrongs,
+                       ProbeCandidate& candidate) {
+    ProbedTexture near = probed;
+    near.texture = remembering(probed.texture);
+    const std::vector<ProbeLookup>& lookups = candidate.place.lookups;
+    candidate.value = probe_value(near, lookups);
+    for (const WrongLookup& wrong : wrongs) {
+        candidate.off.push_back(
+            tolerances_off(look_up_wrongly(near.texture, lookups, wrong), candidate.value));
+    }
+}
+
+void measure_candidates(std::size_t first, const ProbedTexture& texture,
+                        const std::vector<WrongLookup>& wrongs, const BakeOptions& options,
+                        std::vector<ProbeCandidate>& candidates) {
+    constexpr std::size_t kTile = 16;
+    const std::size_t count = candidates.size() - first;
+    for_each_tile(static_cast<int>((count + kTile - 1) / kTile), options, "probes", [&](int tile) {
+        const std::size_t begin = first + static_cast<std::size_t>(tile) * kTile;
+        for (std::size_t i = begin; i < std::min(candidates.size(), begin + kTile); ++i) {
+            measure_candidate(texture, wrongs, candidates[i]);
+        }
+    });
+}
+
+int places_that_show(const std::vector<ProbeCandidate>& candidates, std::size_t wrong) {
+    return static_cast<int>(
+        std::count_if(candidates.begin(), candidates.end(),
+                      [wrong](const ProbeCandidate& at) { return at.off[wrong] > kShows; }));
+}
+
+// More places about those where a wrong lookup shows that shows at few.
+std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& candidates,
+                                         std::size_t wrongs, const std::vector<ProbeSpace>& spaces,
+                                         const TextureUse& use) {
+    std::vector<bool> alone(candidates.size(), false);
+    for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
+        if (places_that_show(candidates, wrong) >= kWantedProbes) continue;
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+            if (candidates[i].off[wrong] > kShows) alone[i] = true;
+        }
+    }
+    std::vector<ProbeCandidate> more;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (!alone[i]) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (const double by : {-0.5, -0.125, 0.125, 0.5}) {
+                ProbeCandidate near;
+                near.space = candidates[i].space;
+                near.wanted = candidates[i].wanted;
+                near.wanted[axis] = std::clamp(near.wanted[axis] + by / use.size[axis], 0.0, 1.0);
+                near.place = spaces[near.space].place(near.wanted);
+                more.push_back(std::move(near));
+            }
+        }
+    }
+    return more;
+}
+
+bool shows_at_few(const std::vector<ProbeCandidate>& candidates, std::size_t wrongs) {
+    for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
+        const int places = places_that_show(candidates, wrong);
+        if (places > 0 && places < kSeveralProbes) return true;
+    }
+    return false;
+}
+
+bool has_few_texels(const TextureUse& use) {
+    return std::int64_t{use.size[0]} * use.size[1] * use.size[2] <= kFewTexels;
+}
+
+// Places a quarter of a texel to either side of every texel's middle.
+std::vector<ProbeCandidate> places_in_every_texel(const std::vector<ProbeSpace>& spaces,
+                                                  const TextureUse& use, int dimensions) {
+    std::array<int, 3> places{};
+    for (std::size_t axis = 0; axis < 3; ++axis) places[axis] = 2 * use.size[axis];
+    if (dimensions == 2) places[2] = 1;
+    places[1] /= static_cast<int>(spaces.size());  // one below the other
+    std::vector<ProbeCandidate> candidates;
+    for (std::size_t space = 0; space < spaces.size(); ++space) {
+        for (int i = 0; i < places[0] * places[1] * places[2]; ++i) {
+            const std::array<int, 3> at = {i % places[0], i / places[0] % places[1],
+                                           i / places[0] / places[1]};
+            ProbeCandidate candidate;
+            candidate.space = space;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                candidate.wanted[axis] = (at[axis] + 0.5) / places[axis];
+            }
+            candidate.place = spaces[space].place(candidate.wanted);
+            candidates.push_back(std::move(candidate));
+        }
+    }
+    return candidates;
+}
+
+// Takes candidates one by one.
+class ProbeTaking {
+  public:
+    ProbeTaking(std::vector<ProbeCandidate>& candidates, std::size_t wrongs, int share)
+        : candidates_(candidates), wanted_(wrongs) {
+        for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
+            wanted_[wrong] = std::min(kWantedProbes, places_that_show(candidates, wrong));
+        }
+        // Most probes of a space lie where there is something: `zeros` is the first of all wrong
+        // lookups.
+        wanted_[0] = std::min(share - share / 4, places_that_show(candidates, 0));
+        shows_.assign(wanted_.begin(), wanted_.end());
+    }
+
+    // What shows most of what is still wanted, until nothing is.
+    void take_what_is_wanted() {
+        const auto gain = [this](const ProbeCandidate& at) {
+            double sum = 0;
+            for (std::size_t wrong = 0; wrong < wanted_.size(); ++wrong) {
+                if (wanted_[wrong] > 0 && at.off[wrong] > kShows) sum += clamped(at.off[wrong]);
+            }
+            return sum;
+        };
+        while (take_best(gain, 0)) {
+        }
+    }
+
+    // Until so many are taken: in all, or of a space.
+    void fill_up(int count) {
+        fill_up_where(count, [](const ProbeCandidate&) { return true; });
+    }
+    void fill_up_space(int count, std::size_t space) {
+        fill_up_where(count, [space](const ProbeCandidate& at) { return at.space == space; });
+    }
+
+    // Whether a wrong lookup shows anywhere.
+    bool shows(std::size_t wrong) const { return shows_[wrong] > 0; }
+
+  private:
+    static double clamped(double off) { return std::min(off, kPlenty); }
+
+    template <class Where>
+    void fill_up_where(int count, const Where& where) {
+        const auto gain = [&where](const ProbeCandidate& at) {
+            if (!where(at)) return -1.0;
+            double sum = 0;
+            for (const double off : at.off) sum += clamped(off);
+            return sum;
+        };
+        const auto taken = [&] {
+            return std::count_if(
+                candidates_.begin(), candidates_.end(),
+                [&where](const ProbeCandidate& at) { return at.taken && where(at); });
+        };
+        while (taken() < count && take_best(gain, -1)) {
+        }
+    }
+
+    template <class Gain>
+    bool take_best(const Gain& gain, double more_than) {
+        ProbeCandidate* best = nullptr;
+        double most = more_than;
+        for (ProbeCandidate& candidate : candidates_) {
+            if (candidate.taken) continue;
+            const double gained = gain(candidate);
+            if (gained <= most) continue;
+            most = gained;
+            best = &candidate;
+        }
+        if (best == nullptr) return false;
+        best->taken = true;
+        for (std::size_t wrong = 0; wrong < wanted_.size(); ++wrong) {
+            if (best->off[wrong] > kShows) --wanted_[wrong];
+        }
+        return true;
+    }
+
+    std::vector<ProbeCandidate>& candidates_;
+    std::vector<int> wanted_;  // per wrong lookup: so many more
+    std::vector<int> shows_;
+};
+
+void add_name(const std::string& name, std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+// What the taken candidates catch. Of two wrong lookups with one name both must show. Where every
+// texel has been looked at, what shows at few places shows at no more, and is not missed.
+void add_names(const std::vector<ProbeCandidate>& candidates,
+               const std::vector<WrongLookup>& wrongs, const ProbeTaking& choice, bool everywhere,
+               ProbeSet& set) {
+    std::vector<std::string> unseen;
+    for (std::size_t wrong = 0; wrong < wrongs.size(); ++wrong) {
+        const auto caught = std::count_if(
+            candidates.begin(), candidates.end(),
+            [wrong](const ProbeCandidate& at) { return at.taken && at.off[wrong] > kShows; });
+        if (caught >= kSeveralProbes) {
+            add_name(wrongs[wrong].name, set.catches);
+        } else {
+            add_name(wrongs[wrong].name, choice.shows(wrong) && !everywhere ? set.missed : unseen);
+        }
+    }
+    for (const auto& names : {unseen, set.missed}) {
+        for (const std::string& name : names) std::erase(set.catches, name);
+    }
+}
+
+// Candidates of a space follow each other.
+std::vector<ProbeCandidate> candidates_of(const std::vector<ProbeSpace>& spaces) {
+    std::vector<ProbeCandidate> candidates;
+    for (std::size_t space = 0; space < spaces.size(); ++space) {
+        for (const std::array<double, 3>& wanted : spaces[space].wanted) {
+            ProbeCandidate candidate;
+            candidate.space = space;
+            candidate.wanted = wanted;
+            candidate.place = spaces[space].place(wanted);
+            candidates.push_back(std::move(candidate));
+        }
+    }
+    return candidates;
+}
+
+}  // namespace
+
+ProbeValue probe_value(const ProbedTexture& probed, const std::vector<ProbeLookup>& lookups) {
+    const ReadableTexture& texture = probed.texture;
+    ProbeValue probe;
+    probe.value = look_up(texture, lookups);
+    probe.tolerance.assign(texture.channels, 0.0);
+    for (const ProbeLookup& lookup : lookups) add_filtering(texture, lookup, probe.tolerance);
+    for (std::size_t c = 0; c < texture.channels; ++c) {
+        // A channel that is 0 everywhere is measured by 1.
+        const double scale = probed.largest[c] > 0 ? probed.largest[c] : 1;
+        probe.tolerance[c] +=
+            4 * rounding_error(probed.type) * std::max(1e-3 * scale, std::fabs(probe.value[c]));
+    }
+    return probe;
+}
+
+ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>& spaces, int count,
+                     const BakeOptions& options) {
+    const std::vector<WrongLookup> wrongs = wrong_lookups(texture.texture.use, texture.dimensions);
+    std::vector<ProbeCandidate> candidates;
+    std::set<std::pair<std::array<double, 3>, double>> known;  // first lookups and their shares
+    const auto add = [&](std::vector<ProbeCandidate> more) {
+        const std::size_t first = candidates.size();
+        for (ProbeCandidate& candidate : more) {
+            const ProbeLookup& lookup = candidate.place.lookups.front();
+            if (!known.emplace(lookup.uvw, lookup.share).second) continue;
+            candidates.push_back(std::move(candidate));
+        }
+        measure_candidates(first, texture, wrongs, options, candidates);
+    };
+    const TextureUse& use = texture.texture.use;
+    add(candidates_of(spaces));
+    if (options.cancelled()) return {};  // and not all have been measured
+    add(places_about(candidates, wrongs.size(), spaces, use));
+    if (options.cancelled()) return {};
+    const bool everywhere = has_few_texels(use) && shows_at_few(candidates, wrongs.size());
+    if (everywhere) add(places_in_every_texel(spaces, use, texture.dimensions));
+    if (options.cancelled()) return {};
+
+    const auto spaces_count = static_cast<int>(spaces.size());
+    const int share = (count + spaces_count - 1) / spaces_count;
+    ProbeTaking choice(candidates, wrongs.size(), share);
+    choice.take_what_is_wanted();
+    for (std::size_t space = 0; space < spaces.size(); ++space) choice.fill_up_space(share, space);
+    choice.fill_up(count);
+    ProbeSet set;
+    add_names(candidates, wrongs, choice, everywhere, set);
+    for (ProbeCandidate& candidate : candidates) {
+        if (!candidate.taken) continue;
+        set.probes.push_back({std::move(candidate.place), std::move(candidate.value)});
+    }
+    return set;
+}
+
+std::optional<config::Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set) {
+    if (set.missed.empty()) return std::nullopt;
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0407";
+    diagnostic.message =
+        fmt::format("`{}`: its probes would pass a file that is wrong in one of these ways: {}",
+                    asset, fmt::join(set.missed, ", "));
+    return diagnostic;
+}
+
+}  // namespace skybake

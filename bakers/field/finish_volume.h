@@ -1,0 +1,45 @@
+// What every volume goes through once its voxels can be made: levels of detail, statistics, range,
+// hash, probes, certificate.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bakers/field/certify_volume.h"
+#include "bakers/field/choose_probes.h"
+#include "bakers/field/volume.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostic.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// How the files are to be, as a recipe says it.
+void set_files(const config::VolumeFiles& files, BakedVolume& volume);
+
+// Adds levels that are box means of volume.levels[0], until there are `count`.
+void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume);
+
+struct VolumeFinish {
+    std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
+    VolumeReference reference;                            // none: no certificate
+    std::string reference_name;
+    bool dear = false;  // the reference: then --certify=quick takes fewer points
+    VolumeComparison comparison = {};
+    // In place of the reference: for volumes that a runtime looks up in another way than between
+    // the eight nearest voxels.
+    std::function<Certificate(const BakedVolume& volume, const BakeOptions& options)> measure = {};
+    // The physical place of texture coordinates of a level, which are moved to the nearest that a
+    // runtime asks for.
+    std::function<ProbePlace(const std::array<double, 3>& uvw, int level)> probe_place = {};
+};
+
+// Surveys all levels, makes their probes, and measures level 0 against the reference unless
+// options.certification is off. E0401, E0402: a voxel that the pixel type cannot hold; E0407: no
+// probes tell a wrong file. No value and no diagnostics after an interruption.
+config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinish& finish,
+                                           const BakeOptions& options);
+
+}  // namespace skybake

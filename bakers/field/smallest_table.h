@@ -1,0 +1,28 @@
+// The smallest table that holds an error bound.
+#pragma once
+
+#include <optional>
+
+#include "bakers/field/certify.h"
+
+namespace skybake {
+
+struct TableChoice {
+    std::array<int, 2> size{};
+    int level = 0;
+    double max_error = 0;  // of lookups at the points
+};
+
+struct TableSearch {
+    std::optional<TableChoice> found;
+    TableChoice best;  // the least error that was reached, where none is found
+};
+
+// Tries tables of the sizes {4, 6, 8, 12, 16, ... 2048} on each axis, up to 16384 where there is
+// but one row, and all levels in the order of their cost, texels * cost_per_texel (then narrower),
+// and takes the first whose stored lookups are within `max_error` at every point. The cost is
+// fixed, so the choice is a pure function of the parameters.
+TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
+                           const ReferencePoints& points, const BakeOptions& options);
+
+}  // namespace skybake

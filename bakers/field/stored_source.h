@@ -1,0 +1,25 @@
+// A small volume held in memory.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bakers/field/volume.h"
+#include "bakers/math/bake_options.h"
+
+namespace skybake {
+
+class StoredSource : public VoxelSource {
+  public:
+    // All voxels of `source`. Left unfinished, for whoever looks, once options.progress is
+    // cancelled.
+    StoredSource(const VoxelSource& source, const std::array<int, 3>& size, int channels,
+                 const BakeOptions& options);
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
+
+  private:
+    std::array<int, 3> size_;
+    std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
+};
+
+}  // namespace skybake

@@ -1,0 +1,251 @@
+#include "bakers/io/files/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bakers/io/files/file_descriptor.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/temporary_file.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using FileStatus = std::optional<struct stat>;
+
+config::Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
+    return {{},
+            {file_error("E0301", path.string(),
+                        fmt::format("cannot write `{}`: {}", path.string(), reason))}};
+}
+
+config::Outcome<WriteResult> failure(const fs::path& path, int error) {
+    return failure(path, system_reason(error));
+}
+
+// Fills `bytes` as far as the file goes; how many there were, or nothing where it cannot be read.
+std::optional<std::size_t> read_piece(int descriptor, std::string& bytes) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::read(descriptor, bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return std::nullopt;
+        if (count == 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    return done;
+}
+
+// Whether an open file holds these bytes and no more. Reads it piece by piece: no second copy.
+bool holds(int descriptor, std::string_view bytes) {
+    std::string piece(65536, '\0');
+    std::size_t done = 0;
+    while (true) {
+        const auto count = read_piece(descriptor, piece);
+        if (!count) return false;
+        if (*count == 0) return done == bytes.size();
+        if (bytes.substr(done, *count) != std::string_view(piece).substr(0, *count)) return false;
+        done += *count;
+    }
+}
+
+bool is_unchanged(const fs::path& path, const struct stat& status, std::string_view bytes) {
+    if (static_cast<std::uintmax_t>(status.st_size) != bytes.size()) return false;
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    return file.valid() && holds(file.get(), bytes);
+}
+
+// Writes all bytes; returns errno, 0, or ECANCELED.
+int write_all(int descriptor, std::string_view bytes, const Progress* progress) {
+    constexpr std::size_t piece = std::size_t{4} << 20;  // between looks at `progress`
+    while (!bytes.empty()) {
+        if (is_cancelled(progress)) return ECANCELED;
+        const ssize_t count = ::write(descriptor, bytes.data(), std::min(bytes.size(), piece));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        if (count == 0) return EIO;
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return is_cancelled(progress) ? ECANCELED : 0;
+}
+
+// To the disk, so that a crash after the rename does not leave an empty file under the new name,
+// and so that network file systems report a full disk now.
+int flush(int descriptor) {
+    while (::fdatasync(descriptor) != 0) {
+        if (errno == EINTR) continue;
+        // Some file systems cannot, which is no reason not to write.
+        return errno == EINVAL || errno == ENOTSUP || errno == ENOSYS ? 0 : errno;
+    }
+    return 0;
+}
+
+// Gives the temporary the permissions of the old file, once it has been written: they may forbid
+// that. Its owner may read it in any case, as the next bake has to. errno, or 0.
+int keep_mode(const TemporaryFile& temporary, const FileStatus& old) {
+    if (!old) return 0;
+    const mode_t mode = (old->st_mode & 07777) | S_IRUSR;
+    return ::fchmod(temporary.descriptor(), mode) == 0 ? 0 : errno;
+}
+
+// Makes the temporary hold the bytes; errno, 0, or ECANCELED.
+int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress* progress) {
+    const int error = write_all(temporary.descriptor(), bytes, progress);
+    return error != 0 ? error : flush(temporary.descriptor());
+}
+
+// Whether a link leads to a device or to an open file of a process, as /dev/stdout does: those
+// names belong to the system.
+bool belongs_to_system(const fs::path& link) {
+    std::error_code error;
+    const std::string target = fs::read_symlink(link, error).string();
+    return target.rfind("/dev/", 0) == 0 || target.rfind("/proc/", 0) == 0;
+}
+
+// What a file of this name would replace: the status of a regular file, or none where nothing is
+// there or a symbolic link, whose target is of no concern.
+config::Outcome<FileStatus> find_old(const fs::path& path) {
+    const auto refuse = [&path](const std::string& reason) -> config::Outcome<FileStatus> {
+        return {{}, failure(path, reason).diagnostics};
+    };
+    if (!path.has_filename()) return refuse("it is a folder");
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) != 0) {
+        if (errno != ENOENT) return refuse(system_reason(errno));
+        return {FileStatus(), {}};
+    }
+    if (S_ISLNK(status.st_mode)) {
+        if (belongs_to_system(path)) return refuse("it is a link to a device or an open file");
+        return {FileStatus(), {}};
+    }
+    if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
+    if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
+    return {FileStatus(status), {}};
+}
+
+// Whether two files hold the same bytes. False too where one cannot be read, or on interruption.
+bool same_bytes(const fs::path& first, const fs::path& second, const Progress* progress) {
+    constexpr std::size_t piece = std::size_t{1} << 20;
+    const FileDescriptor a(::open(first.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    const FileDescriptor b(::open(second.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!a.valid() || !b.valid()) return false;
+    std::string bytes(piece, '\0');
+    std::string others(piece, '\0');
+    while (!is_cancelled(progress)) {
+        const auto count = read_piece(a.get(), bytes);
+        const auto other_count = read_piece(b.get(), others);
+        if (!count || count != other_count) return false;
+        if (*count == 0) return true;
+        if (std::string_view(bytes).substr(0, *count) !=
+            std::string_view(others).substr(0, *count)) {
+            return false;
+        }
+    }
+    return false;
+}
+
+// People know the file by its own name.
+void rename_in_text(std::string& text, const std::string& temporary, const std::string& name) {
+    for (std::size_t at = text.find(temporary); at != std::string::npos;
+         at = text.find(temporary, at + name.size())) {
+        text.replace(at, temporary.size(), name);
+    }
+}
+
+}  // namespace
+
+struct AtomicFiles::Staged {
+    explicit Staged(fs::path path_) : path(std::move(path_)), temporary(path) {}
+
+    fs::path path;
+    TemporaryFile temporary;
+};
+
+AtomicFiles::AtomicFiles() = default;
+AtomicFiles::~AtomicFiles() = default;
+
+config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
+                                                const Progress* progress) {
+    const config::Outcome<FileStatus> found = find_old(path);
+    if (!found.value) return {{}, found.diagnostics};
+    const FileStatus& old = *found.value;
+    remove_stale_temporaries(path);
+    if (old && is_unchanged(path, *old, bytes)) return {WriteResult::unchanged, {}};
+    if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    auto staged = begin(path);
+    if (!staged.value) return {{}, std::move(staged.diagnostics)};
+    const int error = fill((*staged.value)->temporary, bytes, progress);
+    if (error == ECANCELED) return {WriteResult::interrupted, {}};
+    if (error != 0) return failure(path, error);
+    if (const int fault = keep_mode((*staged.value)->temporary, old)) return failure(path, fault);
+    staged_.push_back(std::move(*staged.value));
+    return {WriteResult::written, {}};
+}
+
+config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& write,
+                                                const Progress* progress) {
+    const config::Outcome<FileStatus> found = find_old(path);
+    if (!found.value) return {{}, found.diagnostics};
+    const FileStatus& old = *found.value;
+    remove_stale_temporaries(path);
+    if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    auto staged = begin(path);
+    if (!staged.value) return {{}, std::move(staged.diagnostics)};
+    const TemporaryFile& temporary = (*staged.value)->temporary;
+    config::Outcome<bool> written = write(temporary.path());
+    for (config::Diagnostic& diagnostic : written.diagnostics) {
+        rename_in_text(diagnostic.message, temporary.path().string(), path.string());
+        rename_in_text(diagnostic.where.source, temporary.path().string(), path.string());
+    }
+    if (!written.value) return {{}, std::move(written.diagnostics)};
+    if (!*written.value || is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    if (const int error = flush(temporary.descriptor())) return failure(path, error);
+    if (old && same_bytes(path, temporary.path(), progress)) {
+        return {WriteResult::unchanged, std::move(written.diagnostics)};
+    }
+    if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
+    if (const int error = keep_mode(temporary, old)) return failure(path, error);
+    staged_.push_back(std::move(*staged.value));
+    return {WriteResult::written, std::move(written.diagnostics)};
+}
+
+// An empty temporary beside the file.
+config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path) {
+    auto staged = std::make_unique<Staged>(path);
+    if (!staged->temporary.valid()) return {{}, failure(path, errno).diagnostics};
+    return {std::move(staged), {}};
+}
+
+void AtomicFiles::take(AtomicFiles&& others) {
+    std::move(others.staged_.begin(), others.staged_.end(), std::back_inserter(staged_));
+    others.staged_.clear();
+}
+
+std::vector<config::Diagnostic> AtomicFiles::commit() {
+    for (; !staged_.empty(); staged_.pop_back()) {
+        Staged& last = *staged_.back();
+        if (!last.temporary.rename_to(last.path)) return failure(last.path, errno).diagnostics;
+    }
+    return {};
+}
+
+config::Outcome<WriteResult> write_file_atomically(const fs::path& path, std::string_view bytes,
+                                                   const Progress* progress) {
+    AtomicFiles files;
+    config::Outcome<WriteResult> result = files.stage(path, bytes, progress);
+    if (!result.value) return result;
+    std::vector<config::Diagnostic> diagnostics = files.commit();
+    if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
+    return result;
+}
+
+}  // namespace skybake

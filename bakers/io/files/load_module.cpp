@@ -1,0 +1,59 @@
+#include "bakers/io/files/load_module.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The module's place, from the program's: PREFIX/bin/skybake has it in PREFIX/lib/skybake, programs
+// of a build are one or two folders below its root. Empty where there is none.
+fs::path find_module(const std::string& file_name) {
+    constexpr int levels = 2;
+    std::error_code error;
+    fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    for (int level = 0; level < levels && !error; ++level) {
+        folder = folder.parent_path();
+        const fs::path candidate = folder / SKYBAKE_MODULE_FOLDER / file_name;
+        std::error_code missing;
+        if (fs::is_regular_file(candidate, missing)) return candidate;
+    }
+    return {};
+}
+
+std::string file_name_of(const std::string& module) { return module + ".so"; }
+
+}  // namespace
+
+std::vector<fs::path> program_files() {
+    std::error_code error;
+    std::vector<fs::path> files = {fs::read_symlink("/proc/self/exe", error)};
+    if (error) return {};
+    for (const char* module : {vdb_module_name, image_module_name}) {
+        const fs::path path = find_module(file_name_of(module));
+        if (!path.empty()) files.push_back(path);
+    }
+    return files;
+}
+
+ModuleSymbol load_module(const std::string& module, const char* symbol) {
+    const std::string file_name = file_name_of(module);
+    const fs::path path = find_module(file_name);
+    if (path.empty()) {
+        return {nullptr, fmt::format("the module `{}` is not in `{}` beside the program", file_name,
+                                     SKYBAKE_MODULE_FOLDER)};
+    }
+    void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const address = library != nullptr ? ::dlsym(library, symbol) : nullptr;
+    if (address == nullptr) {
+        return {nullptr, fmt::format("a module cannot be loaded: {}", ::dlerror())};
+    }
+    return {address, ""};
+}
+
+}  // namespace skybake

@@ -1,0 +1,100 @@
+#include "bakers/io/files/spelling.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "config/fields.h"
+
+namespace skybake {
+namespace {
+
+// The choices of a key of volumes, in the order of its enumeration; those of tables are the first
+// of them.
+std::span<const config::Choice> choices_of(std::string_view key) {
+    const config::Section* section = config::find_section("bake.*", "noise_volume");
+    const config::Field* field = section != nullptr ? config::find_field(*section, key) : nullptr;
+    return field != nullptr ? field->choices : std::span<const config::Choice>();
+}
+
+template <class Enum>
+std::string_view word_of(std::string_view key, Enum value) {
+    const auto choices = choices_of(key);
+    const auto index = static_cast<std::size_t>(value);
+    return index < choices.size() ? choices[index].name : std::string_view();
+}
+
+template <class Enum>
+std::optional<Enum> value_of(std::string_view key, std::string_view word) {
+    const auto choices = choices_of(key);
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        if (choices[i].name == word) return static_cast<Enum>(i);
+    }
+    return std::nullopt;
+}
+
+// The words of enumerations that no recipe asks for, in their order.
+constexpr std::array<std::string_view, 2> end_point_words = {"texel_centres", "texture_edges"};
+constexpr std::array<std::string_view, 2> wrap_words = {"clamp", "repeat"};
+constexpr std::array<std::string_view, 2> filter_words = {"linear", "nearest"};
+
+template <class Enum>
+std::optional<Enum> value_among(std::span<const std::string_view> words, std::string_view word) {
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) return std::nullopt;
+    return static_cast<Enum>(found - words.begin());
+}
+
+}  // namespace
+
+std::string_view spell(config::PixelType type) { return word_of("pixel_type", type); }
+
+std::string_view spell(config::Compression compression) {
+    return word_of("compression", compression);
+}
+
+std::string_view spell(config::VdbCompression compression) {
+    return word_of("vdb_compression", compression);
+}
+
+std::string_view spell(config::VolumeFormat format) { return word_of("formats", format); }
+
+std::string_view spell(config::VolumeLayout layout) { return word_of("layout", layout); }
+
+std::string_view spell(TexelConvention end_points) {
+    return end_point_words[static_cast<std::size_t>(end_points)];
+}
+
+std::string_view spell(AxisWrap wrap) { return wrap_words[static_cast<std::size_t>(wrap)]; }
+
+std::string_view spell(AxisFilter filter) { return filter_words[static_cast<std::size_t>(filter)]; }
+
+std::optional<TexelConvention> end_points_of(std::string_view word) {
+    return value_among<TexelConvention>(end_point_words, word);
+}
+
+std::optional<AxisWrap> axis_wrap_of(std::string_view word) {
+    return value_among<AxisWrap>(wrap_words, word);
+}
+
+std::optional<AxisFilter> axis_filter_of(std::string_view word) {
+    return value_among<AxisFilter>(filter_words, word);
+}
+
+std::optional<config::PixelType> pixel_type_of(std::string_view word) {
+    return value_of<config::PixelType>("pixel_type", word);
+}
+
+std::optional<config::Compression> compression_of(std::string_view word) {
+    return value_of<config::Compression>("compression", word);
+}
+
+std::optional<config::VolumeFormat> volume_format_of(std::string_view word) {
+    return value_of<config::VolumeFormat>("formats", word);
+}
+
+std::optional<config::VolumeLayout> volume_layout_of(std::string_view word) {
+    return value_of<config::VolumeLayout>("layout", word);
+}
+
+}  // namespace skybake

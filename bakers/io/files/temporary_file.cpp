@@ -1,0 +1,162 @@
+#include "bakers/io/files/temporary_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bakers/io/files/atomic_file.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+
+// --- What the signal handler removes ------------------------------------------------------------
+
+// Paths lie in static memory, since a handler may neither lock nor allocate.
+struct CurrentTemporary {
+    enum State : int { unused, claimed, active };
+    std::atomic<int> state{unused};
+    std::array<char, 4096> path{};
+};
+static_assert(std::atomic<int>::is_always_lock_free);
+std::array<CurrentTemporary, 64> current_temporaries;
+
+// Returns a slot of the table above, or -1: none is left if very many files are written at once,
+// and then a second Ctrl-C leaves that temporary to the next run.
+int enter(const fs::path& path) {
+    if (path.native().size() >= current_temporaries[0].path.size()) return -1;
+    for (std::size_t i = 0; i < current_temporaries.size(); ++i) {
+        CurrentTemporary& entry = current_temporaries[i];
+        int unused = CurrentTemporary::unused;
+        if (!entry.state.compare_exchange_strong(unused, CurrentTemporary::claimed)) continue;
+        std::memcpy(entry.path.data(), path.c_str(), path.native().size() + 1);
+        entry.state = CurrentTemporary::active;
+        return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void leave(int slot) {
+    if (slot >= 0)
+        current_temporaries[static_cast<std::size_t>(slot)].state = CurrentTemporary::unused;
+}
+
+// --- Names of temporaries -----------------------------------------------------------------------
+
+constexpr std::string_view temporary_mark = ".skybake-";
+
+// ".NAME.skybake-"; long names are cut so that the whole stays within the 255 bytes of a name.
+std::string temporary_prefix(const fs::path& path) {
+    constexpr std::size_t longest_name = 200;
+    return fmt::format(".{}{}", path.filename().string().substr(0, longest_name), temporary_mark);
+}
+
+constexpr std::string_view temporary_suffix = ".tmp";
+
+// Whether it is ".NAME.skybake-PID-N.tmp".
+bool is_temporary(std::string_view name, std::string_view prefix) {
+    if (name.size() <= prefix.size() + temporary_suffix.size() ||
+        name.substr(0, prefix.size()) != prefix ||
+        name.substr(name.size() - temporary_suffix.size()) != temporary_suffix) {
+        return false;
+    }
+    name = name.substr(prefix.size(), name.size() - prefix.size() - temporary_suffix.size());
+    pid_t owner = 0;
+    unsigned number = 0;
+    const char* const end = name.data() + name.size();
+    const auto pid = std::from_chars(name.data(), end, owner);
+    if (pid.ec != std::errc{} || pid.ptr == end || *pid.ptr != '-' || owner <= 0) return false;
+    const auto count = std::from_chars(pid.ptr + 1, end, number);
+    return count.ec == std::errc{} && count.ptr == end;
+}
+
+// Removes a temporary that nobody holds the lock of: its process is gone. Its number would not
+// tell, since a process that is being killed, or that its parent has not waited for, still has one,
+// another may have it by now, and neither containers nor machines that share a folder tell them
+// apart.
+void remove_if_left_over(const fs::path& temporary) {
+    const FileDescriptor file(
+        ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(temporary.c_str());
+}
+
+// Locks a temporary that has just been made. False where another process has taken it for a
+// left-over in the meantime: it holds the lock, or the name is gone. File systems without locks
+// have no left-overs removed either.
+bool lock_unless_removed(int descriptor) {
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+    struct stat status {};
+    return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
+
+// What a name would begin with if it were a temporary's.
+std::string own_prefix(const std::string& name) {
+    const std::size_t mark = name.rfind(temporary_mark);
+    if (mark == std::string::npos || name[0] != '.') return name;
+    return name.substr(0, mark + temporary_mark.size());
+}
+
+void remove_stale(const fs::path& folder,
+                  const std::function<std::string(const std::string& name)>& prefix_for) {
+    std::error_code error;
+    std::vector<fs::path> temporaries;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string name = entry->path().filename().native();
+        if (is_temporary(name, prefix_for(name))) temporaries.push_back(entry->path());
+    }
+    for (const fs::path& temporary : temporaries) remove_if_left_over(temporary);
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(const fs::path& target) {
+    static std::atomic<unsigned> counter{0};
+    do {
+        leave(slot_);
+        path_ = target.parent_path() / fmt::format("{}{}-{}{}", temporary_prefix(target),
+                                                   ::getpid(), counter++, temporary_suffix);
+        slot_ = enter(path_);  // first: no moment in which a signal would miss the file
+        file_ =
+            FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    } while (file_.valid() ? !lock_unless_removed(file_.get()) : errno == EINTR || errno == EEXIST);
+}
+
+TemporaryFile::~TemporaryFile() {
+    if (file_.valid() && !renamed_) ::unlink(path_.c_str());
+    leave(slot_);
+}
+
+bool TemporaryFile::rename_to(const fs::path& target) {
+    renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
+    return renamed_;
+}
+
+void remove_stale_temporaries(const fs::path& target) {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    remove_stale(folder,
+                 [prefix = temporary_prefix(target)](const std::string&) { return prefix; });
+}
+
+void remove_stale_temporaries_in(const fs::path& folder) { remove_stale(folder, own_prefix); }
+
+void unlink_current_temporaries() noexcept {
+    for (const CurrentTemporary& entry : current_temporaries) {
+        if (entry.state == CurrentTemporary::active) ::unlink(entry.path.data());
+    }
+}
+
+}  // namespace skybake

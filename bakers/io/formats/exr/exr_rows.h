@@ -1,0 +1,43 @@
+// An EXR file that is read row by row: images may be larger than memory.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bakers/io/formats/exr/exr.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+class ExrRows {
+  public:
+    // E0300 where the file cannot be read, E0304 as decode_exr.
+    static config::Outcome<ExrRows> open(const std::filesystem::path& path);
+    ExrRows(ExrRows&&) noexcept;
+    ExrRows& operator=(ExrRows&&) noexcept;
+    ~ExrRows();
+
+    int width() const;
+    int height() const;
+    const std::vector<std::string>& channel_names() const;  // in the order of texels
+    config::PixelType pixel_type() const;
+    config::Compression compression() const;
+    const Attributes& attributes() const;
+
+    // Reads rows first ... first + count - 1, row 0 being the topmost, channels interleaved: count
+    // * width() * channels floats. Quick in increasing order. E0300, E0304.
+    std::optional<config::Diagnostic> read(int first, int count, float* texels);
+
+    // How many rows make a piece of about 4 MiB.
+    int rows_per_piece() const;
+
+  private:
+    struct File;
+    explicit ExrRows(std::unique_ptr<File> file);
+    std::unique_ptr<File> file_;
+};
+
+}  // namespace skybake

@@ -1,0 +1,113 @@
+#include "bakers/io/formats/png/map_image.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/formats/png/image_module.h"
+#include "bakers/math/hash.h"
+#include "bakers/math/transcendental.h"
+#include "config/suggest.h"
+
+namespace skybake {
+namespace {
+
+using config::Diagnostic;
+using config::Outcome;
+
+// At a place of the recipe, or of the picture where no recipe is known to name it.
+Diagnostic map_error(std::string code, const config::CloudMap& map,
+                     const config::SourceRange& place, const std::string& reason) {
+    const std::string file = map.path.string();
+    Diagnostic diagnostic = file_error(std::move(code), file,
+                                       fmt::format("cannot read the map `{}`: {}", file, reason));
+    if (!place.source.empty()) diagnostic.where = place;
+    return diagnostic;
+}
+
+Diagnostic not_a_map(const config::CloudMap& map, const std::string& reason) {
+    return map_error("E0304", map, map.file_place, reason);
+}
+
+// "it has no channel `r`, but `R`, `G`, `B`; did you mean `R`?"
+std::string no_such_channel(const std::string& channel, const std::vector<std::string>& known) {
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    const std::string suggestion = config::did_you_mean(channel, names);
+    return fmt::format("it has no channel `{}`, only `{}`{}{}", channel, fmt::join(known, "`, `"),
+                       suggestion.empty() ? "" : "; ", suggestion);
+}
+
+// What is wrong with the first value that is not in [0, 1].
+std::optional<std::string> value_out_of_range(const MapPixels& pixels) {
+    const auto found = std::find_if(pixels.values.begin(), pixels.values.end(),
+                                    [](float value) { return !(value >= 0 && value <= 1); });
+    if (found == pixels.values.end()) return std::nullopt;
+    const auto index = found - pixels.values.begin();
+    return fmt::format(
+        "the pixel in column {}, row {} (from 0, the first row is 0) is {}, and a map's "
+        "values are in [0, 1]",
+        index % pixels.width, index / pixels.width, *found);
+}
+
+// IEC 61966-2-1, of v in [0, 1]. The division makes 1 of 1, whose logarithm is 0: white stays 1.
+double linear_of_srgb(double v) {
+    if (v <= 0.04045) return v / 12.92;
+    return exponential(2.4 * logarithm((v + 0.055) / 1.055));
+}
+
+template <class T>
+std::string_view bytes_of(const T& numbers) {
+    return {reinterpret_cast<const char*>(numbers.data()),
+            numbers.size() * sizeof(typename T::value_type)};
+}
+
+MapImage finished(MapPixels pixels, config::MapColorSpace color_space) {
+    MapImage image{pixels.width, pixels.height, std::move(pixels.values), ""};
+    if (color_space == config::MapColorSpace::srgb) {
+        for (float& value : image.values) {
+            value = static_cast<float>(linear_of_srgb(double{value}));
+        }
+    }
+    Hasher hasher;
+    hasher.update(bytes_of(std::array<std::int32_t, 2>{image.width, image.height}));
+    hasher.update(bytes_of(image.values));
+    image.content_hash = hasher.hex();
+    return image;
+}
+
+}  // namespace
+
+Outcome<MapImage> read_map_image(const config::CloudMap& map) {
+    const std::string file = map.path.string();
+    const Outcome<FileInput> opened = FileInput::open(map.path);  // says why it cannot be
+    if (!opened.value) {
+        const std::string words = fmt::format("cannot read `{}`: ", file);
+        const std::string& message = opened.diagnostics.at(0).message;
+        assert(message.starts_with(words));
+        return {{}, {map_error("E0300", map, map.file_place, message.substr(words.size()))}};
+    }
+    const LoadedImageCodec& loaded = image_codec();
+    if (loaded.codec == nullptr) {
+        return {{}, {map_error("E0300", map, map.file_place, loaded.reason)}};
+    }
+    MapPixels pixels = loaded.codec->read(map.path, map.channel);
+    if (!pixels.problem.empty()) return {{}, {not_a_map(map, pixels.problem)}};
+    if (pixels.values.empty()) {
+        return {{},
+                {map_error("E0304", map, map.channel_place,
+                           no_such_channel(map.channel, pixels.channel_names))}};
+    }
+    if (const auto problem = value_out_of_range(pixels)) return {{}, {not_a_map(map, *problem)}};
+    return {finished(std::move(pixels), map.color_space), {}};
+}
+
+}  // namespace skybake

@@ -1,0 +1,225 @@
+// No fmt here: OpenImageIO's headers turn its exceptions into aborts.
+#include "bakers/io/formats/png/map_reader.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+
+#include "bakers/io/formats/png/map_image.h"
+#include "bakers/io/formats/png/png_chunks.h"
+
+namespace skybake {
+namespace {
+
+using OIIO::ImageInput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+// A picture that is not read; caught at the end of this file.
+struct Refused : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+void expect(bool condition, const std::string& otherwise) {
+    if (!condition) throw Refused(otherwise);
+}
+
+// --- Opening ------------------------------------------------------------------------------------
+
+// The library would try any of its formats, films and text among them, for any file.
+struct Format {
+    const char* name;  // the library's
+    std::string_view first_bytes;
+};
+using namespace std::string_view_literals;
+constexpr std::array<Format, 6> formats = {{
+    {"png", "\x89PNG\r\n\x1a\n"sv},
+    {"openexr", "\x76\x2f\x31\x01\x02"sv},  // of version 2
+    {"tiff", "II*\0"sv},
+    {"tiff", "MM\0*"sv},
+    {"tiff", "II+\0"sv},  // files beyond 4 GiB
+    {"tiff", "MM\0+"sv},
+}};
+
+// What the file is, where the library may be trusted with it.
+const char* format_of(const std::filesystem::path& path) {
+    std::array<char, 8> bytes{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), bytes.size());
+    const std::string_view begin(bytes.data(), static_cast<std::size_t>(file.gcount()));
+    file.clear();
+    const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& known) {
+        return begin.substr(0, known.first_bytes.size()) == known.first_bytes;
+    });
+    expect(format != formats.end(), "it is neither PNG nor TIFF nor OpenEXR");
+    if (format->name == "png"sv) {
+        if (const auto damage = png_damage(file)) throw Refused(*damage);
+    }
+    // The library would abort the program for a channel of unknown type in a deep image.
+    constexpr std::size_t flags_at = 5;
+    constexpr int deep_flag = 0x08;
+    const bool deep = begin.size() > flags_at && (begin[flags_at] & deep_flag) != 0;
+    expect(format->name != "openexr"sv || !deep, "it is a deep image");
+    return format->name;
+}
+
+// The library's words for what went wrong, of which the first line says most.
+std::string reason(const ImageInput& input) {
+    const std::string words = input.geterror();
+    return words.empty() ? "it is damaged" : words.substr(0, words.find('\n'));
+}
+
+std::unique_ptr<ImageInput> open(const std::filesystem::path& path, const char* format,
+                                 ImageSpec& specification) {
+    // One thread, and -1: OpenEXR's own count, which the program shares, stays as it is.
+    OIIO::attribute("threads", 1);
+    OIIO::attribute("exr_threads", -1);
+    std::unique_ptr<ImageInput> input = ImageInput::create(format);
+    expect(input != nullptr, "the library does not know " + std::string(format));
+    ImageSpec as_stored;
+    as_stored.attribute("oiio:UnassociatedAlpha", 1);
+    as_stored.attribute("oiio:RawColor", 1);
+    expect(input->open(path.string(), specification, as_stored), reason(*input));
+    return input;
+}
+
+// --- What is read -------------------------------------------------------------------------------
+
+// Far beyond any picture; a damaged count would have a row of many GiB allocated.
+constexpr int most_channels = 1024;
+
+void expect_plain_picture(const ImageSpec& picture) {
+    expect(picture.depth == 1 && picture.tile_depth <= 1, "it is a volume");
+    expect(picture.width > 0 && picture.height > 0, "it has no pixels");
+    const auto fits = [](int width, int height) {
+        return width <= largest_map_edge && height <= largest_map_edge;
+    };
+    expect(fits(picture.width, picture.height) && fits(picture.tile_width, picture.tile_height),
+           "it has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+               " pixels, at most " + std::to_string(largest_map_edge) +
+               " along each edge are read");
+    expect(picture.nchannels > 0 && picture.nchannels <= most_channels,
+           "it has " + std::to_string(picture.nchannels) + " channels");
+    expect(picture.get_int_attribute("Orientation", 1) == 1,
+           "its orientation tag turns or mirrors it; store it upright");
+}
+
+// Of OpenEXR: other readers would fill the rest of the display window with black.
+void expect_whole_window(const ImageSpec& picture) {
+    expect(picture.x == picture.full_x && picture.y == picture.full_y &&
+               picture.width == picture.full_width && picture.height == picture.full_height,
+           "its data window is not its display window");
+}
+
+// Of TIFF: what the library would convert from another colour model, or inverts for some types
+// only, or scales inexactly.
+void expect_plain_samples(const ImageSpec& picture) {
+    constexpr int black_is_zero = 1, rgb = 2;
+    const int model = picture.get_int_attribute("tiff:PhotometricInterpretation", black_is_zero);
+    expect(model == black_is_zero || model == rgb,
+           "its colour model is neither grey from black to white nor RGB");
+    const int bits = picture.get_int_attribute("oiio:BitsPerSample", 8);
+    constexpr std::array exact = {1, 2, 4, 8, 16, 32};
+    expect(std::find(exact.begin(), exact.end(), bits) != exact.end(),
+           "its values have " + std::to_string(bits) + " bits");
+}
+
+// --- Pixels -------------------------------------------------------------------------------------
+
+// Calls `rows_ready` with some rows of a channel after the other, top to bottom, as values of
+// `type`.
+//
+// Row by row where there are no tiles: for whole strips of TIFF the library decodes by itself, and
+// reports success where that fails.
+template <class T, class Visit>
+void read_rows(ImageInput& input, const ImageSpec& picture, int channel, TypeDesc type,
+               Visit&& rows_ready) {
+    const bool tiled = picture.tile_width > 0;
+    const int rows = tiled ? picture.tile_height : 1;
+    const int end = picture.y + picture.height;
+    std::vector<T> band;
+    for (int y = picture.y; y < end; y += rows) {
+        const int y_end = std::min(y + rows, end);
+        band.resize(static_cast<std::size_t>(y_end - y) * static_cast<std::size_t>(picture.width));
+        const bool read = tiled ? input.read_tiles(0, 0, picture.x, picture.x + picture.width, y,
+                                                   y_end, picture.z, picture.z + 1, channel,
+                                                   channel + 1, type, band.data())
+                                : input.read_scanlines(0, 0, y, y_end, picture.z, channel,
+                                                       channel + 1, type, band.data());
+        // Some failures are told by words alone.
+        expect(read && !input.has_error(), reason(input));
+        rows_ready(band);
+    }
+}
+
+// Integers over their largest value; the quotient is rounded to nearest.
+template <class T>
+std::vector<float> read_values(ImageInput& input, const ImageSpec& picture, int channel,
+                               TypeDesc type, float largest) {
+    std::vector<float> values;
+    // Reserved memory costs nothing until it is written to: a damaged size ends in an error first.
+    values.reserve(static_cast<std::size_t>(picture.width) *
+                   static_cast<std::size_t>(picture.height));
+    read_rows<T>(input, picture, channel, type, [&](const std::vector<T>& band) {
+        for (const T value : band) values.push_back(static_cast<float>(value) / largest);
+    });
+    return values;
+}
+
+std::vector<float> read_channel(ImageInput& input, const ImageSpec& picture, int channel) {
+    const TypeDesc type = picture.channelformat(channel);
+    if (type == TypeDesc::UINT8) {
+        return read_values<std::uint8_t>(input, picture, channel, type, 255.0F);
+    }
+    if (type == TypeDesc::UINT16) {
+        return read_values<std::uint16_t>(input, picture, channel, type, 65535.0F);
+    }
+    expect(type == TypeDesc::HALF || type == TypeDesc::FLOAT,
+           std::string("its values are of type ") + type.c_str() +
+               ": 8 or 16 bit integers, half and float are read");
+    return read_values<float>(input, picture, channel, TypeDesc::FLOAT, 1.0F);
+}
+
+// --- A channel ----------------------------------------------------------------------------------
+
+MapPixels read_picture(const std::filesystem::path& path, const std::string& channel) {
+    ImageSpec picture;
+    const char* const format = format_of(path);
+    const std::unique_ptr<ImageInput> input = open(path, format, picture);
+    expect_plain_picture(picture);
+    if (format == "openexr"sv) expect_whole_window(picture);
+    if (format == "tiff"sv) expect_plain_samples(picture);
+    MapPixels pixels;
+    pixels.width = picture.width;
+    pixels.height = picture.height;
+    pixels.channel_names = picture.channelnames;
+    const auto& names = pixels.channel_names;
+    const auto found =
+        channel.empty() ? names.begin() : std::find(names.begin(), names.end(), channel);
+    if (found == names.end()) return pixels;
+    pixels.values = read_channel(*input, picture, static_cast<int>(found - names.begin()));
+    return pixels;
+}
+
+}  // namespace
+
+MapPixels read_map(const std::filesystem::path& path, const std::string& channel) {
+    MapPixels pixels;
+    try {
+        return read_picture(path, channel);
+    } catch (const std::bad_alloc&) {
+        pixels.problem = "it does not fit in memory";
+    } catch (const std::exception& error) {
+        pixels.problem = error.what();
+    }
+    return pixels;
+}
+
+}  // namespace skybake

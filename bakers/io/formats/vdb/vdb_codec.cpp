@@ -1,0 +1,13 @@
+// What the module of OpenVDB exports.
+#include "bakers/io/formats/vdb/vdb_codec.h"
+
+#include "bakers/io/formats/vdb/vdb_decoder.h"
+#include "bakers/io/formats/vdb/vdb_encoder.h"
+
+extern "C" const skybake::VdbCodec* skybake_vdb_codec() {
+    using namespace skybake::vdb;
+    static constexpr skybake::VdbCodec codec = {file_head,    grid_head,  grid_positions,
+                                                root,         upper_node, lower_node,
+                                                encode_strip, read,       read_voxels};
+    return &codec;
+}

@@ -1,0 +1,447 @@
+#include "bakers/io/formats/vdb/vdb_decoder.h"
+
+#include <fmt/format.h>
+#include <openvdb/io/Archive.h>
+#include <openvdb/io/GridDescriptor.h>
+#include <openvdb/io/io.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/formats/vdb/vdb_library.h"
+
+namespace skybake::vdb {
+namespace {
+
+using config::Outcome;
+namespace io = openvdb::io;
+
+// A file that is not what it should be; caught at the end of this file.
+struct Damaged : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+void expect(bool condition, const char* what) {
+    if (!condition) throw Damaged(what);
+}
+
+template <class T>
+T read_raw(std::istream& in) {
+    T value;
+    in.read(reinterpret_cast<char*>(&value), sizeof(T));
+    return value;
+}
+
+// --- Heads --------------------------------------------------------------------------------------
+
+// The first format with a mask in each node, of 2012; and the last one that the library knows.
+constexpr std::uint32_t oldest_format = openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION;
+constexpr std::uint32_t newest_format = openvdb::OPENVDB_FILE_VERSION;
+
+// A file read with what io::Archive has for classes that derive from it.
+//
+// The library allocates what a file's lengths ask for before it finds that the file ends, 4 GiB for
+// one flipped bit; so lengths are looked at before the library reads.
+class Input : public io::Archive {
+  public:
+    // Reads the head of the file; the stream throws from now on where the file ends early.
+    explicit Input(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+        stream_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+        stream_.seekg(0, std::ios::end);
+        file_size_ = stream_.tellg();
+        stream_.seekg(0);
+        expect(read_raw<std::int64_t>(stream_) == openvdb::OPENVDB_MAGIC,
+               "it does not begin as a VDB file");
+        const auto format = read_raw<std::uint32_t>(stream_);
+        expect(format >= oldest_format && format <= newest_format, "its format is not known");
+        stream_.seekg(0);
+        readHeader(stream_);
+        expect(inputHasGridOffsets(), "it does not say where its grids are");
+        metadata_->setSeekable(true);
+        io::setStreamMetadataPtr(stream_, metadata_, false);
+        setFormatVersion(stream_);
+        setLibraryVersion(stream_);
+    }
+    std::istream& stream() { return stream_; }
+    std::int64_t position() { return stream_.tellg(); }
+    std::int64_t file_size() const { return file_size_; }
+
+    std::int32_t read_grid_count() { return readGridCount(stream_); }
+    std::uint32_t read_compression() {
+        readGridCompression(stream_);
+        return io::getDataCompression(stream_);
+    }
+    void read_metadata(openvdb::MetaMap& map) {
+        const auto begin = stream_.tellg();
+        for (auto entries = read_raw<std::uint32_t>(stream_); entries > 0; --entries) {
+            skip_sized(3);  // name, type, value
+        }
+        stream_.seekg(begin);
+        map.readMeta(stream_);
+    }
+    openvdb::GridBase::Ptr read_descriptor(io::GridDescriptor& descriptor) {
+        const auto begin = stream_.tellg();
+        skip_sized(3);  // the names of grid, type and parent
+        stream_.seekg(begin);
+        return descriptor.read(stream_);
+    }
+    void read_transform(openvdb::GridBase& grid) {
+        const auto begin = stream_.tellg();
+        skip_sized(1);  // the name of its kind
+        stream_.seekg(begin);
+        grid.readTransform(stream_);
+    }
+
+  private:
+    // Skips a length and so many bytes, `count` times.
+    void skip_sized(int count) {
+        for (; count > 0; --count) {
+            const std::int64_t length = read_raw<std::uint32_t>(stream_);
+            expect(position() + length <= file_size_, "it ends early");
+            stream_.seekg(length, std::ios::cur);
+        }
+    }
+
+    io::StreamMetadata::Ptr metadata_{new io::StreamMetadata};  // outlives the stream
+    std::ifstream stream_;
+    std::int64_t file_size_ = 0;
+};
+
+struct Grid {
+    io::GridDescriptor descriptor;
+    openvdb::GridBase::Ptr grid;  // its metadata and transform, no tree
+    std::uint32_t compression = 0;
+    std::int64_t tree_at = 0;
+};
+
+std::vector<Grid> read_grid_heads(Input& input) {
+    std::vector<Grid> grids;
+    const std::int32_t count = input.read_grid_count();
+    for (std::int32_t i = 0; i < count; ++i) {
+        Grid& head = grids.emplace_back();
+        head.grid = input.read_descriptor(head.descriptor);
+        head.descriptor.seekToGrid(input.stream());
+        head.compression = input.read_compression();
+        input.read_metadata(*head.grid);
+        input.read_transform(*head.grid);
+        head.tree_at = input.position();
+        head.descriptor.seekToEnd(input.stream());
+    }
+    return grids;
+}
+
+// The texts of a map by name, without what helps OpenVDB to find its way in the file.
+Attributes texts_of(const openvdb::MetaMap& map) {
+    Attributes attributes;
+    for (auto entry = map.beginMeta(); entry != map.endMeta(); ++entry) {
+        if (entry->first == openvdb::GridBase::META_FILE_DELAYED_LOAD) continue;
+        attributes.emplace_back(entry->first, entry->second->str());
+    }
+    return attributes;
+}
+
+using Vector = std::array<std::int64_t, 3>;
+
+std::optional<Vector> vector_of(const openvdb::GridBase& grid, const char* name) {
+    const auto found = grid.getMetadata<openvdb::Vec3IMetadata>(name);
+    if (!found) return std::nullopt;
+    const openvdb::Vec3i value = found->value();
+    return Vector{value[0], value[1], value[2]};
+}
+
+VdbGrid describe(const Grid& head) {
+    using openvdb::GridBase;
+    const GridBase& grid = *head.grid;
+    VdbGrid described;
+    described.name = io::GridDescriptor::nameAsString(head.descriptor.uniqueName());
+    described.type = grid.type();
+    described.grid_class = GridBase::gridClassToString(grid.getGridClass());
+    described.compression = io::compressionToString(head.compression);
+    const openvdb::Vec3d edges = grid.voxelSize();
+    const openvdb::Vec3d centre = grid.transform().indexToWorld(openvdb::Coord(0, 0, 0));
+    described.voxel_size = {edges[0], edges[1], edges[2]};
+    described.first_centre = {centre[0], centre[1], centre[2]};
+    described.first_active = vector_of(grid, GridBase::META_FILE_BBOX_MIN).value_or(Vector{});
+    described.last_active = vector_of(grid, GridBase::META_FILE_BBOX_MAX).value_or(Vector{});
+    const Vector& last = described.last_active;
+    described.size =
+        vector_of(grid, vdb_size_name).value_or(Vector{last[0] + 1, last[1] + 1, last[2] + 1});
+    using openvdb::Int64Metadata;
+    const auto count = grid.getMetadata<Int64Metadata>(GridBase::META_FILE_VOXEL_COUNT);
+    if (count) described.active_voxels = count->value();
+    described.half = head.descriptor.saveFloatAsHalf();
+    described.metadata = texts_of(grid);
+    return described;
+}
+
+// --- Trees --------------------------------------------------------------------------------------
+
+using Coord = openvdb::Coord;
+
+// A leaf of a grid: where it is among the leaves of the volume, and in the file.
+struct LeafEntry {
+    std::array<std::uint16_t, 3> leaf{};
+    std::int64_t position = 0;
+};
+
+// Reads a node's masks and tiles; returns where its children begin, in the file's order.
+template <class Node>
+std::vector<Coord> read_node(std::istream& in, const Coord& corner, bool half) {
+    typename Node::NodeMaskType children, active_tiles;
+    children.load(in);
+    active_tiles.load(in);
+    expect(active_tiles.isOff(), "it has active tiles");
+    std::vector<float> tiles(Node::NUM_VALUES);
+    io::readCompressedValues(in, tiles.data(), Node::NUM_VALUES, active_tiles, half);
+    std::vector<Coord> corners;
+    for (openvdb::Index i = 0; i < Node::NUM_VALUES; ++i) {
+        if (!children.isOn(i)) {
+            expect(tiles[i] == 0, "it has tiles that are not 0");
+            continue;
+        }
+        Coord local;
+        Node::offsetToLocalCoord(i, local);
+        constexpr int child_edge = Node::ChildNodeType::DIM;
+        corners.push_back(
+            corner.offsetBy(local[0] * child_edge, local[1] * child_edge, local[2] * child_edge));
+    }
+    return corners;
+}
+
+// The volume that a file's leaves are to be in.
+class Box {
+  public:
+    explicit Box(const Vector& size) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // A slab is allocated for whatever the file says.
+            expect(size[axis] > 0 && size[axis] <= most_voxels, "its size is damaged");
+            size_[axis] = static_cast<int>(size[axis]);
+        }
+    }
+
+    const std::array<int, 3>& size() const { return size_; }
+
+    // The part of the leaf that is in the box. Throws where there is none.
+    VoxelBox leaf_at(const Coord& corner) const {
+        VoxelBox box;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int from = corner[axis];
+            expect(from >= 0 && from < size_[axis], "it has leaves outside of its size");
+            box.origin[axis] = from;
+            box.size[axis] = std::min(vdb_leaf_edge, size_[axis] - from);
+        }
+        return box;
+    }
+
+  private:
+    static constexpr std::int64_t most_voxels = 16384;  // that a recipe may ask for along an axis
+    std::array<int, 3> size_{};
+};
+
+std::array<std::uint16_t, 3> leaf_number(const VoxelBox& leaf) {
+    std::array<std::uint16_t, 3> number{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        number[axis] = static_cast<std::uint16_t>(leaf.origin[axis] / vdb_leaf_edge);
+    }
+    return number;
+}
+
+// The leaves of a tree, in the file's order, without their positions.
+std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
+    expect(read_raw<std::int32_t>(in) == 1, "its leaves have several buffers");
+    expect(read_raw<float>(in) == 0, "its background is not 0");
+    expect(read_raw<openvdb::Index>(in) == 0, "it has tiles of 4096 voxels");
+    std::vector<LeafEntry> leaves;
+    for (auto children = read_raw<openvdb::Index>(in); children > 0; --children) {
+        Coord corner;
+        corner.read(in);
+        expect((corner & (vdb_upper_node_edge - 1)) == Coord(0), "a node is not in its place");
+        for (const Coord& lower : read_node<UpperNode>(in, corner, half)) {
+            for (const Coord& leaf : read_node<LowerNode>(in, lower, half)) {
+                leaves.push_back({leaf_number(box.leaf_at(leaf)), 0});
+                in.seekg(sizeof(VdbLeafMask), std::ios::cur);  // it is with the voxels too
+            }
+        }
+    }
+    return leaves;
+}
+
+// --- Voxels -------------------------------------------------------------------------------------
+
+// The voxels of a file whose grids have one size.
+class Volume {
+  public:
+    Volume(Input& input, std::vector<Grid> grids)
+        : input_(input), grids_(std::move(grids)), box_(find_size(grids_)) {
+        for (const Grid& grid : grids_) leaves_.push_back(find_leaves(grid));
+    }
+
+    const std::array<int, 3>& size() const { return box_.size(); }
+
+    // `slab` begins at a multiple of 8 and is a layer of leaves.
+    void read(VdbSlab& slab) {
+        const VoxelBox layer = {{}, {size()[0], size()[1], slab.depth}};
+        slab.voxels.assign(grids_.size() * static_cast<std::size_t>(layer.count()), 0.0F);
+        for (std::size_t channel = 0; channel < grids_.size(); ++channel) {
+            use(grids_[channel]);
+            const std::vector<LeafEntry>& leaves = leaves_[channel];
+            const auto is_below = [](const LeafEntry& leaf, int z) { return leaf.leaf[2] < z; };
+            auto leaf = std::lower_bound(leaves.begin(), leaves.end(), slab.first_z / vdb_leaf_edge,
+                                         is_below);
+            for (; leaf != leaves.end() && leaf->leaf[2] * vdb_leaf_edge == slab.first_z; ++leaf) {
+                read_leaf(channel, *leaf, slab);
+            }
+        }
+    }
+
+  private:
+    static Vector find_size(const std::vector<Grid>& grids);
+    std::vector<LeafEntry> find_leaves(const Grid& grid);
+    void read_leaf(std::size_t channel, const LeafEntry& entry, VdbSlab& slab);
+
+    // Makes the stream one of the grid.
+    void use(const Grid& grid) {
+        static constexpr float background = 0;
+        io::setDataCompression(input_.stream(), grid.compression);
+        io::setGridBackgroundValuePtr(input_.stream(), &background);
+    }
+
+    Input& input_;
+    std::vector<Grid> grids_;
+    Box box_;
+    std::vector<std::vector<LeafEntry>> leaves_;  // per grid, layer after layer of z
+};
+
+void expect_voxels_within(const std::array<int, 3>& size, const Leaf::NodeMaskType& active,
+                          const std::array<float, Leaf::NUM_VALUES>& values) {
+    for (auto voxel = active.beginOff(); voxel; ++voxel) {
+        expect(values[voxel.pos()] == 0, "it has inactive voxels that are not 0");
+    }
+    if (size == std::array{vdb_leaf_edge, vdb_leaf_edge, vdb_leaf_edge}) return;
+    for (auto voxel = active.beginOn(); voxel; ++voxel) {
+        const Coord at = Leaf::offsetToLocalCoord(voxel.pos());
+        expect(at[0] < size[0] && at[1] < size[1] && at[2] < size[2],
+               "it has voxels outside of its size");
+    }
+}
+
+Vector Volume::find_size(const std::vector<Grid>& grids) {
+    expect(!grids.empty(), "it has no grids");
+    const Vector size = describe(grids[0]).size;
+    for (const Grid& grid : grids) {
+        expect(grid.grid->isType<openvdb::FloatGrid>(), "a grid does not hold floats");
+        expect(!grid.descriptor.isInstance(), "grids share a tree");
+        const VdbGrid described = describe(grid);
+        expect(described.size == size, "its grids have different sizes");
+        const bool says_size = vector_of(*grid.grid, vdb_size_name).has_value();
+        expect(says_size || described.first_active == Vector{},
+               "its voxels do not begin at the origin");
+    }
+    return size;
+}
+
+std::vector<LeafEntry> Volume::find_leaves(const Grid& grid) {
+    std::istream& in = input_.stream();
+    const bool half = grid.descriptor.saveFloatAsHalf();
+    use(grid);
+    in.seekg(grid.tree_at);
+    std::vector<LeafEntry> leaves = read_tree(in, box_, half);
+    grid.descriptor.seekToBlocks(in);
+    for (LeafEntry& leaf : leaves) {
+        leaf.position = input_.position();
+        Leaf::NodeMaskType active;
+        active.load(in);
+        // Null: skip the values.
+        io::readCompressedValues<float>(in, nullptr, Leaf::NUM_VALUES, active, half);
+    }
+    expect(input_.position() == grid.descriptor.getEndPos(),
+           "its voxels do not end where they should");
+    // Within a layer the order stays that of the file, so that it is read forwards.
+    std::stable_sort(leaves.begin(), leaves.end(),
+                     [](const LeafEntry& a, const LeafEntry& b) { return a.leaf[2] < b.leaf[2]; });
+    return leaves;
+}
+
+void Volume::read_leaf(std::size_t channel, const LeafEntry& entry, VdbSlab& slab) {
+    std::istream& in = input_.stream();
+    in.seekg(entry.position);
+    Leaf::NodeMaskType active;
+    active.load(in);
+    std::array<float, Leaf::NUM_VALUES> values;
+    io::readCompressedValues(in, values.data(), Leaf::NUM_VALUES, active,
+                             grids_[channel].descriptor.saveFloatAsHalf());
+    const auto [x0, y0, z0] = entry.leaf;
+    const VoxelBox leaf =
+        box_.leaf_at(Coord(x0 * vdb_leaf_edge, y0 * vdb_leaf_edge, z0 * vdb_leaf_edge));
+    expect_voxels_within(leaf.size, active, values);
+    const std::size_t channels = grids_.size();
+    for (int z = 0; z < leaf.size[2]; ++z) {
+        for (int y = 0; y < leaf.size[1]; ++y) {
+            const std::int64_t row = std::int64_t{z} * size()[1] + leaf.origin[1] + y;
+            const std::int64_t voxel = row * size()[0] + leaf.origin[0];
+            float* const to =
+                slab.voxels.data() + static_cast<std::size_t>(voxel) * channels + channel;
+            for (int x = 0; x < leaf.size[0]; ++x) {
+                to[static_cast<std::size_t>(x) * channels] = values[Leaf::coordToOffset({x, y, z})];
+            }
+        }
+    }
+}
+
+// --- Outcomes -----------------------------------------------------------------------------------
+
+template <class T, class Function>
+Outcome<T> reported(const std::filesystem::path& path, Function&& function) {
+    std::string reason;
+    try {
+        static const bool types_are_known = (openvdb::initialize(), true);
+        static_cast<void>(types_are_known);
+        return {function(), {}};
+    } catch (const std::ios::failure&) {
+        reason = "it ends early";
+    } catch (const std::exception& error) {
+        reason = error.what();
+    }
+    return {{},
+            {file_error("E0304", path.string(),
+                        fmt::format("cannot read `{}` as a VDB file: {}", path.string(), reason))}};
+}
+
+}  // namespace
+
+Outcome<VdbFile> read(const std::filesystem::path& path) {
+    return reported<VdbFile>(path, [&] {
+        Input input(path);
+        VdbFile file;
+        file.uuid = input.getUniqueTag();
+        file.library = input.version();
+        openvdb::MetaMap metadata;
+        input.read_metadata(metadata);
+        file.attributes = texts_of(metadata);
+        for (const Grid& grid : read_grid_heads(input)) file.grids.push_back(describe(grid));
+        return file;
+    });
+}
+
+Outcome<bool> read_voxels(const std::filesystem::path& path,
+                          const std::function<bool(const VdbSlab& slab)>& visit) {
+    return reported<bool>(path, [&] {
+        Input input(path);
+        openvdb::MetaMap metadata;
+        input.read_metadata(metadata);
+        Volume volume(input, read_grid_heads(input));
+        VdbSlab slab;
+        slab.size = volume.size();
+        for (; slab.first_z < slab.size[2]; slab.first_z += vdb_leaf_edge) {
+            slab.depth = std::min(vdb_leaf_edge, slab.size[2] - slab.first_z);
+            volume.read(slab);
+            if (!visit(slab)) return false;
+        }
+        return true;
+    });
+}
+
+}  // namespace skybake::vdb

@@ -1,0 +1,278 @@
+#include "bakers/io/formats/vdb/vdb_encoder.h"
+
+#include <openvdb/io/Archive.h>
+#include <openvdb/io/GridDescriptor.h>
+
+#include <algorithm>
+#include <bit>
+#include <ostream>
+#include <stdexcept>
+#include <streambuf>
+
+#include "bakers/io/formats/vdb/vdb_library.h"
+#include "bakers/math/half_conversion.h"
+
+namespace skybake::vdb {
+namespace {
+
+using config::VdbCompression;
+namespace io = openvdb::io;
+
+constexpr float background = 0;
+constexpr std::size_t uuid_at = 21;  // behind the magic number, three versions and a flag
+constexpr std::size_t uuid_length = 36;
+
+// --- Streams ------------------------------------------------------------------------------------
+
+class StringBuffer : public std::streambuf {
+  public:
+    explicit StringBuffer(std::string& bytes) : bytes_(bytes) {}
+
+  protected:
+    std::streamsize xsputn(const char* data, std::streamsize size) override {
+        bytes_.append(data, static_cast<std::size_t>(size));
+        return size;
+    }
+    int_type overflow(int_type byte) override {
+        if (!traits_type::eq_int_type(byte, traits_type::eof())) {
+            bytes_.push_back(traits_type::to_char_type(byte));
+        }
+        return traits_type::not_eof(byte);
+    }
+
+  private:
+    std::string& bytes_;
+};
+
+// Appends to a string what the library writes.
+class StringOutput {
+  public:
+    explicit StringOutput(std::string& bytes) : buffer_(bytes), stream_(&buffer_) {}
+    StringOutput(std::string& bytes, std::uint32_t compression_flags) : StringOutput(bytes) {
+        io::setDataCompression(stream_, compression_flags);
+        io::setGridBackgroundValuePtr(stream_, &background);
+    }
+    operator std::ostream&() { return stream_; }
+
+  private:
+    StringBuffer buffer_;
+    std::ostream stream_;
+};
+
+template <class T>
+void write_raw(std::ostream& out, const T& value) {
+    out.write(reinterpret_cast<const char*>(&value), sizeof(T));
+}
+
+// The library's own io::File drops ZIP for fog volumes, though every reader takes it; here what was
+// asked for is what is written.
+std::uint32_t compression_flags(VdbCompression compression) {
+    constexpr std::uint32_t inactive_values_left_out = io::COMPRESS_ACTIVE_MASK;
+    switch (compression) {
+        case VdbCompression::zip:
+            return inactive_values_left_out | io::COMPRESS_ZIP;
+        case VdbCompression::blosc:
+            return inactive_values_left_out | io::COMPRESS_BLOSC;
+        case VdbCompression::none:
+            break;
+    }
+    return inactive_values_left_out;
+}
+
+// --- Heads --------------------------------------------------------------------------------------
+
+struct HeaderWriter : io::Archive {
+    using Archive::writeHeader;
+};
+
+void insert(openvdb::MetaMap& map, const Attributes& attributes) {
+    for (const auto& [name, text] : attributes) {
+        map.insertMeta(name, openvdb::StringMetadata(text));
+    }
+}
+
+openvdb::math::Transform::Ptr transform_of(const VdbGridDescription& grid) {
+    const auto& h = grid.voxel_size;
+    const openvdb::Vec3d edges(h[0], h[1], h[2]);
+    const auto& c = grid.first_centre;
+    const openvdb::Vec3d centre(c[0], c[1], c[2]);
+    openvdb::math::MapBase::Ptr map;
+    if (h[0] == h[1] && h[1] == h[2]) {
+        map.reset(new openvdb::math::UniformScaleTranslateMap(h[0], centre));
+    } else {
+        map.reset(new openvdb::math::ScaleTranslateMap(edges, centre));
+    }
+    return openvdb::math::Transform::Ptr(new openvdb::math::Transform(map));
+}
+
+openvdb::Vec3IMetadata vector_of(const std::array<int, 3>& v) {
+    return openvdb::Vec3IMetadata(openvdb::Vec3i(v[0], v[1], v[2]));
+}
+
+// The figures that readers take instead of visiting the tree. How much memory the tree takes is not
+// among them: it depends on the reader.
+void insert_statistics(openvdb::MetaMap& map, const VdbActiveVoxels& active,
+                       std::uint32_t compression) {
+    using openvdb::GridBase;
+    map.insertMeta(GridBase::META_FILE_BBOX_MIN, vector_of(active.first));
+    map.insertMeta(GridBase::META_FILE_BBOX_MAX, vector_of(active.last));
+    map.insertMeta(GridBase::META_FILE_VOXEL_COUNT, openvdb::Int64Metadata(active.count));
+    map.insertMeta(GridBase::META_FILE_COMPRESSION,
+                   openvdb::StringMetadata(io::compressionToString(compression)));
+}
+
+// --- Trees --------------------------------------------------------------------------------------
+
+// A node with these children and nothing else, up to those children.
+template <class Node>
+void write_node(StringOutput& out, const std::vector<std::uint16_t>& places, bool half) {
+    typename Node::NodeMaskType children;
+    for (const std::uint16_t place : places) children.setOn(place);
+    const typename Node::NodeMaskType active_tiles;
+    children.save(out);
+    active_tiles.save(out);
+    std::vector<float> tiles(Node::NUM_VALUES, background);
+    io::writeCompressedValues(out, tiles.data(), Node::NUM_VALUES, active_tiles, children, half);
+}
+
+// --- Voxels -------------------------------------------------------------------------------------
+
+// The active values of a leaf in the order of the file, z fastest; returns how many. The leaf's
+// first value is at `corner`; the others `row` further per y and `plane` further per z.
+std::size_t gather(const float* corner, std::ptrdiff_t row, std::ptrdiff_t plane,
+                   const VdbLeafMask& active, float* out) {
+    constexpr std::uint64_t all = ~std::uint64_t{0};
+    float* const begin = out;
+    for (std::size_t x = 0; x < active.size(); ++x) {
+        const float* const from = corner + x;
+        if (active[x] == all) {
+            for (int y = 0; y < vdb_leaf_edge; ++y) {
+                for (int z = 0; z < vdb_leaf_edge; ++z) *out++ = from[y * row + z * plane];
+            }
+            continue;
+        }
+        for (std::uint64_t left = active[x]; left != 0; left &= left - 1) {
+            const int voxel = std::countr_zero(left);
+            *out++ = from[voxel / vdb_leaf_edge * row + voxel % vdb_leaf_edge * plane];
+        }
+    }
+    return static_cast<std::size_t>(out - begin);
+}
+
+// As LeafNode::writeBuffers, for a leaf whose inactive values are all the background.
+void write_leaf(std::ostream& out, const VdbLeafMask& active, const float* values,
+                std::size_t count, VdbEncoding encoding) {
+    write_raw(out, active);
+    write_raw(out, std::int8_t{io::NO_MASK_OR_INACTIVE_VALS});
+    const std::uint32_t flags = compression_flags(encoding.compression);
+    const auto size = static_cast<openvdb::Index>(count);
+    if (!encoding.half) {
+        io::writeData(out, values, size, flags);
+        return;
+    }
+    std::array<std::uint16_t, Leaf::NUM_VALUES> halves;
+    std::transform(values, values + count, halves.begin(), half_of_float);
+    io::writeData(out, halves.data(), size, flags);
+}
+
+}  // namespace
+
+std::string file_head(const std::string& uuid, const Attributes& attributes, int grids) {
+    std::string bytes;
+    StringOutput out(bytes);
+    HeaderWriter().writeHeader(out, true);
+    if (bytes.size() != uuid_at + uuid_length || uuid.size() != uuid_length) {
+        throw std::runtime_error("the head of a VDB file is not as expected");
+    }
+    bytes.replace(uuid_at, uuid_length, uuid);  // the library's is random
+    openvdb::MetaMap map;
+    insert(map, attributes);
+    map.writeMeta(out);
+    write_raw(out, std::int32_t{grids});
+    return bytes;
+}
+
+VdbGridHead grid_head(const VdbGridDescription& description) {
+    const std::uint32_t flags = compression_flags(description.encoding.compression);
+    const openvdb::FloatGrid::Ptr grid = openvdb::FloatGrid::create(background);
+    grid->setName(description.name);
+    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    grid->setSaveFloatAsHalf(description.encoding.half);
+    grid->setTransform(transform_of(description));
+    insert(*grid, description.metadata);
+    insert_statistics(*grid, description.active, flags);
+    if (description.size) grid->insertMeta(vdb_size_name, vector_of(*description.size));
+
+    VdbGridHead head;
+    StringOutput out(head.bytes);
+    const io::GridDescriptor descriptor(description.name, grid->type(), description.encoding.half);
+    descriptor.writeHeader(out);
+    head.positions_at = head.bytes.size();
+    descriptor.writeStreamPos(out);
+    head.grid_at = head.bytes.size();
+    write_raw(out, flags);
+    grid->writeMeta(out);
+    grid->writeTransform(out);
+    return head;
+}
+
+std::string grid_positions(std::uint64_t grid, std::uint64_t voxels, std::uint64_t end) {
+    std::string bytes;
+    StringOutput out(bytes);
+    io::GridDescriptor descriptor;
+    descriptor.setGridPos(static_cast<std::int64_t>(grid));
+    descriptor.setBlockPos(static_cast<std::int64_t>(voxels));
+    descriptor.setEndPos(static_cast<std::int64_t>(end));
+    descriptor.writeStreamPos(out);
+    return bytes;
+}
+
+std::string root(std::size_t upper_nodes) {
+    std::string bytes;
+    StringOutput out(bytes);
+    write_raw(out, std::int32_t{1});  // buffers per leaf
+    write_raw(out, background);
+    write_raw(out, openvdb::Index{0});  // tiles
+    write_raw(out, static_cast<openvdb::Index>(upper_nodes));
+    return bytes;
+}
+
+std::string upper_node(const std::array<int, 3>& corner, const std::vector<std::uint16_t>& places,
+                       VdbEncoding encoding) {
+    std::string bytes;
+    StringOutput out(bytes, compression_flags(encoding.compression));
+    for (const std::int32_t coordinate : corner) write_raw(out, coordinate);
+    write_node<UpperNode>(out, places, encoding.half);
+    return bytes;
+}
+
+std::string lower_node(const VdbLeaves& leaves, VdbEncoding encoding) {
+    std::string bytes;
+    StringOutput out(bytes, compression_flags(encoding.compression));
+    write_node<LowerNode>(out, leaves.places, encoding.half);
+    for (const VdbLeafMask& active : leaves.active) write_raw(out, active);
+    return bytes;
+}
+
+void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
+                  VdbEncoding encoding, VdbStrip& encoded) {
+    encoded.bytes.clear();
+    encoded.column_ends.fill(0);
+    StringOutput out(encoded.bytes);
+    const std::ptrdiff_t row = strip.size[0], plane = row * strip.size[1];
+    std::array<float, Leaf::NUM_VALUES> active_values;
+    for (std::size_t i = 0; i < leaves.places.size(); ++i) {
+        const std::uint16_t place = leaves.places[i];
+        const float* const corner = values + voxel_index(strip, leaf_origin(strip, place));
+        const VdbLeafMask& active = leaves.active[i];
+        const std::size_t count = gather(corner, row, plane, active, active_values.data());
+        write_leaf(out, active, active_values.data(), count, encoding);
+        encoded.column_ends[static_cast<std::size_t>(vdb_column(place))] = encoded.bytes.size();
+    }
+    for (std::size_t column = 1; column < encoded.column_ends.size(); ++column) {
+        std::size_t& end = encoded.column_ends[column];
+        end = std::max(end, encoded.column_ends[column - 1]);  // a column may be empty
+    }
+}
+
+}  // namespace skybake::vdb

@@ -1,0 +1,85 @@
+#include "bakers/io/formats/vdb/vdb_strips.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/formats/vdb/vdb_layout.h"
+
+namespace skybake {
+namespace {
+
+using config::Diagnostic;
+using config::PixelType;
+
+// The unit of parallel work: rows as long as a node, for the sake of noises that are cheap along x,
+// and several parts of each node, since small volumes have but one.
+constexpr std::array<int, 3> strip_edges = {vdb_node_edge, 32, vdb_node_edge};
+// From here on a float rounds to an infinite half: half-way between 65504 and 65536.
+constexpr float half_overflow = 65520;
+
+}  // namespace
+
+std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size) {
+    std::vector<VoxelBox> strips;
+    for (const VoxelBox& upper : cells_in_tree_order({{}, size}, vdb_upper_node_edge)) {
+        for (const VoxelBox& node : cells_in_tree_order(upper, vdb_node_edge)) {
+            for (const VoxelBox& strip : cells_in_tree_order(node, strip_edges)) {
+                strips.push_back(strip);
+            }
+        }
+    }
+    return strips;
+}
+
+VdbStripMaker::VdbStripMaker(const BakedVolume& volume, const VolumeLevel& level,
+                             const VdbCodec& codec, const std::filesystem::path& path)
+    : volume_(volume),
+      level_(level),
+      codec_(codec),
+      path_(path),
+      encoding_{volume.pixel_type == PixelType::half, volume.vdb_compression} {}
+
+void VdbStripMaker::evaluate(const VoxelBox& strip, std::size_t channel, VdbStripSlot& slot) const {
+    slot.values.resize(static_cast<std::size_t>(strip.count()));
+    std::vector<float*> channels(volume_.channel_names.size(), nullptr);
+    channels[channel] = slot.values.data();
+    level_.voxels->fill(strip, channels);
+    slot.error = unstorable_voxel(slot.values, strip, channel);
+    if (slot.error) return;
+    slot.leaves = volume_.sparse ? active_leaves(strip, slot.values.data(), volume_.pixel_type)
+                                 : all_leaves(strip);
+}
+
+void VdbStripMaker::encode(const VoxelBox& strip, VdbStripSlot& slot) const {
+    codec_.encode_strip(strip, slot.values.data(), slot.leaves, encoding_, slot.encoded);
+}
+
+// The first voxel that the file cannot hold.
+std::optional<Diagnostic> VdbStripMaker::unstorable_voxel(const AlignedFloats& values,
+                                                          const VoxelBox& strip,
+                                                          std::size_t channel) const {
+    const float bound = encoding_.half ? half_overflow : INFINITY;
+    // Look for whether before where: the usual strip has none.
+    int outside = 0;
+    for (const float value : values) outside |= std::abs(value) < bound ? 0 : 1;  // no NaN is below
+    if (outside == 0) return std::nullopt;
+    std::size_t i = 0;
+    while (std::abs(values[i]) < bound) ++i;
+    const std::size_t width = static_cast<std::size_t>(strip.size[0]);
+    const std::size_t plane = width * static_cast<std::size_t>(strip.size[1]);
+    const std::string place = fmt::format(
+        "({}, {}, {}), channel {}", static_cast<std::size_t>(strip.origin[0]) + i % width,
+        static_cast<std::size_t>(strip.origin[1]) + i % plane / width,
+        static_cast<std::size_t>(strip.origin[2]) + i / plane, volume_.channel_names[channel]);
+    if (!std::isfinite(values[i])) {
+        return file_error("E0401", path_.string(),
+                          fmt::format("the voxel at {} is {}", place, values[i]));
+    }
+    return file_error(
+        "E0402", path_.string(),
+        fmt::format("the voxel at {} is {}: a half holds at most 65504", place, values[i]));
+}
+
+}  // namespace skybake

@@ -1,0 +1,301 @@
+#include "bakers/io/formats/vdb/vdb_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include "bakers/field/voxel_boxes.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/formats/vdb/vdb_layout.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/math/parallel.h"
+
+namespace skybake {
+namespace {
+
+using config::Diagnostic;
+using config::Outcome;
+
+// 32 digits in the groups of a UUID.
+std::string uuid_of(const std::string& hash) {
+    return fmt::format("{}-{}-{}-{}-{}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4),
+                       hash.substr(16, 4), hash.substr(20, 12));
+}
+
+// The node of this edge that a strip is in begins here.
+std::array<int, 3> node_corner(const VoxelBox& strip, int edge) {
+    std::array<int, 3> corner = strip.origin;
+    for (int& coordinate : corner) coordinate -= coordinate % edge;
+    return corner;
+}
+
+// The runs of parts that are in one node of this edge.
+template <class Part>
+std::vector<std::span<const Part>> nodes_of(std::span<const Part> parts, int edge) {
+    std::vector<std::span<const Part>> nodes;
+    while (!parts.empty()) {
+        const auto corner = node_corner(parts.front().strip, edge);
+        const auto end = std::find_if(parts.begin(), parts.end(), [&](const Part& part) {
+            return node_corner(part.strip, edge) != corner;
+        });
+        nodes.push_back(parts.first(static_cast<std::size_t>(end - parts.begin())));
+        parts = parts.subspan(nodes.back().size());
+    }
+    return nodes;
+}
+
+// Of a 128^3 node in its 4096^3 node.
+std::uint16_t node_place(const VoxelBox& strip) {
+    constexpr int nodes = vdb_upper_node_edge / vdb_node_edge;
+    int place = 0;
+    for (const int coordinate : strip.origin) {
+        place = nodes * place + coordinate / vdb_node_edge % nodes;
+    }
+    return static_cast<std::uint16_t>(place);
+}
+
+// Runs `produce` and `consume` over `count` items with a slot each.
+void run_pipeline(std::size_t count, int threads,
+                  const std::function<void(std::size_t index, VdbStripSlot& slot)>& produce,
+                  const std::function<bool(std::size_t index, VdbStripSlot& slot)>& consume) {
+    std::vector<VdbStripSlot> slots(static_cast<std::size_t>(box_slots(threads)));
+    const auto slot_of = [&](int slot) -> VdbStripSlot& {
+        return slots[static_cast<std::size_t>(slot)];
+    };
+    ordered_pipeline(
+        static_cast<int>(count), threads, static_cast<int>(slots.size()),
+        [&](int index, int slot) { produce(static_cast<std::size_t>(index), slot_of(slot)); },
+        [&](int index, int slot) {
+            return consume(static_cast<std::size_t>(index), slot_of(slot));
+        });
+}
+
+}  // namespace
+
+Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason) {
+    return file_error("E0301", path.string(),
+                      fmt::format("cannot write `{}`: {}", path.string(), reason));
+}
+
+VdbWriter::VdbWriter(const BakedVolume& volume, const VolumeLevel& level, const VdbCodec& codec,
+                     std::size_t most_kept_bytes, Progress* progress,
+                     const std::filesystem::path& path)
+    : volume_(volume),
+      level_(level),
+      codec_(codec),
+      most_kept_bytes_(most_kept_bytes),
+      progress_(progress),
+      path_(path),
+      maker_(volume, level, codec, path),
+      file_(path),
+      active_(volume.channel_names.size()) {}
+
+Outcome<bool> VdbWriter::write(const Attributes& attributes, int threads) {
+    file_.write(codec_.file_head(uuid_of(level_.content_hash), attributes,
+                                 static_cast<int>(active_.size())));
+    if (volume_.sparse) {
+        survey(threads);
+    } else {
+        take_all_parts();
+    }
+    if (going_well()) write_parts(threads);
+    const bool complete = going_well();
+    if (error_) return {{}, {*error_}};
+    if (!file_.finish()) return {{}, {file_.diagnostic()}};
+    return {complete, {}};
+}
+
+void VdbWriter::report(double fraction) {
+    if (progress_ != nullptr) progress_->advance("write", fraction);
+}
+
+// --- What to write ------------------------------------------------------------------------------
+
+void VdbWriter::take_all_parts() {
+    const std::vector<VoxelBox> strips = vdb_strips(level_.size);
+    for (std::size_t grid = 0; grid < active_.size(); ++grid) {
+        for (const VoxelBox& strip : strips) parts_.push_back({grid, strip, {}, false, {}});
+    }
+    const auto [width, height, depth] = level_.size;
+    const std::int64_t count = VoxelBox{{}, level_.size}.count();
+    active_.assign(active_.size(), {{0, 0, 0}, {width - 1, height - 1, depth - 1}, count});
+}
+
+void VdbWriter::survey(int threads) {
+    const std::vector<VoxelBox> strips = vdb_strips(level_.size);
+    const std::size_t count = active_.size() * strips.size();
+    run_pipeline(
+        count, threads,
+        [&](std::size_t i, VdbStripSlot& slot) {
+            survey_strip(i / strips.size(), strips[i % strips.size()], slot);
+        },
+        [&](std::size_t i, VdbStripSlot& slot) {
+            if (!going_well()) return false;
+            error_ = slot.error;
+            if (!error_) keep(i / strips.size(), strips[i % strips.size()], slot);
+            report(static_cast<double>(i + 1) / static_cast<double>(count) / 2);
+            return going_well();
+        });
+}
+
+void VdbWriter::survey_strip(std::size_t channel, const VoxelBox& strip, VdbStripSlot& slot) const {
+    slot.leaves = {};
+    if (cancelled()) return;
+    try {
+        if (level_.voxels->is_empty(strip)) return;
+        maker_.evaluate(strip, channel, slot);
+        if (!slot.error && !slot.leaves.empty() && keeps_bytes_) maker_.encode(strip, slot);
+    } catch (const std::exception& error) {
+        slot.error = cannot_write_vdb(path_, error.what());
+    }
+}
+
+// The bytes kept are those of the first strips, as far as they fit: which ones these are does not
+// depend on threads, though how many strips are encoded in vain does.
+void VdbWriter::keep(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot) {
+    if (slot.leaves.empty()) return;
+    active_[grid].add(strip, slot.leaves);
+    try {
+        // Copies take no more memory than they need.
+        Part& part = parts_.emplace_back(Part{grid, strip, slot.leaves, false, {}});
+        if (!keeps_bytes_) return;
+        keeps_bytes_ = slot.encoded.bytes.size() <= most_kept_bytes_ - kept_bytes_;
+        if (!keeps_bytes_) return;
+        kept_bytes_ += slot.encoded.bytes.size();
+        part.encoded = slot.encoded;
+        part.is_encoded = true;
+    } catch (const std::exception& error) {
+        error_ = cannot_write_vdb(path_, error.what());
+    }
+}
+
+// --- Writing ------------------------------------------------------------------------------------
+
+void VdbWriter::write_parts(int threads) {
+    const double surveyed = volume_.sparse ? 0.5 : 0;
+    run_pipeline(
+        parts_.size(), threads,
+        [&](std::size_t i, VdbStripSlot& slot) { encode_part(parts_[i], slot); },
+        [&](std::size_t i, VdbStripSlot& slot) {
+            if (!going_well()) return false;
+            error_ = slot.error;
+            if (error_ || !write_part(i, slot)) return false;
+            const double written = static_cast<double>(i + 1) / static_cast<double>(parts_.size());
+            report(surveyed + (1 - surveyed) * written);
+            return going_well();
+        });
+    if (!going_well()) return;
+    begin_grids_through(active_.size() - 1);
+    end_grid();
+}
+
+void VdbWriter::encode_part(const Part& part, VdbStripSlot& slot) const {
+    if (part.is_encoded || cancelled()) return;
+    try {
+        maker_.evaluate(part.strip, part.grid, slot);
+        if (!slot.error) maker_.encode(part.strip, slot);
+    } catch (const std::exception& error) {
+        slot.error = cannot_write_vdb(path_, error.what());
+    }
+}
+
+bool VdbWriter::write_part(std::size_t index, VdbStripSlot& slot) {
+    Part& part = parts_[index];
+    try {
+        begin_grids_through(part.grid);
+        node_.push_back(std::move(part.is_encoded ? part.encoded : slot.encoded));
+        const bool is_last = index + 1 == parts_.size() || parts_[index + 1].grid != part.grid ||
+                             node_corner(parts_[index + 1].strip, vdb_node_edge) !=
+                                 node_corner(part.strip, vdb_node_edge);
+        if (is_last) write_node();
+    } catch (const std::exception& error) {
+        error_ = cannot_write_vdb(path_, error.what());
+    }
+    return going_well();
+}
+
+// Grids without active voxels have no parts.
+void VdbWriter::begin_grids_through(std::size_t grid) {
+    while (grids_begun_ <= grid) {
+        if (grids_begun_ > 0) end_grid();
+        begin_grid(grids_begun_++);
+    }
+}
+
+void VdbWriter::begin_grid(std::size_t grid) {
+    const VdbGridHead head = codec_.grid_head(describe(grid));
+    positions_at_ = file_.position() + head.positions_at;
+    grid_at_ = file_.position() + head.grid_at;
+    file_.write(head.bytes);
+    const auto of_grid = [&](const Part& part, std::size_t other) { return part.grid < other; };
+    const auto begin = std::lower_bound(parts_.begin(), parts_.end(), grid, of_grid);
+    const auto end = std::lower_bound(begin, parts_.end(), grid + 1, of_grid);
+    write_topology(Parts(begin, end));
+    voxels_at_ = file_.position();
+}
+
+VdbGridDescription VdbWriter::describe(std::size_t channel) const {
+    VdbGridDescription grid;
+    grid.name = vdb_grid_names(volume_)[channel];
+    grid.active = active_[channel];
+    const auto [width, height, depth] = level_.size;
+    if (grid.active.count == 0) grid.active = {{0, 0, 0}, {width - 1, height - 1, depth - 1}, 0};
+    if (volume_.sparse) grid.size = level_.size;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double voxels = volume_.levels[0].size[axis];
+        grid.voxel_size[axis] = volume_.voxel_size_m[axis] * (voxels / level_.size[axis]);
+        grid.first_centre[axis] = volume_.minimum_m[axis] + grid.voxel_size[axis] / 2;
+    }
+    grid.encoding = maker_.encoding();
+    grid.metadata = {{"units", "metres"}, {"up_axis", volume_.up_axis}};
+    return grid;
+}
+
+void VdbWriter::write_topology(Parts parts) {
+    const std::vector<Parts> upper_nodes = nodes_of(parts, vdb_upper_node_edge);
+    file_.write(codec_.root(upper_nodes.size()));
+    for (const Parts& upper_node : upper_nodes) {
+        const std::vector<Parts> nodes = nodes_of(upper_node, vdb_node_edge);
+        std::vector<std::uint16_t> places;
+        for (const Parts& node : nodes) places.push_back(node_place(node.front().strip));
+        const auto corner = node_corner(upper_node.front().strip, vdb_upper_node_edge);
+        file_.write(codec_.upper_node(corner, places, maker_.encoding()));
+        for (const Parts& node : nodes) {
+            file_.write(codec_.lower_node(leaves_of_node(node), maker_.encoding()));
+            if (!going_well()) return;
+        }
+    }
+}
+
+VdbLeaves VdbWriter::leaves_of_node(Parts parts) const {
+    std::vector<VdbLeaves> leaves;
+    for (const Part& part : parts) {
+        leaves.push_back(volume_.sparse ? part.leaves : all_leaves(part.strip));
+    }
+    return merge_leaves(leaves);
+}
+
+// Interleaves the columns of the node's strips.
+void VdbWriter::write_node() {
+    for (std::size_t column = 0; column < vdb_node_columns; ++column) {
+        for (const VdbStrip& strip : node_) {
+            const std::size_t begin = column == 0 ? 0 : strip.column_ends[column - 1];
+            const std::string_view bytes = strip.bytes;
+            file_.write(bytes.substr(begin, strip.column_ends[column] - begin));
+        }
+    }
+    node_.clear();
+}
+
+void VdbWriter::end_grid() {
+    const std::uint64_t end = file_.position();
+    file_.seek(positions_at_);
+    file_.write(codec_.grid_positions(grid_at_, voxels_at_, end));
+    file_.seek(end);
+}
+
+}  // namespace skybake

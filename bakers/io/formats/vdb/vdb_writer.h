@@ -1,0 +1,91 @@
+// Writes the records of a VDB file one after the other: write_vdb, once it is known that it can.
+//
+// A tree's topology precedes its voxels. That of a dense volume follows from its size. A sparse
+// volume is surveyed first: all its strips are evaluated in the order of the tree, and what is kept
+// are the masks of leaves with active voxels and, up to a number of bytes, the encoded voxels;
+// strips whose bytes are not kept are evaluated again when their turn to be written comes.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bakers/field/volume.h"
+#include "bakers/io/files/file_output.h"
+#include "bakers/io/formats/vdb/vdb_codec.h"
+#include "bakers/io/formats/vdb/vdb_strips.h"
+#include "bakers/io/formats/vdb/vdb_tree.h"
+#include "bakers/math/progress.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+// E0301.
+config::Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason);
+
+class VdbWriter {
+  public:
+    // All but `progress`, which may be null, outlive the writer.
+    VdbWriter(const BakedVolume& volume, const VolumeLevel& level, const VdbCodec& codec,
+              std::size_t most_kept_bytes, Progress* progress, const std::filesystem::path& path);
+
+    // Once.
+    config::Outcome<bool> write(const Attributes& attributes, int threads);
+
+  private:
+    // A strip that the file has voxels of.
+    struct Part {
+        std::size_t grid = 0;
+        VoxelBox strip;
+        VdbLeaves leaves;  // of sparse volumes
+        bool is_encoded = false;
+        VdbStrip encoded;
+    };
+    using Parts = std::span<const Part>;
+
+    bool cancelled() const { return progress_ != nullptr && progress_->cancelled(); }
+    bool going_well() const { return !error_ && file_.error() == 0 && !cancelled(); }
+    void report(double fraction);
+
+    void take_all_parts();
+    void survey(int threads);
+    void survey_strip(std::size_t channel, const VoxelBox& strip, VdbStripSlot& slot) const;
+    void keep(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot);
+
+    void write_parts(int threads);
+    void encode_part(const Part& part, VdbStripSlot& slot) const;
+    bool write_part(std::size_t index, VdbStripSlot& slot);
+    void begin_grids_through(std::size_t grid);
+    void begin_grid(std::size_t grid);
+    VdbGridDescription describe(std::size_t grid) const;
+    void write_topology(Parts parts);
+    VdbLeaves leaves_of_node(Parts parts) const;
+    void write_node();
+    void end_grid();
+
+    const BakedVolume& volume_;
+    const VolumeLevel& level_;
+    const VdbCodec& codec_;
+    const std::size_t most_kept_bytes_;
+    Progress* const progress_;
+    const std::filesystem::path& path_;
+    const VdbStripMaker maker_;
+    FileOutput file_;
+    std::optional<config::Diagnostic> error_;
+
+    std::vector<Part> parts_;               // as in the file
+    std::vector<VdbActiveVoxels> active_;   // per grid
+    std::size_t kept_bytes_ = 0;            // of encoded strips
+    std::atomic<bool> keeps_bytes_ = true;  // until they are too many
+
+    std::size_t grids_begun_ = 0;
+    std::vector<VdbStrip> node_;  // the strips of a node that is not complete
+    std::uint64_t positions_at_ = 0, grid_at_ = 0, voxels_at_ = 0;  // of the grid begun last
+};
+
+}  // namespace skybake

@@ -1,0 +1,141 @@
+#include "bakers/io/manifest/compare.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "bakers/io/files/spelling.h"
+
+namespace skybake {
+namespace {
+
+std::string layout_of(const RowSource& image) {
+    return fmt::format("{} x {} {}", image.width, image.height,
+                       fmt::join(image.channel_names, " "));
+}
+
+double distance(double a, double b) {
+    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+    const double difference = std::abs(a - b);
+    return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
+}
+
+double relative(double absolute, double a, double b) {
+    if (absolute == 0 || std::isinf(absolute)) return absolute;
+    return absolute / std::max(std::abs(a), std::abs(b));
+}
+
+// Adds rows of one channel, whose first is row `y` of the image.
+void add_rows(const Image2<float>& first, const Image2<float>& second, int rows, int y,
+              ChannelDifference& result, std::size_t channel, double& squares) {
+    for (int row = 0; row < rows; ++row) {
+        for (int x = 0; x < first.width; ++x) {
+            const double a = first.texel(x, row)[channel];
+            const double b = second.texel(x, row)[channel];
+            const double absolute = distance(a, b);
+            squares += absolute * absolute;
+            result.differing += absolute > 0 ? 1 : 0;
+            result.max_relative = std::max(result.max_relative, relative(absolute, a, b));
+            if (absolute > result.max_absolute) {
+                result.max_absolute = absolute;
+                result.worst_x = x;
+                result.worst_y = y + row;
+            }
+        }
+    }
+}
+
+// The channels of two images of one layout.
+config::Outcome<std::vector<ChannelDifference>> compare_channels(const RowSource& first,
+                                                                 const RowSource& second) {
+    std::vector<ChannelDifference> channels(first.channel_names.size());
+    std::vector<double> squares(channels.size(), 0.0);
+    int step = std::min(first.rows_per_piece, first.height);
+    const int interleaved = static_cast<int>(channels.size());
+    Image2<float> a(first.width, step, interleaved);
+    Image2<float> b(first.width, step, interleaved);
+    for (int y = 0; y < first.height; y += step) {
+        step = std::min(step, first.height - y);
+        if (auto problem = first.read(y, step, a.texels.data())) return {{}, {*problem}};
+        if (auto problem = second.read(y, step, b.texels.data())) return {{}, {*problem}};
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            add_rows(a, b, step, y, channels[c], c, squares[c]);
+        }
+    }
+    const double texels = static_cast<double>(first.width) * first.height;
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        channels[c].channel = first.channel_names[c];
+        channels[c].rms = std::sqrt(squares[c] / texels);
+    }
+    return {std::move(channels), {}};
+}
+
+std::map<std::string, std::string> facts_of(const RowSource& image) {
+    std::map<std::string, std::string> facts(image.attributes.begin(), image.attributes.end());
+    facts["pixel type"] = spell(image.pixel_type);
+    facts["compression"] = spell(image.compression);
+    return facts;
+}
+
+std::optional<std::string> find_fact(const std::map<std::string, std::string>& facts,
+                                     const std::string& name) {
+    const auto found = facts.find(name);
+    return found != facts.end() ? std::optional(found->second) : std::nullopt;
+}
+
+std::vector<AttributeDifference> compare_attributes(const RowSource& first,
+                                                    const RowSource& second) {
+    const auto facts = facts_of(first);
+    const auto others = facts_of(second);
+    std::set<std::string> names;
+    for (const auto& fact : facts) names.insert(fact.first);
+    for (const auto& fact : others) names.insert(fact.first);
+    std::vector<AttributeDifference> differences;
+    for (const std::string& name : names) {
+        AttributeDifference entry{name, find_fact(facts, name), find_fact(others, name)};
+        if (entry.first != entry.second) differences.push_back(std::move(entry));
+    }
+    return differences;
+}
+
+}  // namespace
+
+RowSource rows_of(ExrRows& file) {
+    return {
+        file.width(),
+        file.height(),
+        file.channel_names(),
+        file.pixel_type(),
+        file.compression(),
+        file.attributes(),
+        file.rows_per_piece(),
+        [&file](int first, int count, float* texels) { return file.read(first, count, texels); }};
+}
+
+config::Outcome<ImageDifference> compare_images(const RowSource& first, const RowSource& second) {
+    ImageDifference difference;
+    difference.attributes = compare_attributes(first, second);
+    if (layout_of(first) != layout_of(second)) {
+        difference.layout = fmt::format("{} against {}", layout_of(first), layout_of(second));
+        return {std::move(difference), {}};
+    }
+    auto channels = compare_channels(first, second);
+    if (!channels.value) return {{}, std::move(channels.diagnostics)};
+    difference.channels = std::move(*channels.value);
+    return {std::move(difference), {}};
+}
+
+bool equal_within(const ImageDifference& difference, double tolerance) {
+    return difference.layout.empty() &&
+           std::all_of(difference.channels.begin(), difference.channels.end(),
+                       [tolerance](const ChannelDifference& channel) {
+                           return channel.max_absolute <= tolerance;
+                       });
+}
+
+}  // namespace skybake

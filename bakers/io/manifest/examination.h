@@ -1,0 +1,71 @@
+// How verification takes down what it finds in one file.
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bakers/field/wrong_lookups.h"
+#include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/manifest/verify.h"
+#include "config/key_path.h"
+
+namespace skybake {
+
+// Counts checks and keeps the failed ones of one file.
+class Examination {
+  public:
+    Examination(VerifyReport& report, std::string file) : report_(report), file_(std::move(file)) {}
+
+    void fail(std::string check, const std::string& message) {
+        // What a damaged file says may not be text.
+        report_.failures.push_back({file_, std::move(check), config::printable(message)});
+    }
+    bool expect(bool holds, const char* check, const std::string& message) {
+        ++report_.checks;
+        if (!holds) fail(check, message);
+        return holds;
+    }
+    template <class T>
+    bool expect_equal(const T& found, const T& wanted, const char* check, std::string_view what) {
+        return expect(found == wanted, check,
+                      fmt::format("{} is {}, the manifest says {}", what, found, wanted));
+    }
+    // That a file which was to be read could be: `check` names what failed where it could not.
+    template <class T>
+    bool expect_read(const config::Outcome<T>& outcome, const char* check) {
+        return expect(outcome.value.has_value(), check,
+                      outcome.value ? "" : outcome.diagnostics[0].message);
+    }
+    void count(int checks) { report_.checks += checks; }
+
+  private:
+    VerifyReport& report_;
+    std::string file_;
+};
+
+// Each attribute that the manifest wants is in the file with the same text.
+void check_attributes(Examination& examination, const Attributes& attributes,
+                      const Attributes& wanted);
+
+// What is looked up of a probe, and what it must be.
+struct CaughtProbe {
+    std::vector<ProbeLookup> lookups;
+    std::vector<double> value;
+    std::vector<double> tolerance;
+};
+
+// Each fault that probes are said to catch (wrong_lookups.h), made of the texture, shows at several
+// of them. Probes of another number of channels are left to check_lookup.
+void check_catches(Examination& examination, const ReadableTexture& texture, int dimensions,
+                   const std::vector<CaughtProbe>& probes, const std::vector<std::string>& catches);
+
+// A lookup gives what a probe says within its tolerance.
+void check_lookup(Examination& examination, const std::string& place,
+                  const std::vector<double>& found, const std::vector<double>& value,
+                  const std::vector<double>& tolerance);
+
+}  // namespace skybake

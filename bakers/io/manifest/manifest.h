@@ -1,0 +1,167 @@
+// manifest.json: what a bake left in a folder, for machines. Its form is manifest_schema.json.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bakers/field/baked_table.h"
+#include "bakers/field/volume.h"
+#include "bakers/io/formats/volume_layout.h"
+#include "config/diagnostic.h"
+#include "config/recipe.h"
+
+namespace skybake {
+
+inline constexpr std::string_view manifest_name = "manifest.json";
+
+struct ManifestFile {
+    std::string path;    // relative to the manifest's folder, never leaving it
+    std::string format;  // "exr", "vdb", "bin"
+    config::PixelType pixel_type = config::PixelType::float32;
+    std::uint64_t bytes = 0;
+    std::string xxh3;  // xxh3_hex of the file
+
+    // Of volumes.
+    int level = 0;                           // of detail; 0 is the volume itself
+    std::string compression = {};            // "zip", "blosc", ...
+    std::optional<SliceLayout> layout = {};  // exr: where the slices lie
+    std::vector<std::string> grids = {};     // vdb: the grid of each channel
+};
+
+// A file besides the recipe that an asset is made from.
+struct ManifestInput {
+    std::string file;  // as the recipe names it
+    std::string xxh3;  // xxh3_hex of its bytes
+};
+
+// Wall times: the one thing in a bake's output that changes from run to run.
+struct Timing {
+    double bake_s = 0;
+    double write_s = 0;
+    int threads = 1;
+};
+
+// One level of detail of a volume.
+struct ManifestLevel {
+    std::array<int, 3> size{};
+    std::string content_hash;                 // xxh3_hex of the voxels as stored
+    std::vector<ValueStatistics> statistics;  // one per channel
+    std::vector<VolumeProbe> probes;
+    std::vector<std::string> catches = {};  // wrong lookups that the probes tell
+};
+
+// One asset: all that its files say in their metadata, and what only a manifest may say.
+struct ManifestAsset {
+    std::string name;
+    std::string kind;
+    std::string content;
+    std::vector<ManifestFile> files;
+    std::vector<int> size;  // texels along u, v; voxels along u, v, w
+    std::vector<std::string> channels;
+    config::Compression compression = config::Compression::zip;  // of tables
+    std::string mapping;
+    std::vector<AxisMapping> axes;  // u, v; u, v, w
+    Timing timing;
+    std::optional<Certificate> error;  // none where it was not measured
+    RangeCounts range;
+    std::vector<Probe> probes;
+    std::vector<std::string> catches;  // wrong lookups that the probes tell
+    Conventions conventions;
+    Facts details;
+    std::string parameters;    // TOML: the parameters that this asset depends on
+    std::string content_hash;  // xxh3_hex of the texels as stored; of volumes: of level 0
+    std::string release;       // the release that baked it
+
+    // What it was made of (bakers/workspace/asset_identity.h). Empty in manifests of releases
+    // that did not bake incrementally.
+    std::string key;
+    std::string certification;  // "quick", "full", "off"
+    std::vector<ManifestInput> inputs;
+
+    // Of volumes: none of a table.
+    std::vector<ManifestLevel> levels;  // level 0 first
+    double seam_error = 0;              // between voxel 0 and voxel `size`, over all axes
+
+    bool is_volume() const { return !levels.empty(); }
+};
+
+// A file that an earlier bake left in the folder and the recipe no longer asks for: skybake wrote
+// it, so a later bake may write it again.
+struct RetiredFile {
+    std::string path;
+    std::string xxh3;
+};
+
+struct Manifest {
+    std::string tool_name;
+    std::string tool_version;
+    std::string parameters = "{}";  // JSON text of an object: the resolved parameters of the recipe
+    std::vector<ManifestAsset> assets;
+    std::vector<RetiredFile> retired;
+
+    // What a reader found that is not as it was written, one sentence for each place: nobody but
+    // `verify` tells it, and nothing of such a manifest is taken for a bake.
+    std::vector<std::string> alterations;
+};
+
+// An empty manifest of this release for a recipe.
+Manifest new_manifest(const config::Recipe& recipe);
+
+// The manifest's text, numbers in their shortest form that reads back equal, a newline at the end.
+std::string manifest_json(const Manifest& manifest);
+
+// Reads a manifest's text; `name` stands for it in diagnostics. E0304 with the field's place where
+// it is damaged, of another tool or format, or names a file outside of its folder. Where it can be
+// read and has been changed since it was written, `alterations` say so: each asset has a hash of
+// its entry, and the manifest one of the rest (manifest_hash.h).
+config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name);
+
+// The files that a manifest of an earlier format claims, as retired ones, and nothing else. None
+// where the text is no manifest of this tool's, or none of an earlier format.
+std::optional<Manifest> parse_earlier_claims(std::string_view text);
+
+// Reads a manifest. E0300 where there is none, E0304 where it is damaged.
+config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file);
+
+// The same of `folder`/manifest.json.
+config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder);
+
+// parse_earlier_claims of `folder`/manifest.json; none where it cannot be read.
+std::optional<Manifest> read_earlier_claims(const std::filesystem::path& folder);
+
+// Where the manifest is that a user means by a folder or by the manifest itself, and the folder
+// that its paths are relative to.
+struct ManifestPlace {
+    std::filesystem::path folder;
+    std::filesystem::path file;
+};
+ManifestPlace manifest_place(const std::filesystem::path& path);
+
+// `fresh` with those assets of `previous` that it does not name, in the order of `previous`; for
+// bakes of a part of a recipe.
+Manifest merge_manifests(const Manifest& previous, Manifest fresh);
+
+// The files that `previous` lists, as its assets' or as retired ones, and `fresh` does not.
+std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Manifest& fresh);
+
+// What a manifest claims, as retired files, and nothing else.
+Manifest claims_of(const Manifest& manifest);
+
+// Whether the manifest lists the file (a path relative to its folder), or is that file itself.
+bool claims(const Manifest& manifest, const std::filesystem::path& file);
+
+// The JSON Schema that manifest_json's texts satisfy.
+std::string_view manifest_schema();
+
+// Resolved values as one JSON object, nested by path: {"atmosphere": {"ground_radius": "6360000
+// m"}}.
+std::string parameters_json(std::span<const config::ResolvedValue> values);
+
+}  // namespace skybake

@@ -1,0 +1,505 @@
+// Reads manifests that may be damaged, of another tool or made with intent: each field is checked
+// for its type and bounds, and the first that is wrong is named by its place.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/manifest_format.h"
+#include "bakers/io/manifest/manifest_hash.h"
+#include "bakers/io/manifest/release.h"
+
+namespace skybake {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Leaves this file only as a diagnostic.
+struct Damage {
+    std::string what;
+};
+
+// A JSON value and its place, "assets[0].size".
+class Node {
+  public:
+    Node(const Json& json, std::string place) : json_(&json), place_(std::move(place)) {}
+
+    [[noreturn]] void fail(const std::string& what) const {
+        throw Damage{fmt::format("`{}`: {}", place_.empty() ? "the whole" : place_, what)};
+    }
+
+    Node operator[](const char* key) const {
+        if (!json_->is_object()) fail("an object is expected");
+        const auto member = json_->find(key);
+        if (member == json_->end()) fail(fmt::format("`{}` is missing", key));
+        return {*member, place_.empty() ? key : fmt::format("{}.{}", place_, key)};
+    }
+
+    bool has(const char* key) const { return json_->is_object() && json_->contains(key); }
+
+    std::string text() const {
+        if (!json_->is_string()) fail("a string is expected");
+        return json_->get<std::string>();
+    }
+    bool flag() const {
+        if (!json_->is_boolean()) fail("true or false is expected");
+        return json_->get<bool>();
+    }
+    double number() const {
+        if (!json_->is_number()) fail("a number is expected");
+        return json_->get<double>();
+    }
+    template <class Integer>
+    Integer integer(Integer minimum) const {
+        // Whatever the sign, all whole numbers of a manifest fit into 64 bits.
+        if (json_->is_number_unsigned()) {
+            const auto value = json_->get<std::uint64_t>();
+            if (value <= static_cast<std::uint64_t>(std::numeric_limits<Integer>::max()) &&
+                static_cast<Integer>(value) >= minimum) {
+                return static_cast<Integer>(value);
+            }
+        }
+        fail(fmt::format("a whole number of at least {} is expected", minimum));
+    }
+
+    std::vector<Node> elements() const {
+        if (!json_->is_array()) fail("an array is expected");
+        std::vector<Node> nodes;
+        for (std::size_t i = 0; i < json_->size(); ++i) {
+            nodes.emplace_back((*json_)[i], fmt::format("{}[{}]", place_, i));
+        }
+        return nodes;
+    }
+    std::vector<Node> elements(std::size_t count) const {
+        auto nodes = elements();
+        if (nodes.size() != count) fail(fmt::format("{} values are expected", count));
+        return nodes;
+    }
+    std::vector<std::pair<std::string, Node>> members() const {
+        if (!json_->is_object()) fail("an object is expected");
+        std::vector<std::pair<std::string, Node>> nodes;
+        for (const auto& [key, value] : json_->items()) {
+            nodes.emplace_back(key, Node(value, fmt::format("{}.{}", place_, key)));
+        }
+        return nodes;
+    }
+    std::size_t count() const { return elements().size(); }
+    bool is_text() const { return json_->is_string(); }
+    bool is_number() const { return json_->is_number(); }
+    bool is_null() const { return json_->is_null(); }
+    std::string dump() const { return json_->dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+  private:
+    const Json* json_;
+    std::string place_;
+};
+
+std::vector<double> numbers(const Node& node) {
+    std::vector<double> values;
+    for (const Node& element : node.elements()) values.push_back(element.number());
+    return values;
+}
+
+std::vector<std::string> texts(const Node& node) {
+    std::vector<std::string> values;
+    for (const Node& element : node.elements()) values.push_back(element.text());
+    return values;
+}
+
+// A manifest must not make its reader open files anywhere else.
+std::string path_within_folder(const Node& node) {
+    std::string text = node.text();
+    const std::filesystem::path path(text);
+    const bool climbs = std::find(path.begin(), path.end(), "..") != path.end();
+    if (text.empty() || path.is_absolute() || climbs || text.find('\0') != std::string::npos) {
+        node.fail("a path within the manifest's folder is expected");
+    }
+    return text;
+}
+
+// Counts of voxels and cells: whatever is made of three of them fits into 64 bits.
+int extent(const Node& node) {
+    constexpr int largest = 65536;
+    const int value = node.integer<int>(1);
+    if (value > largest) node.fail(fmt::format("at most {} are read", largest));
+    return value;
+}
+
+SliceLayout read_layout(const Node& node) {
+    const auto kind = volume_layout_of(node["kind"].text());
+    if (!kind) node["kind"].fail("there is no such layout");
+    return {*kind, extent(node["columns"]), extent(node["rows"]),
+            node.has("flipped") && node["flipped"].flag()};
+}
+
+ManifestFile read_file_entry(const Node& node, bool of_volume) {
+    ManifestFile file;
+    file.path = path_within_folder(node["path"]);
+    file.format = node["format"].text();
+    const bool is_companion = of_volume && file.format == "json";
+    if (!is_companion && !volume_format_of(file.format))
+        node["format"].fail("there is no such format");
+    const auto type = pixel_type_of(node["pixel_type"].text());
+    if (!type) node["pixel_type"].fail("there is no such pixel type");
+    file.pixel_type = *type;
+    file.bytes = node["bytes"].integer<std::uint64_t>(0);
+    file.xxh3 = node["xxh3"].text();
+    if (!of_volume) return file;
+    file.level = node["level"].integer<int>(0);
+    file.compression = node["compression"].text();
+    if (file.format == "exr") file.layout = read_layout(node["layout"]);
+    if (file.format == "vdb") file.grids = texts(node["grids"]);
+    return file;
+}
+
+FactValue read_fact(const Node& node) {
+    if (node.is_text()) return node.text();
+    if (node.is_number()) return node.number();
+    return numbers(node);
+}
+
+Facts read_facts(const Node& node) {
+    Facts facts;
+    for (const auto& [name, value] : node.members()) facts.emplace_back(name, read_fact(value));
+    return facts;
+}
+
+// The enumerator of a word, told by `of`.
+template <class Enum>
+Enum read_word(const Node& node, std::optional<Enum> (*of)(std::string_view)) {
+    const std::optional<Enum> value = of(node.text());
+    if (!value) node.fail("no such word is known");
+    return *value;
+}
+
+AxisMapping read_axis(const Node& node) {
+    AxisMapping axis;
+    axis.quantity = node["quantity"].text();
+    axis.formula = node["formula"].text();
+    axis.convention = node["convention"].text();
+    axis.first = node["first"].number();
+    axis.last = node["last"].number();
+    axis.end_points = read_word(node["end_points"], end_points_of);
+    axis.wrap = read_word(node["wrap"], axis_wrap_of);
+    axis.filter = read_word(node["filter"], axis_filter_of);
+    axis.constants = read_facts(node["constants"]);
+    return axis;
+}
+
+Conventions read_conventions(const Node& node) {
+    const auto text = [&node](const char* name) {
+        return node.has(name) ? node[name].text() : std::string();
+    };
+    const auto list = [&node](const char* name) {
+        return node.has(name) ? numbers(node[name]) : std::vector<double>();
+    };
+    node["texel_origin"].text();
+    return {text("length_unit"),   text("coefficient_unit"), text("angle_unit"),
+            text("radiance_unit"), list("solar_irradiance"), list("wavelengths_nm"),
+            text("up_axis")};
+}
+
+std::optional<Certificate> read_certificate(const Node& node) {
+    if (node.is_null()) return std::nullopt;
+    Certificate certificate;
+    certificate.texel = {node["texel"]["max"].number(), node["texel"]["rms"].number()};
+    certificate.lookup = {node["lookup"]["max"].number(), node["lookup"]["rms"].number()};
+    certificate.reference = node["reference"].text();
+    certificate.lookup_points = node["points"].integer<int>(0);
+    certificate.texel_points = node["texel_points"].integer<int>(0);
+    certificate.scale = node["scale"].text();
+    certificate.worst = node["worst"].text();
+    certificate.advice = node["advice"].text();
+    if (node.has("sky")) {
+        const Node sky = node["sky"];
+        certificate.sky =
+            SkyError{sky["median"].number(), sky["ninth_decile"].number(), sky["max"].number(),
+                     sky["points"].integer<int>(0), sky["reference"].text()};
+    }
+    return certificate;
+}
+
+std::vector<std::pair<std::string, double>> read_place(const Node& node) {
+    std::vector<std::pair<std::string, double>> place;
+    for (const auto& [quantity, value] : node.members()) {
+        place.emplace_back(quantity, value.number());
+    }
+    return place;
+}
+
+Probe read_probe(const Node& node) {
+    Probe probe;
+    probe.at = read_place(node["at"]);
+    const auto uv = node["uv"].elements(2);
+    probe.uv = {uv[0].number(), uv[1].number()};
+    probe.value = numbers(node["value"]);
+    probe.tolerance = numbers(node["tolerance"]);
+    return probe;
+}
+
+std::array<double, 3> read_uvw(const Node& node) {
+    const auto uvw = node.elements(3);
+    return {uvw[0].number(), uvw[1].number(), uvw[2].number()};
+}
+
+VolumeProbe read_volume_probe(const Node& node) {
+    VolumeProbe probe;
+    probe.at = read_place(node["at"]);
+    probe.uvw = read_uvw(node["uvw"]);
+    if (node.has("blend")) {
+        const Node blend = node["blend"];
+        probe.blend = BlendedLookup{read_uvw(blend["uvw"]), blend["share"].number()};
+    }
+    probe.value = numbers(node["value"]);
+    probe.tolerance = numbers(node["tolerance"]);
+    return probe;
+}
+
+ValueStatistics read_statistics(const Node& node) {
+    ValueStatistics statistics;
+    statistics.min = node["min"].number();
+    statistics.max = node["max"].number();
+    statistics.mean = node["mean"].number();
+    const auto range = node["histogram"]["range"].elements(2);
+    statistics.histogram_range = {range[0].number(), range[1].number()};
+    for (const Node& count : node["histogram"]["counts"].elements()) {
+        statistics.histogram.push_back(count.integer<std::int64_t>(0));
+    }
+    return statistics;
+}
+
+// A level from its own object, or level 0 from that of its asset.
+ManifestLevel read_level(const Node& node, std::size_t channels) {
+    ManifestLevel level;
+    const auto size = node["size"].elements(3);
+    level.size = {extent(size[0]), extent(size[1]), extent(size[2])};
+    level.content_hash = node["content_hash"].text();
+    for (const Node& entry : node["statistics"].elements(channels)) {
+        level.statistics.push_back(read_statistics(entry));
+    }
+    for (const Node& probe : node["probes"].elements()) {
+        level.probes.push_back(read_volume_probe(probe));
+    }
+    level.catches = texts(node["catches"]);
+    return level;
+}
+
+void read_volume(const Node& node, ManifestAsset& asset) {
+    asset.levels.push_back(read_level(node, asset.channels.size()));
+    for (const Node& mip : node["mips"].elements()) {
+        asset.levels.push_back(read_level(mip, asset.channels.size()));
+    }
+    asset.size.assign(asset.levels[0].size.begin(), asset.levels[0].size.end());
+    asset.seam_error = node["seam_error"].number();
+    for (const ManifestFile& file : asset.files) {
+        if (static_cast<std::size_t>(file.level) >= asset.levels.size()) {
+            node["files"].fail(fmt::format("`{}` is of level {}", file.path, file.level));
+        }
+        if (file.format == "vdb" && file.grids.size() != asset.channels.size()) {
+            node["files"].fail(fmt::format("`{}` has {} grids for {} channels", file.path,
+                                           file.grids.size(), asset.channels.size()));
+        }
+    }
+}
+
+void read_table(const Node& node, ManifestAsset& asset) {
+    const auto size = node["size"].elements(2);
+    asset.size = {size[0].integer<int>(1), size[1].integer<int>(1)};
+    const auto compression = compression_of(node["compression"].text());
+    if (!compression) node["compression"].fail("there is no such compression");
+    asset.compression = *compression;
+    for (const Node& probe : node["probes"].elements()) asset.probes.push_back(read_probe(probe));
+    asset.catches = texts(node["catches"]);
+    for (const Node& file : node["files"].elements()) {
+        if (file["format"].text() != "exr") file["format"].fail("tables are exr");
+    }
+}
+
+void read_identity(const Node& node, ManifestAsset& asset) {
+    asset.key = node["key"].text();
+    asset.certification = node["certification"].text();
+    for (const Node& input : node["inputs"].elements()) {
+        asset.inputs.push_back({input["file"].text(), input["xxh3"].text()});
+    }
+}
+
+ManifestAsset read_asset(const Node& node) {
+    ManifestAsset asset;
+    const bool of_volume = node["size"].count() == 3;
+    asset.name = node["name"].text();
+    asset.kind = node["kind"].text();
+    asset.content = node["content"].text();
+    for (const Node& file : node["files"].elements()) {
+        asset.files.push_back(read_file_entry(file, of_volume));
+    }
+    asset.channels = texts(node["channels"]);
+    asset.mapping = node["mapping"]["name"].text();
+    asset.axes = {read_axis(node["mapping"]["u"]), read_axis(node["mapping"]["v"])};
+    if (of_volume) asset.axes.push_back(read_axis(node["mapping"]["w"]));
+    asset.timing = {node["timing"]["bake_s"].number(), node["timing"]["write_s"].number(),
+                    node["timing"]["threads"].integer<int>(0)};
+    asset.error = read_certificate(node["error"]);
+    asset.range = {node["range"]["below_normal"].integer<long>(0),
+                   node["range"]["above_range"].integer<long>(0)};
+    asset.conventions = read_conventions(node["conventions"]);
+    asset.details = read_facts(node["details"]);
+    asset.parameters = node["parameters"].text();
+    asset.content_hash = node["content_hash"].text();
+    asset.release = node["release"].text();
+    if (node.has("key")) read_identity(node, asset);
+    node["hash"].text();
+    of_volume ? read_volume(node, asset) : read_table(node, asset);
+    return asset;
+}
+
+void check_tool(const Node& node) {
+    if (node["tool"]["name"].text() != tool_name()) {
+        node["tool"]["name"].fail(fmt::format("not of {}'s", tool_name()));
+    }
+}
+
+// What another release wrote is as good as the day it was written, but not for this release.
+void check_format(const Node& node) {
+    const int format = node["format"].integer<int>(0);
+    if (format == manifest_format) return;
+    node["format"].fail(fmt::format(
+        "release {} wrote format {}, and this release reads format {}; {}",
+        node["tool"]["version"].text(), format, manifest_format,
+        format < manifest_format ? "bake the recipe into this folder again to bring it up to date"
+                                 : "use that release or a later one"));
+}
+
+std::vector<RetiredFile> read_retired(const Node& node) {
+    std::vector<RetiredFile> files;
+    if (!node.has("retired")) return files;
+    for (const Node& file : node["retired"].elements()) {
+        files.push_back({path_within_folder(file["path"]), file["xxh3"].text()});
+    }
+    return files;
+}
+
+Manifest read_whole(const Json& json) {
+    const Node node(json, "");
+    Manifest manifest;
+    check_tool(node);
+    check_format(node);
+    manifest.tool_name = node["tool"]["name"].text();
+    manifest.tool_version = node["tool"]["version"].text();
+    node["parameters"].members();  // an object it must be
+    manifest.parameters = node["parameters"].dump();
+    for (const Node& asset : node["assets"].elements()) {
+        manifest.assets.push_back(read_asset(asset));
+    }
+    manifest.retired = read_retired(node);
+    node["hash"].text();
+    manifest.alterations = manifest_alterations(json);
+    return manifest;
+}
+
+std::optional<Manifest> read_earlier_claims(const Json& json) {
+    const Node node(json, "");
+    Manifest manifest;
+    check_tool(node);
+    if (node["format"].integer<int>(0) >= manifest_format) return std::nullopt;
+    for (const Node& asset : node["assets"].elements()) {
+        for (const Node& file : asset["files"].elements()) {
+            manifest.retired.push_back({path_within_folder(file["path"]), file["xxh3"].text()});
+        }
+    }
+    for (RetiredFile& file : read_retired(node)) manifest.retired.push_back(std::move(file));
+    return manifest;
+}
+
+// "line 3, column 14" of a byte of the text.
+std::string place_in(std::string_view text, std::size_t byte) {
+    const std::string_view before = text.substr(0, std::min(byte, text.size()));
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
+    return fmt::format("line {}, column {}", line, before.size() - start + 1);
+}
+
+// How deep objects and arrays stand in each other.
+int nesting(std::string_view text) {
+    int depth = 0;
+    int deepest = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string && c == '\\') ++i;
+        if (c == '"') in_string = !in_string;
+        if (in_string) continue;
+        if (c == '{' || c == '[') deepest = std::max(deepest, ++depth);
+        if (c == '}' || c == ']') --depth;
+    }
+    return deepest;
+}
+
+// Of a key that stands twice in an object some readers take the first value and others the last, so
+// that no hash could tell what was read.
+class KeysOnce {
+  public:
+    void read(Json::parse_event_t event, const Json& parsed) {
+        if (event == Json::parse_event_t::object_start) objects_.emplace_back();
+        if (event == Json::parse_event_t::object_end) objects_.pop_back();
+        if (event != Json::parse_event_t::key) return;
+        const auto key = parsed.get<std::string>();
+        if (!objects_.back().insert(key).second) {
+            throw Damage{fmt::format("`{}` stands twice in one object", key)};
+        }
+    }
+
+  private:
+    std::vector<std::set<std::string>> objects_;  // the keys of those that are open
+};
+
+// Copies, texts and hashes of a JSON value are made by recursion: what nests deeper than any
+// manifest does could exhaust the stack.
+Json parse_json(std::string_view text) {
+    constexpr int most = 100;
+    if (nesting(text) > most) {
+        throw Damage{fmt::format("its objects and arrays nest more than {} deep", most)};
+    }
+    KeysOnce keys;
+    return Json::parse(text, [&keys](int, Json::parse_event_t event, const Json& parsed) {
+        keys.read(event, parsed);
+        return true;
+    });
+}
+
+}  // namespace
+
+config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name) {
+    const auto damaged = [&name](const std::string& reason) -> config::Outcome<Manifest> {
+        return {{},
+                {file_error("E0304", name,
+                            fmt::format("cannot read `{}` as a manifest: {}", name, reason))}};
+    };
+    try {
+        return {read_whole(parse_json(text)), {}};
+    } catch (const Damage& damage) {
+        return damaged(damage.what);
+    } catch (const nlohmann::json::parse_error& error) {
+        const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
+        return damaged(fmt::format("not JSON at {}", place_in(text, byte)));
+    } catch (const std::exception& error) {
+        return damaged(error.what());
+    }
+}
+
+std::optional<Manifest> parse_earlier_claims(std::string_view text) {
+    try {
+        return read_earlier_claims(parse_json(text));
+    } catch (const Damage&) {
+        return std::nullopt;
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace skybake

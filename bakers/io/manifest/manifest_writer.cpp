@@ -1,0 +1,276 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/manifest_format.h"
+#include "bakers/io/manifest/manifest_hash.h"
+#include "config/key_path.h"
+#include "config/toml_source.h"
+
+namespace skybake {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys stay in the order of the schema
+
+Json to_json(const ManifestFile& file, bool of_volume) {
+    Json json = {{"path", file.path},
+                 {"format", file.format},
+                 {"pixel_type", spell(file.pixel_type)},
+                 {"bytes", file.bytes},
+                 {"xxh3", file.xxh3}};
+    if (!of_volume) return json;
+    json["level"] = file.level;
+    json["compression"] = file.compression;
+    if (file.layout) {
+        json["layout"] = {{"kind", spell(file.layout->kind)},
+                          {"columns", file.layout->columns},
+                          {"rows", file.layout->rows}};
+        if (file.layout->flipped) json["layout"]["flipped"] = true;
+    }
+    if (!file.grids.empty()) json["grids"] = file.grids;
+    return json;
+}
+
+Json to_json(const ManifestInput& input) { return {{"file", input.file}, {"xxh3", input.xxh3}}; }
+
+Json to_json(const RetiredFile& file) { return {{"path", file.path}, {"xxh3", file.xxh3}}; }
+
+// Whole numbers without a point, as people write counts.
+Json number_json(double number) {
+    constexpr double largest_whole = 9007199254740992;  // 2^53: beyond, doubles skip numbers
+    const bool whole = std::trunc(number) == number && std::fabs(number) <= largest_whole;
+    if (!whole || (number == 0 && std::signbit(number))) return number;
+    return static_cast<std::int64_t>(number);
+}
+
+Json to_json(const FactValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* number = std::get_if<double>(&value)) return number_json(*number);
+    Json numbers = Json::array();
+    for (const double number : std::get<std::vector<double>>(value)) {
+        numbers.push_back(number_json(number));
+    }
+    return numbers;
+}
+
+Json to_json(const Facts& facts) {
+    Json json = Json::object();
+    for (const auto& [name, value] : facts) json[name] = to_json(value);
+    return json;
+}
+
+Json to_json(const AxisMapping& axis) {
+    return {{"quantity", axis.quantity},
+            {"formula", axis.formula},
+            {"convention", axis.convention},
+            {"first", axis.first},
+            {"last", axis.last},
+            {"end_points", spell(axis.end_points)},
+            {"wrap", spell(axis.wrap)},
+            {"filter", spell(axis.filter)},
+            {"constants", to_json(axis.constants)}};
+}
+
+Json to_json(const std::optional<Certificate>& certificate) {
+    if (!certificate) return nullptr;
+    const Certificate& c = *certificate;
+    Json json = {{"texel", {{"max", c.texel.max}, {"rms", c.texel.rms}}},
+                 {"lookup", {{"max", c.lookup.max}, {"rms", c.lookup.rms}}},
+                 {"reference", c.reference},
+                 {"points", c.lookup_points},
+                 {"texel_points", c.texel_points},
+                 {"scale", c.scale},
+                 {"worst", c.worst},
+                 {"advice", c.advice}};
+    if (c.sky) {
+        json["sky"] = {{"median", c.sky->median},
+                       {"ninth_decile", c.sky->ninth_decile},
+                       {"max", c.sky->max},
+                       {"points", c.sky->points},
+                       {"reference", c.sky->reference}};
+    }
+    return json;
+}
+
+Json place_json(const std::vector<std::pair<std::string, double>>& place) {
+    Json at = Json::object();
+    for (const auto& [quantity, value] : place) at[quantity] = value;
+    return at;
+}
+
+Json to_json(const Probe& probe) {
+    return {{"at", place_json(probe.at)},
+            {"uv", probe.uv},
+            {"value", probe.value},
+            {"tolerance", probe.tolerance}};
+}
+
+Json to_json(const VolumeProbe& probe) {
+    Json json = {{"at", place_json(probe.at)}, {"uvw", probe.uvw}};
+    if (probe.blend) json["blend"] = {{"uvw", probe.blend->uvw}, {"share", probe.blend->share}};
+    json["value"] = probe.value;
+    json["tolerance"] = probe.tolerance;
+    return json;
+}
+
+Json to_json(const ValueStatistics& statistics) {
+    return {
+        {"min", statistics.min},
+        {"max", statistics.max},
+        {"mean", statistics.mean},
+        {"histogram", {{"range", statistics.histogram_range}, {"counts", statistics.histogram}}}};
+}
+
+Json to_json(const ManifestLevel& level);
+
+template <class T>
+Json array_of(const std::vector<T>& elements) {
+    Json json = Json::array();
+    for (const T& element : elements) json.push_back(to_json(element));
+    return json;
+}
+
+Json to_json(const ManifestLevel& level) {
+    return {{"size", level.size},
+            {"statistics", array_of(level.statistics)},
+            {"probes", array_of(level.probes)},
+            {"catches", level.catches},
+            {"content_hash", level.content_hash}};
+}
+
+Json mapping_json(const ManifestAsset& asset) {
+    constexpr std::array names = {"u", "v", "w"};
+    Json json = {{"name", asset.mapping}};
+    for (std::size_t i = 0; i < asset.axes.size(); ++i) json[names[i]] = to_json(asset.axes[i]);
+    return json;
+}
+
+// What only volumes have. Level 0 is the asset itself.
+void add_volume(const ManifestAsset& asset, Json& json) {
+    json["probes"] = array_of(asset.levels[0].probes);
+    json["catches"] = asset.levels[0].catches;
+    json["statistics"] = array_of(asset.levels[0].statistics);
+    json["seam_error"] = asset.seam_error;
+    json["mips"] = array_of(std::vector(asset.levels.begin() + 1, asset.levels.end()));
+}
+
+// What does not apply to the asset is left out.
+Json to_json(const Conventions& conventions, bool of_volume) {
+    Json json = Json::object();
+    const auto add_text = [&json](const char* name, const std::string& text) {
+        if (!text.empty()) json[name] = text;
+    };
+    add_text("length_unit", conventions.length_unit);
+    add_text("coefficient_unit", conventions.coefficient_unit);
+    add_text("angle_unit", conventions.angle_unit);
+    add_text("radiance_unit", conventions.radiance_unit);
+    if (!conventions.solar_irradiance.empty()) {
+        json["solar_irradiance"] = to_json(FactValue(conventions.solar_irradiance));
+    }
+    if (!conventions.wavelengths_nm.empty()) {
+        json["wavelengths_nm"] = to_json(FactValue(conventions.wavelengths_nm));
+    }
+    add_text("up_axis", conventions.up_axis);
+    json["texel_origin"] =
+        of_volume ? "first voxel u = 0, v = 0, w = 0" : "first column u = 0, first row v = 0";
+    return json;
+}
+
+Json to_json(const ManifestAsset& asset) {
+    Json files = Json::array();
+    for (const ManifestFile& file : asset.files) files.push_back(to_json(file, asset.is_volume()));
+    Json json = {{"name", asset.name},        {"kind", asset.kind}, {"content", asset.content},
+                 {"files", std::move(files)}, {"size", asset.size}, {"channels", asset.channels}};
+    if (!asset.is_volume()) json["compression"] = spell(asset.compression);
+    json["conventions"] = to_json(asset.conventions, asset.is_volume());
+    json["mapping"] = mapping_json(asset);
+    json["timing"] = {{"bake_s", asset.timing.bake_s},
+                      {"write_s", asset.timing.write_s},
+                      {"threads", asset.timing.threads}};
+    json["error"] = to_json(asset.error);
+    json["range"] = {{"below_normal", asset.range.below_normal},
+                     {"above_range", asset.range.above_range}};
+    if (asset.is_volume()) {
+        add_volume(asset, json);
+    } else {
+        json["probes"] = array_of(asset.probes);
+        json["catches"] = asset.catches;
+    }
+    json["details"] = to_json(asset.details);
+    json["parameters"] = asset.parameters;
+    json["content_hash"] = asset.content_hash;
+    json["release"] = asset.release;
+    if (!asset.key.empty()) {
+        json["key"] = asset.key;
+        json["certification"] = asset.certification;
+        json["inputs"] = array_of(asset.inputs);
+    }
+    json["hash"] = entry_hash(json);
+    return json;
+}
+
+Json to_json(const config::Value& value) {
+    struct Visitor {
+        Json operator()(std::monostate) const { return nullptr; }
+        Json operator()(bool flag) const { return flag; }
+        Json operator()(std::int64_t number) const { return number; }
+        Json operator()(double number) const { return number; }
+        Json operator()(const std::string& text) const { return text; }
+        Json operator()(const config::Array& array) const {
+            Json result = Json::array();
+            for (const config::Value& element : array) result.push_back(to_json(element));
+            return result;
+        }
+        Json operator()(const config::Table& table) const {
+            Json result = Json::object();
+            for (const config::Entry& entry : table) result[entry.key] = to_json(entry.value);
+            return result;
+        }
+    };
+    return std::visit(Visitor{}, value.data);
+}
+
+// Damaged text in a string must not become an exception: it is replaced by U+FFFD.
+std::string text_of(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string manifest_json(const Manifest& manifest) {
+    Json assets = Json::array();
+    for (const ManifestAsset& asset : manifest.assets) assets.push_back(to_json(asset));
+    Json parameters = Json::parse(manifest.parameters, nullptr, false);
+    if (!parameters.is_object()) parameters = Json::object();
+    Json json = {{"format", manifest_format},
+                 {"tool", {{"name", manifest.tool_name}, {"version", manifest.tool_version}}},
+                 {"parameters", std::move(parameters)},
+                 {"assets", std::move(assets)}};
+    if (!manifest.retired.empty()) json["retired"] = array_of(manifest.retired);
+    json["hash"] = manifest_hash(json);
+    return text_of(json, 2) + "\n";
+}
+
+std::string parameters_json(std::span<const config::ResolvedValue> values) {
+    Json root = Json::object();
+    for (const config::ResolvedValue& value : values) {
+        const auto path = config::split_path(value.path);
+        if (!path || path->empty()) continue;
+        Json* table = &root;
+        for (std::size_t i = 0; i + 1 < path->size(); ++i) {
+            Json& next = (*table)[(*path)[i]];
+            if (!next.is_object()) next = Json::object();
+            table = &next;
+        }
+        const auto parsed = config::parse_toml_value(value.canonical);
+        (*table)[path->back()] = parsed ? to_json(*parsed) : Json(value.canonical);
+    }
+    return text_of(root, -1);
+}
+
+}  // namespace skybake

@@ -1,8 +1,0 @@
-#include "bakers/io/release.h"
-
-namespace skybake {
-
-std::string_view tool_name() { return "skybake"; }
-std::string_view release() { return SKYBAKE_RELEASE; }
-
-}  // namespace skybake

@@ -1,0 +1,130 @@
+#include "bakers/light/multiple_scattering_quadrature.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/air/ray_breaks.h"
+#include "bakers/air/zenith_parts.h"
+#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// Azimuths needed where sunlight varies over the azimuth as it does over a turn of the vertical by
+// `swing`, in units of the dip of the shell's top: n nodes leave about swing^(2 n).
+int azimuth_count(double share, double swing, double tolerance) {
+    double power = swing * swing;
+    for (int n = 1; n < 8; n *= 2) {
+        if (share * power <= tolerance) return n;
+        power *= power;
+    }
+    return 8;
+}
+
+double largest_share(const Spectrum& part, const Spectrum& whole) {
+    double share = 0;
+    for (std::size_t c = 0; c < part.size(); ++c) {
+        if (whole[c] > 0) share = std::max(share, part[c] / whole[c]);
+    }
+    return share;
+}
+
+}  // namespace
+
+const std::vector<QuadratureLevel>& quadrature_levels() {
+    static const std::vector<QuadratureLevel> levels = {
+        {4, 5e-1, 1e-1},  {5, 3e-1, 1e-1},  {6, 3.5e-1, 1e-1}, {6, 1e-1, 2e-2},
+        {8, 3e-2, 5e-3},  {9, 2e-2, 2e-3},  {10, 1e-2, 1e-3},  {14, 3e-3, 3e-4},
+        {20, 1e-3, 1e-4}, {28, 3e-4, 3e-5}, {40, 1e-4, 1e-5},
+    };
+    return levels;
+}
+
+double lookups_per_texel(const QuadratureLevel& level) {
+    return 2.0 * level.zenith_nodes * 8 / std::cbrt(level.ray_tolerance);
+}
+
+std::vector<double> quadrature_altitudes_km(const Medium& medium) {
+    return break_altitudes_km(medium, {0.5, 1, 2, 3.5, 6, 10});
+}
+
+RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double>& altitudes_km,
+                                  double altitude_km, const QuadratureLevel& level) {
+    const Shell shell = shell_of(medium);
+    const double r = shell.ground_radius_km + altitude_km;
+    const double horizon = -horizon_distance_km(shell, altitude_km) / r;
+    const double dip = std::min(1.0, std::sqrt(shell.thickness_km / shell.ground_radius_km));
+
+    struct Direction {
+        double mu;
+        double weight;
+        ViewRay ray;
+    };
+    std::vector<Direction> directions;
+    Spectrum whole{};  // scattering over all directions
+    for (const ZenithPart& part :
+         zenith_parts(horizon, altitude_km / shell.thickness_km, level.zenith_nodes)) {
+        const QuadratureRule rule = gauss_legendre(part.nodes);
+        const double range = part.to - part.from;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            // mu = from + range x^2 puts nodes where paths grow long.
+            const double x = rule.nodes[i];
+            const double mu = part.from + range * x * x;
+            const double weight = rule.weights[i] * x * std::fabs(range);
+            directions.push_back(
+                {mu, weight,
+                 trace_view_ray(medium, altitudes_km, altitude_km, r * mu, part.below_horizon)});
+            for (const RayCell& cell : directions.back().ray.cells) {
+                for (std::size_t c = 0; c < whole.size(); ++c) {
+                    whole[c] += weight * (cell.near_weight[c] + cell.far_weight[c]);
+                }
+            }
+        }
+    }
+
+    RowQuadrature row;
+    row.altitude_km = altitude_km;
+    for (Direction& direction : directions) {
+        ViewRay& ray = direction.ray;
+        const double sine = std::sqrt(std::max(0.0, (1 - direction.mu) * (1 + direction.mu)));
+        Spectrum whole_per_ray{};  // what this ray's weights are shares of
+        for (std::size_t c = 0; c < whole.size(); ++c) {
+            whole_per_ray[c] =
+                whole[c] / (direction.weight * static_cast<double>(directions.size()));
+        }
+        refine_view_ray(medium, whole_per_ray, level.ray_tolerance, ray);
+        WeightedRay weighted;
+        weighted.mu = direction.mu;
+        weighted.weight = direction.weight;
+        weighted.nodes = nodes_of(medium, ray);
+        weighted.hits_ground = ray.hits_ground;
+        weighted.length_km = ray.length_km;
+        for (const RayNode& node : weighted.nodes) {
+            const double swing =
+                node.distance_km * sine / ((shell.ground_radius_km + node.altitude_km) * dip);
+            weighted.azimuths.push_back(azimuth_count(largest_share(node.weight, whole_per_ray),
+                                                      4 * swing, level.azimuth_tolerance));
+        }
+        const double ground_swing = ray.length_km * sine / (shell.ground_radius_km * dip);
+        weighted.ground_azimuths = azimuth_count(1, 4 * ground_swing, level.azimuth_tolerance);
+        Spectrum depth{};
+        Spectrum absorbed{};
+        for (const RayCell& cell : ray.cells) {
+            for (std::size_t c = 0; c < depth.size(); ++c) {
+                depth[c] += cell.optical_depth[c];
+                absorbed[c] += cell.absorbed[c];
+            }
+        }
+        for (std::size_t c = 0; c < static_cast<std::size_t>(medium.channels); ++c) {
+            weighted.end_transmittance[c] = exponential(-depth[c]);
+            row.escape[c] += direction.weight * (weighted.end_transmittance[c] + absorbed[c]);
+        }
+        row.rays.push_back(std::move(weighted));
+    }
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,100 @@
+// Optical depths for walks through the air: exact to 2e-7, at the price of a table look-up, and
+// their inversion.
+//
+// The air is cut into shells in which densities are polynomials in r^2. Along a line with nearest
+// point p to the planet's centre, r^2 = p^2 + s^2, s the distance from that point, and the depth
+// from (h, s >= 0) upwards to space is
+//
+//   U(h, s) = integral of extinction from h to the shell's upper level  +  A(s at that level),
+//
+// the first by Gauss' rule on the polynomial, the second from a table of the level. A is smooth in
+// s on a scale that is at least the length of a horizontal path through the shell above, and falls
+// as 1 / s beyond: intervals grow with s. Since a level lies on either side of each edge of a
+// layer, nothing is interpolated across one. Depths along any other path are sums and differences
+// of U.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bakers/air/ray.h"
+#include "bakers/air/sky_medium.h"
+#include "bakers/light/path_tracer/channels.h"
+
+namespace skybake {
+
+class AirShells {
+  public:
+    explicit AirShells(const SkyMedium& medium);
+
+    // A point on a line, by its shell and by the distance from the line's point nearest to the
+    // planet's centre, whichever side it lies on.
+    struct Point {
+        double altitude_km = 0;
+        double s_km = 0;  // not negative
+        int shell = 0;
+    };
+
+    // The shell that has an altitude in [0, thickness]; the upper one at a level between two.
+    int shell_at(double altitude_km) const;
+
+    // U above, within 2e-7 of its value or of a millionth of the depth of all air; within 1e-6
+    // where the air is nothing like a planet's.
+    Channels depth_to_top(const Point& point) const;
+
+    // The point at or above shell `lowest` and at or below shell `highest`, on the line through
+    // `on_line`, where U of one channel is `depth`. Where no point has as much, the line's lowest.
+    Point point_at_depth(const Point& on_line, std::size_t channel, double depth, int lowest,
+                         int highest) const;
+
+    // Coefficients, in 1/km, at a point of a shell.
+    Channels extinction(int shell, double altitude_km) const;
+    double density(int shell, int layer, double altitude_km) const;  // of SkyMedium::layers
+
+    // Transmittance to the top of the atmosphere at a point where r mu = `s_km` towards the light;
+    // 0 in the planet's shadow, whose edge is exact.
+    Channels sunlight(double altitude_km, double s_km, int shell) const;
+
+    const Shell& planet() const { return planet_; }
+    int count() const { return static_cast<int>(shells_.size()); }
+
+  private:
+    static constexpr int kDegree = 5;
+    struct Polynomial {
+        double coefficients[kDegree + 1];
+    };
+    // In t = (r^2 - r_middle^2) / half_width, which is -1 at the bottom and 1 at the top.
+    struct AirShell {
+        double top_km;
+        double top_radius_km;
+        double inverse_half_width;         // of r^2
+        Channels extinction[kDegree + 1];  // per km
+        std::size_t first_density;         // one polynomial a layer in densities_
+        std::size_t first_node;            // of the upper level's table
+        double scale_km;                   // its k: a power of two
+        std::uint64_t first_interval;      // address of s = 0
+    };
+    struct Node {
+        Channels value;
+        Channels slope;
+    };
+
+    void add_shell(const SkyMedium& medium, double bottom_km, double top_km);
+    void add_level(const Medium& air, AirShell& shell, double thickness_above_km);
+    double level_depth(const AirShell& shell, double s_km, std::size_t channel) const;
+    double shell_depth(const AirShell& shell, double s_top_km, double length_km,
+                       std::size_t channel) const;
+    double length_at_depth(const AirShell& shell, double s_top_km, double longest_km,
+                           std::size_t channel, double depth) const;
+    double position(const AirShell& shell, double altitude_km) const;
+
+    Shell planet_;
+    std::size_t channels_ = 0;
+    std::size_t layers_ = 0;
+    std::vector<AirShell> shells_;
+    std::vector<Polynomial> densities_;
+    std::vector<Node> nodes_;
+    std::vector<int> guide_;  // the shell at the bottom of each of equal slices of altitude
+};
+
+}  // namespace skybake

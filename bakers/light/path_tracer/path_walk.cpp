@@ -1,0 +1,339 @@
+#include "bakers/light/path_tracer/path_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// Below this 1 - e^-x and its inverse are taken from their series, since the difference has lost
+// twelve bits; the first term left out is below 2^-50 of the sum.
+constexpr double kThin = 0x1p-12;
+
+// 1 - e^-x for x >= 0, to all its digits.
+Channels scattered_share(Channels x, Channels transmittance) {
+    const Channels one(1.0);
+    const Channels series =
+        x * (one - (1.0 / 2) * x * (one - (1.0 / 3) * x * (one - (1.0 / 4) * x)));
+    return select(x > Channels(kThin), one - transmittance, series);
+}
+
+// -ln(1 - y) for y in [0, 1), likewise.
+double depth_of_share(double y) {
+    if (y > kThin) return -logarithm(1 - y);
+    return y * (1 + y * (1.0 / 2 + y * (1.0 / 3 + y * (1.0 / 4))));
+}
+
+// The angle between two unit vectors.
+ScatteringAngle angle_between(const Vector3& a, const Vector3& b) {
+    const Vector3 apart = a - b;
+    const Vector3 together = a + b;
+    return {0.5 * dot(apart, apart), 0.5 * dot(together, together)};
+}
+
+// A direction towards the sun: its disc is uniform in solid angle, 1 - cosine in [0, 1 - cos
+// radius].
+Vector3 sample_sun(const PathSource& source, RandomStream& random) {
+    if (!(source.sun_radius > 0)) return source.sun;
+    const double half_sine = cosine_of_pi(0.5 - 0.5 * source.sun_radius / std::numbers::pi);
+    const double one_minus = 2 * half_sine * half_sine * random.next();
+    return scatter(source.sun, {one_minus, 2 - one_minus}, random);
+}
+
+Channels zero_unless_positive(Channels numerator, Channels denominator) {
+    return select(denominator > Channels(0.0), numerator / denominator, Channels(0.0));
+}
+
+}  // namespace
+
+// Where a path is, and what it carries. For channel c of a path that hero h walks, the light that
+// comes along is worth weight[c] / mean(ratio): weight is f_c / p_h, ratio p_c / p_h.
+struct PathWalker::State {
+    Vector3 up;
+    Vector3 direction;
+    double altitude_km = 0;
+    int shell = 0;
+    int order = 0;
+    std::size_t hero = 0;
+    std::size_t channels = 0;
+    Channels weight{0.0};
+    Channels ratio{0.0};
+
+    Channels worth() const {
+        double sum = 0;
+        for (std::size_t c = 0; c < channels; ++c) sum += ratio[c];
+        return (static_cast<double>(channels) / sum) * weight;
+    }
+    Channels& gathered(PathLight& light) const {
+        return light.orders[std::min(static_cast<std::size_t>(order), kPathOrders) - 1];
+    }
+};
+
+// The air at a vertex.
+struct PathWalker::Here {
+    static constexpr std::size_t kInline = 8;  // layers that need no memory of their own
+    std::array<double, kInline> few;
+    std::vector<double> many;
+    Channels scattering{0.0};
+    const double* densities() const { return many.empty() ? few.data() : many.data(); }
+    double* densities() { return many.empty() ? few.data() : many.data(); }
+};
+
+PathWalker::PathWalker(const SkyMedium& medium)
+    : medium_(medium),
+      air_(medium),
+      ground_albedo_(medium.air.ground_albedo),
+      channels_(static_cast<std::size_t>(medium.air.channels)) {
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        const SkyLayer& layer = medium.layers[k];
+        if (!layer.scatters) continue;
+        const Spectrum& scattering = layer.alone.exponential_layers.empty()
+                                         ? layer.alone.piecewise_layers[0].scattering_per_km
+                                         : layer.alone.exponential_layers[0].scattering_per_km;
+        scatterers_.push_back({static_cast<int>(k), layer.phase, Channels(scattering)});
+    }
+}
+
+PathWalker::Flight PathWalker::begin_flight(const State& state) const {
+    const Shell& planet = air_.planet();
+    Flight flight;
+    flight.s_km = (planet.ground_radius_km + state.altitude_km) * dot(state.up, state.direction);
+    flight.falls = flight.s_km < 0;
+    flight.from = air_.depth_to_top({state.altitude_km, std::fabs(flight.s_km), state.shell});
+    flight.lowest = flight.from;
+    Channels depth = flight.from;
+    if (flight.falls) {
+        const double horizon = horizon_distance_km(planet, state.altitude_km);
+        flight.hits_ground = flight.s_km < -horizon;
+        AirShells::Point lowest;
+        if (flight.hits_ground) {
+            lowest.s_km = std::sqrt((-flight.s_km - horizon) * (horizon - flight.s_km));
+        } else {
+            const double drop = drop_to_nearest_km(planet, state.altitude_km, flight.s_km);
+            lowest.altitude_km = std::max(state.altitude_km - drop, 0.0);  // rounding
+        }
+        lowest.shell = air_.shell_at(lowest.altitude_km);
+        flight.lowest_shell = lowest.shell;
+        flight.lowest = air_.depth_to_top(lowest);
+        depth = flight.lowest - flight.from;
+        if (!flight.hits_ground) depth = depth + flight.lowest;
+        depth = maximum(depth, Channels(0.0));  // rounding
+    }
+    flight.through = exponential(-depth);
+    flight.scattered = scattered_share(depth, flight.through);
+    flight.returned = flight.hits_ground ? flight.through * ground_albedo_ : Channels(0.0);
+    return flight;
+}
+
+// Goes to where the hero's depth from the start is `depth`; returns each channel's.
+Channels PathWalker::move(const Flight& flight, double depth, State& state) const {
+    const std::size_t h = state.hero;
+    const AirShells::Point start = {state.altitude_km, std::fabs(flight.s_km), state.shell};
+    const double before_lowest = flight.lowest[h] - flight.from[h];
+    const bool still_falls = flight.falls && (flight.hits_ground || depth < before_lowest);
+    AirShells::Point end;
+    if (still_falls) {
+        end =
+            air_.point_at_depth(start, h, flight.from[h] + depth, flight.lowest_shell, state.shell);
+    } else {
+        const double upwards = flight.falls ? flight.lowest[h] + before_lowest : flight.from[h];
+        end =
+            air_.point_at_depth(start, h, std::max(upwards - depth, 0.0),
+                                flight.falls ? flight.lowest_shell : state.shell, air_.count() - 1);
+    }
+    const Channels above = air_.depth_to_top(end);
+    Channels way = still_falls ? above - flight.from : flight.from - above;
+    if (flight.falls && !still_falls) way = way + 2.0 * (flight.lowest - flight.from);
+    const double radius = air_.planet().ground_radius_km;
+    const double distance = (still_falls ? -end.s_km : end.s_km) - flight.s_km;
+    state.up = (1 / (radius + end.altitude_km)) *
+               ((radius + state.altitude_km) * state.up + distance * state.direction);
+    state.altitude_km = end.altitude_km;
+    state.shell = end.shell;
+    return maximum(way, Channels(0.0));  // rounding
+}
+
+// What the layers scatter where the path is.
+PathWalker::Here PathWalker::look_around(const State& state) const {
+    Here here;
+    if (scatterers_.size() > Here::kInline) here.many.resize(scatterers_.size());
+    double* densities = here.densities();
+    for (std::size_t k = 0; k < scatterers_.size(); ++k) {
+        const double density = air_.density(state.shell, scatterers_[k].layer, state.altitude_km);
+        densities[k] = std::max(density, 0.0);  // rounding
+        here.scattering = here.scattering + densities[k] * scatterers_[k].scattering_per_km;
+    }
+    return here;
+}
+
+// Sum of sigma_s p over layers.
+Channels PathWalker::towards(const Here& here, const ScatteringAngle& angle) const {
+    Channels sum(0.0);
+    for (std::size_t k = 0; k < scatterers_.size(); ++k) {
+        const LayerPhase& phase = scatterers_[k].phase;
+        const double density = here.densities()[k];
+        if (phase.is_alike()) {
+            const double value =
+                density * phase_value(phase.functions.front(), angle.one_minus, angle.one_plus);
+            sum = sum + value * scatterers_[k].scattering_per_km;
+        } else {
+            const Channels values(phase_values(phase, angle.one_minus, angle.one_plus));
+            sum = sum + density * values * scatterers_[k].scattering_per_km;
+        }
+    }
+    return sum;
+}
+
+std::size_t PathWalker::choose_scatterer(const Here& here, std::size_t hero,
+                                         RandomStream& random) const {
+    std::size_t chosen = 0;
+    if (scatterers_.size() == 1) return chosen;
+    double left = random.next() * here.scattering[hero];
+    for (; chosen + 1 < scatterers_.size(); ++chosen) {
+        left -= here.densities()[chosen] * scatterers_[chosen].scattering_per_km[hero];
+        if (left < 0) break;
+    }
+    return chosen;
+}
+
+// Distance by the hero's density sigma_t T / (1 - T_end + returned).
+void PathWalker::arrive_in_air(const Flight& flight, State& state, RandomStream& random) const {
+    const std::size_t h = state.hero;
+    const Channels passed =
+        move(flight, depth_of_share(random.next() * flight.scattered[h]), state);
+    ++state.order;
+    const Channels transmittance = exponential(-passed);
+    const Channels extinction = air_.extinction(state.shell, state.altitude_km);
+    const Channels density =
+        zero_unless_positive(extinction * transmittance, flight.scattered + flight.returned);
+    // Rounding at the edge of a layer may leave no extinction: then the path ends.
+    const double inverse = density[h] > 0 ? 1 / density[h] : 0;
+    state.weight = inverse * state.weight * transmittance;
+    state.ratio = inverse * state.ratio * density;
+}
+
+// An event in the air. False where the path ends there.
+bool PathWalker::collide(const Flight& flight, const PathSource& source, bool counts, State& state,
+                         RandomStream& random, PathLight& light) const {
+    arrive_in_air(flight, state, random);
+    const std::size_t h = state.hero;
+    if (!(state.ratio[h] > 0)) return false;
+    const Here here = look_around(state);
+    if (counts) {
+        const Vector3 sun = sample_sun(source, random);
+        const double r = air_.planet().ground_radius_km + state.altitude_km;
+        const Channels sunlight =
+            air_.sunlight(state.altitude_km, r * dot(state.up, sun), state.shell);
+        Channels& gathered = state.gathered(light);
+        gathered = gathered +
+                   state.worth() * sunlight * towards(here, angle_between(sun, state.direction));
+    }
+    if (!(here.scattering[h] > 0)) return false;
+    const std::size_t chosen = choose_scatterer(here, h, random);
+    const ScatteringAngle angle = sample_phase(scatterers_[chosen].phase.of(h), random);
+    const Channels value = towards(here, angle);
+    const double inverse = here.scattering[h] / value[h];
+    state.weight = inverse * state.weight * value;
+    state.ratio = inverse * state.ratio * zero_unless_positive(value, here.scattering);
+    state.direction = scatter(state.direction, angle, random);
+    return true;
+}
+
+// Chosen with probability returned / (1 - T_end + returned).
+void PathWalker::arrive_on_ground(const Flight& flight, State& state) const {
+    const Shell& planet = air_.planet();
+    const double distance = distance_to_ground_km(planet, state.altitude_km, flight.s_km);
+    state.up =
+        (1 / planet.ground_radius_km) *
+        ((planet.ground_radius_km + state.altitude_km) * state.up + distance * state.direction);
+    state.altitude_km = 0;
+    state.shell = 0;
+    ++state.order;
+    const Channels probability =
+        zero_unless_positive(flight.returned, flight.scattered + flight.returned);
+    const double inverse = 1 / probability[state.hero];
+    state.weight = inverse * state.weight * flight.returned;
+    state.ratio = inverse * state.ratio * probability;
+}
+
+// An event on the ground: Lambert's law, its cosine sampled.
+void PathWalker::reflect(const Flight& flight, const PathSource& source, bool counts, State& state,
+                         RandomStream& random, PathLight& light) const {
+    arrive_on_ground(flight, state);
+    if (counts) {
+        const double cosine = dot(state.up, sample_sun(source, random));
+        if (cosine > 0) {
+            const Channels sunlight = air_.sunlight(0, air_.planet().ground_radius_km * cosine, 0);
+            Channels& gathered = state.gathered(light);
+            gathered = gathered + (cosine / std::numbers::pi) * state.worth() * sunlight;
+        }
+    }
+    const double square = random.next();
+    const double cosine = std::sqrt(square);
+    state.direction = scatter(state.up, {(1 - square) / (1 + cosine), 1 + cosine}, random);
+}
+
+PathWalker::State PathWalker::begin(const PathStart& start) const {
+    State state;
+    state.up = start.up;
+    state.direction = start.direction;
+    state.altitude_km = start.altitude_km;
+    state.shell = air_.shell_at(start.altitude_km);
+    state.channels = channels_;
+    for (std::size_t c = 0; c < channels_; ++c) {
+        state.weight.set(c, 1);
+        state.ratio.set(c, 1);
+    }
+    return state;
+}
+
+PathWalker::Flight PathWalker::first_flight(const PathStart& start, const PathRules& rules) const {
+    Flight flight = begin_flight(begin(start));
+    if (!rules.sees_ground) flight.returned = Channels(0.0);
+    return flight;
+}
+
+Channels PathWalker::walk(const PathSource& source, const PathStart& start, const Flight& first,
+                          const PathRules& rules, RandomStream& random, PathLight& light) const {
+    State state = begin(start);
+    const auto channels = static_cast<double>(channels_);
+    state.hero = std::min(static_cast<std::size_t>(random.next() * channels), channels_ - 1);
+    Channels second_flight(0.0);
+    Channels usual = rules.usual_weight;
+    Flight flight = first;
+    for (;;) {
+        if (source.ambient && !flight.hits_ground) {
+            Channels& gathered = state.order == 0 ? light.direct : state.gathered(light);
+            gathered = gathered + state.worth() * flight.through;
+        }
+        const Channels goes_on = flight.scattered + flight.returned;
+        if (state.order > 0) {
+            const Channels worth = state.worth() * goes_on;
+            if (state.order == 1) {
+                second_flight = worth;
+                usual = select(usual > Channels(0.0), usual, worth);
+            }
+            const Channels share = zero_unless_positive(worth, usual);
+            const double survival = std::max({share[0], share[1], share[2]});
+            if (survival < 1) {
+                if (random.next() >= survival) return second_flight;
+                state.weight = (1 / survival) * state.weight;
+            }
+        }
+        if (!(goes_on[state.hero] > 0)) return second_flight;
+        const double returned = flight.returned[state.hero];
+        const bool counts = !source.ambient && (state.order > 0 || rules.counts_first_order);
+        if (returned > 0 && random.next() * goes_on[state.hero] < returned) {
+            reflect(flight, source, counts, state, random, light);
+        } else if (!collide(flight, source, counts, state, random, light)) {
+            return second_flight;
+        }
+        flight = begin_flight(state);
+    }
+}
+
+}  // namespace skybake

@@ -1,0 +1,59 @@
+// Sky radiance by path tracing in many directions, as text that can be kept: tracing it again takes
+// minutes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bakers/air/sky_medium.h"
+#include "bakers/light/path_tracer/path_walk.h"
+
+namespace skybake {
+
+struct SkyTruthDirection {
+    double altitude_km = 0;
+    double sun_zenith_degrees = 0;
+    double view_zenith_degrees = 0;
+    double azimuth_degrees = 0;  // of the view from the sun
+    bool operator==(const SkyTruthDirection&) const = default;
+};
+
+// Suns from the zenith to 6 degrees below the horizon, views from the zenith to half a degree above
+// it, towards the sun, across and away from it where these differ: 178 directions.
+std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km);
+
+struct SkyTruthSettings {
+    std::uint64_t seed = 0;
+    std::int64_t paths = 0;  // per direction
+};
+
+// One channel of one direction; in 1/sr for a solar irradiance of 1. View rays that hit the ground
+// do not see it.
+struct SkyTruth {
+    SkyTruthDirection direction;
+    int channel = 0;
+    std::array<double, kPathOrders> orders{};  // 1 to 5, 6 and more
+    double radiance = 0;
+    double standard_error = 0;
+    bool operator==(const SkyTruth&) const = default;
+};
+
+// All channels of the first direction, of the second, and so on. Direction i is ray i of the seed.
+// The first order is by quadrature.
+std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,
+                                      const std::vector<SkyTruthDirection>& directions,
+                                      const SkyTruthSettings& settings, int threads);
+
+// One line a value, after a line of `comment` (without line breaks) and one of the columns' names:
+//   h_km,sun_zenith_deg,view_zenith_deg,azimuth_deg,channel,L1,L2,L3,L4,L5,L6plus,L_total,stderr_total
+// Numbers have the digits that reading them back takes.
+std::string sky_truth_csv(const std::vector<SkyTruth>& values, std::string_view comment);
+
+// Nothing where the text is no such table: wrong columns, too few or too many of them, no numbers.
+std::optional<std::vector<SkyTruth>> parse_sky_truth_csv(std::string_view text);
+
+}  // namespace skybake

@@ -1,0 +1,110 @@
+#include "bakers/light/sky_light.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bakers/air/forward_peak.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/light/check_light.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solver/solved_light_memory.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+using config::SkyOrders;
+
+namespace {
+
+std::shared_ptr<const SolvedLight> solve_unless_single(const SkyMedium& medium, SkyOrders orders,
+                                                       const BakeOptions& options) {
+    if (orders == SkyOrders::single) return nullptr;
+    SolverSettings settings;
+    settings.degree = kSkyDegree;
+    return remembered_light(medium, settings, options.threads, options.progress);
+}
+
+std::unique_ptr<const HigherOrders> solved_orders(const SkyMedium& medium, SkyOrders orders,
+                                                  const SolvedLight* light) {
+    if (orders == SkyOrders::single) return nullptr;
+    return std::make_unique<SolvedOrders>(medium, *light, kSkyDegree);
+}
+
+}  // namespace
+
+SkyLight::SkyLight(const config::Atmosphere& atmosphere, SkyOrders orders,
+                   const std::vector<std::string>& layers, const BakeOptions& options)
+    : medium_(without_forward_peaks(make_sky_medium(scattering_only(atmosphere, layers)))),
+      whole_air_(make_medium(atmosphere)),
+      shell_(shell_of(medium_.air)),
+      orders_(orders),
+      solved_(solve_unless_single(medium_, orders, options)),
+      higher_orders_(solved_orders(medium_, orders, solved_.get())),
+      integrator_(medium_, higher_orders_.get()) {}
+
+SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,
+                   std::unique_ptr<const HigherOrders> higher_orders)
+    : medium_(std::move(medium)),
+      whole_air_(medium_.air),
+      shell_(shell_of(medium_.air)),
+      orders_(orders),
+      higher_orders_(std::move(higher_orders)),
+      integrator_(medium_, higher_orders_.get()) {}
+
+std::optional<config::Diagnostic> SkyLight::problem(const std::string& name) const {
+    if (!solved_) return std::nullopt;
+    return check_light(energy_balance(medium_, *solved_), *solved_, name);
+}
+
+Spectrum SkyLight::sun_transmittance(double altitude_km, double s_km) const {
+    if (!has_peaks()) return integrator_.sunlight(altitude_km, s_km);
+    if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
+    Spectrum value = optical_depth_to_top(whole_air_, altitude_km, s_km);
+    for (double& channel : value) channel = exponential(-channel);
+    return value;
+}
+
+bool SkyLight::has_peaks() const {
+    return std::any_of(medium_.layers.begin(), medium_.layers.end(),
+                       [](const SkyLayer& layer) { return !layer.first_phase.functions.empty(); });
+}
+
+Spectrum SkyLight::wanted(const SkyRadiance& radiance) const {
+    if (orders_ == SkyOrders::single) return radiance.single;
+    Spectrum sum = not_negative(radiance.multiple);
+    for (std::size_t c = 0; c < sum.size(); ++c) {
+        sum[c] += radiance.ground[c];
+        if (orders_ == SkyOrders::all) sum[c] += radiance.single[c];
+    }
+    return sum;
+}
+
+Spectrum not_negative(const Spectrum& higher_orders) {
+    Spectrum result = higher_orders;
+    for (double& value : result) value = std::max(value, 0.0);
+    return result;
+}
+
+config::Atmosphere scattering_only(config::Atmosphere atmosphere,
+                                   const std::vector<std::string>& layers) {
+    if (layers.empty()) return atmosphere;
+    for (config::Layer& layer : atmosphere.layers) {
+        if (std::find(layers.begin(), layers.end(), layer.name) != layers.end()) continue;
+        layer = without_scattering(std::move(layer));
+    }
+    return atmosphere;
+}
+
+std::string light_text(SkyOrders orders, const std::vector<std::string>& layers) {
+    if (orders == SkyOrders::all) return "all orders of scattering";
+    if (orders == SkyOrders::multiple) {
+        return "light scattered more than once or reflected by the ground";
+    }
+    if (layers.empty()) return "single scattering";
+    return fmt::format("single scattering by {}", fmt::join(layers, ", "));
+}
+
+}  // namespace skybake

@@ -1,0 +1,223 @@
+#include "bakers/light/sky_radiance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/ray_breaks.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/ray_pieces.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {}  // namespace
+
+Spectrum SkyRadiance::total() const {
+    Spectrum sum{};
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = single[c] + multiple[c] + ground[c];
+    return sum;
+}
+
+struct SkyIntegrator::Piece {
+    double from_km;
+    double to_km;
+    Spectrum depth_from;
+    Spectrum depth_to;
+};
+
+SkyIntegrator::SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders)
+    : medium_(medium),
+      higher_orders_(higher_orders),
+      shell_(shell_of(medium.air)),
+      break_altitudes_km_(quadrature_altitudes_km(medium.air)) {}
+
+Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
+    if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
+    Spectrum value = optical_depth_to_top(medium_.air, altitude_km, s_km);
+    for (int c = 0; c < medium_.air.channels; ++c) {
+        double& channel = value[static_cast<std::size_t>(c)];
+        channel = exponential(-channel);
+    }
+    return value;
+}
+
+Spectrum SkyIntegrator::depth_km(const SkyRay& ray, double distance_km) const {
+    const double r = shell_.ground_radius_km + ray.altitude_km;
+    return optical_depth_along(medium_.air, ray.altitude_km, ray.s_km / r, distance_km);
+}
+
+ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double altitude_km,
+                                 double sun_s_km, double distance_km) {
+    const double r = shell.ground_radius_km + altitude_km;
+    ScatteringPoint point;
+    point.altitude_km = altitude_km;
+    point.sun_cos_zenith = std::clamp(sun_s_km / r, -1.0, 1.0);                   // rounding
+    point.view_cos_zenith = std::clamp((ray.s_km + distance_km) / r, -1.0, 1.0);  // rounding
+    const double sines = std::sqrt((1 - point.sun_cos_zenith) * (1 + point.sun_cos_zenith) *
+                                   (1 - point.view_cos_zenith) * (1 + point.view_cos_zenith));
+    const double along = ray.cosine_to_sun - point.sun_cos_zenith * point.view_cos_zenith;
+    // A vertical view or sun has no azimuth, and what depends on it vanishes with the sines.
+    point.azimuth_cosine = std::fabs(along) < sines ? along / sines : std::copysign(1.0, along);
+    return point;
+}
+
+// Ascending, with both ends.
+std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
+    std::vector<double> cuts;
+    for (const RayBreak& at :
+         ray_breaks(shell_, ray.altitude_km, ray.s_km, ray.length_km, break_altitudes_km_)) {
+        cuts.push_back(at.distance_km);
+    }
+    // The sun's ray through P grazes altitude k where |P|^2 - (P . sun)^2 = (R + k)^2 and the sun
+    // is below the horizontal there; k = 0 is the edge of the shadow.
+    const double nu = ray.cosine_to_sun;
+    const double a = ray.one_minus_cosine * ray.one_plus_cosine;
+    const double b = ray.s_km - ray.sun_s_km * nu;
+    for (const double altitude : break_altitudes_km_) {
+        const double gain = ray.altitude_km - altitude;
+        // r^2 - (R + k)^2 - (r mu_s)^2.
+        const double c = gain * (2 * shell_.ground_radius_km + ray.altitude_km + altitude) -
+                         ray.sun_s_km * ray.sun_s_km;
+        const double discriminant = b * b - a * c;
+        if (!(a > 0) || discriminant < 0) continue;
+        const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+        for (const double x : {q / a, q != 0 ? c / q : 0.0}) {
+            if (x > 0 && x < ray.length_km && ray.sun_s_km + x * nu < 0) cuts.push_back(x);
+        }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    return cuts;
+}
+
+std::vector<Spectrum> SkyIntegrator::phases(const SkyRay& ray) const {
+    std::vector<Spectrum> values;
+    for (const SkyLayer& layer : medium_.layers) {
+        values.push_back(first_phase_values(layer, ray.one_minus_cosine, ray.one_plus_cosine));
+    }
+    return values;
+}
+
+void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& phases,
+                              const Piece& piece, int halvings, SkyRadiance& sum) const {
+    const auto channels = static_cast<std::size_t>(medium_.air.channels);
+    bool lit = false;
+    double depth = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        if (piece.depth_from[c] > ray_pieces::kLastLight) continue;
+        lit = true;
+        depth = std::max(depth, piece.depth_to[c] - piece.depth_from[c]);
+    }
+    if (!lit) return;
+    if (depth > ray_pieces::kLargestDepth && halvings < ray_pieces::kMostHalvings) {
+        const double middle = 0.5 * (piece.from_km + piece.to_km);
+        const Spectrum depth_middle = depth_km(ray, middle);
+        add_piece(ray, phases, {piece.from_km, middle, piece.depth_from, depth_middle},
+                  halvings + 1, sum);
+        add_piece(ray, phases, {middle, piece.to_km, depth_middle, piece.depth_to}, halvings + 1,
+                  sum);
+        return;
+    }
+    const double width = piece.to_km - piece.from_km;
+    for (std::size_t i = 0; i < ray_pieces::gauss_rule().nodes.size(); ++i) {
+        const double x = piece.from_km + width * ray_pieces::gauss_rule().nodes[i];
+        const double altitude = std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, x),
+                                           0.0, shell_.thickness_km);  // rounding
+        const double s = ray.sun_s_km + x * ray.cosine_to_sun;
+        const Spectrum depth_here = depth_km(ray, x);
+        const Spectrum sun = sunlight(altitude, s);
+        Spectrum towards_eye{};
+        std::vector<Spectrum> scattering(medium_.layers.size());
+        for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+            if (!medium_.layers[k].scatters) continue;
+            scattering[k] = scattering_at(medium_.layers[k].alone, altitude);
+            for (std::size_t c = 0; c < channels; ++c) {
+                towards_eye[c] += scattering[k][c] * phases[k][c];
+            }
+        }
+        Spectrum again{};
+        if (higher_orders_) {
+            again = higher_orders_->scattered(scattering_point(shell_, ray, altitude, s, x),
+                                              scattering);
+        }
+        for (std::size_t c = 0; c < channels; ++c) {
+            const double weight =
+                width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here[c]);
+            sum.single[c] += weight * towards_eye[c] * sun[c];
+            sum.multiple[c] += weight * again[c];
+        }
+    }
+}
+
+Spectrum SkyIntegrator::ground_radiance(double sun_s_km) const {
+    const double mu = sun_s_km / shell_.ground_radius_km;
+    const Spectrum sun = sunlight(0, sun_s_km);
+    Spectrum value{};
+    if (higher_orders_) value = higher_orders_->sky_irradiance(mu);
+    for (std::size_t c = 0; c < value.size(); ++c) {
+        value[c] = medium_.air.ground_albedo[c] / std::numbers::pi *
+                   (std::max(mu, 0.0) * sun[c] + value[c]);
+    }
+    return value;
+}
+
+SkyRadiance SkyIntegrator::radiance(double altitude_km, const SunZenith& sun,
+                                    const SkyDirection& direction) const {
+    return radiance(sky_ray(shell_, altitude_km, sun, direction));
+}
+
+SkyRadiance SkyIntegrator::radiance(const SkyRay& ray) const {
+    SkyRadiance sum = up_to(ray, {ray.length_km}).front();
+    if (ray.meets_ground) {
+        sum.ground = ground_radiance(ray.sun_s_km + ray.length_km * ray.cosine_to_sun);
+        for (std::size_t c = 0; c < sum.ground.size(); ++c) sum.ground[c] *= sum.transmittance[c];
+    }
+    return sum;
+}
+
+std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
+                                              const std::vector<double>& distances_km) const {
+    const auto channels = static_cast<std::size_t>(medium_.air.channels);
+    std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{0};
+    cuts.insert(cuts.end(), distances_km.begin(), distances_km.end());
+    std::sort(cuts.begin(), cuts.end());
+    const std::vector<Spectrum> of_layers = phases(ray);
+    std::vector<SkyRadiance> result;
+    SkyRadiance sum;
+    Spectrum depth{};
+    std::size_t cut = 0;
+    for (const double distance : distances_km) {
+        for (; cuts[cut] < distance; ++cut) {
+            if (!(cuts[cut] < cuts[cut + 1])) continue;
+            const Spectrum next = depth_km(ray, cuts[cut + 1]);
+            add_piece(ray, of_layers, {cuts[cut], cuts[cut + 1], depth, next}, 0, sum);
+            depth = next;
+        }
+        for (std::size_t c = 0; c < channels; ++c) sum.transmittance[c] = exponential(-depth[c]);
+        result.push_back(sum);
+    }
+    return result;
+}
+
+SkyRadiance SkyIntegrator::between(const SkyRay& ray, double from_km, double to_km) const {
+    std::vector<double> cuts = {from_km};
+    for (const double cut : cuts_km(ray)) {
+        if (cut > from_km && cut < to_km) cuts.push_back(cut);
+    }
+    cuts.push_back(to_km);
+    const std::vector<Spectrum> of_layers = phases(ray);
+    SkyRadiance sum;
+    Spectrum depth = depth_km(ray, from_km);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        if (!(cuts[i] < cuts[i + 1])) continue;
+        const Spectrum next = depth_km(ray, cuts[i + 1]);
+        add_piece(ray, of_layers, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
+        depth = next;
+    }
+    return sum;
+}
+
+}  // namespace skybake

@@ -1,0 +1,82 @@
+// The radiance of the sky along one ray by direct integration, in double precision.
+//
+//   single    integral of T sum over layers of sigma_s p(nu) T_sun dt
+//   multiple  integral of T (what HigherOrders scatters) dt
+//   ground    T (where the ray ends) albedo / pi (mu_s T_sun + sky irradiance)
+//
+// T and T_sun are exact optical depths (optical_depth.h).
+//
+// Rays are cut at the altitudes where a density changes its course, at their lowest point, at the
+// planet's shadow and where the sun's own ray grazes one of those altitudes, then halved until no
+// piece that light still reaches has an optical depth above 1; Gauss' rule with five nodes in each.
+//
+// Hard cases: the sun on the horizon and below (rays that graze the shadow), at the zenith, as the
+// direction itself; the camera on the ground (rays below the horizontal have length 0), at the top
+// and in space (rays that miss the air are black); a horizon 40 degrees down; 50 times the air; no
+// air at all.
+#pragma once
+
+#include <vector>
+
+#include "bakers/air/ray.h"
+#include "bakers/air/sky_medium.h"
+#include "bakers/light/higher_orders.h"
+#include "bakers/light/sky_direction.h"
+#include "bakers/light/sky_ray.h"
+
+namespace skybake {
+
+// In 1/sr, for a solar irradiance of 1.
+struct SkyRadiance {
+    Spectrum single{};
+    Spectrum multiple{};
+    Spectrum ground{};
+    Spectrum transmittance{};  // along the whole ray
+    Spectrum total() const;    // of the light
+};
+
+class SkyIntegrator {
+  public:
+    // Both must outlive it. Without higher orders only single scattering and ground in sunlight.
+    SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders);
+
+    // From an altitude in [0, thickness]. Single scattering within 2e-4 of adaptive quadrature.
+    SkyRadiance radiance(double altitude_km, const SunZenith& sun,
+                         const SkyDirection& direction) const;
+
+    // The same along any ray.
+    SkyRadiance radiance(const SkyRay& ray) const;
+
+    // What has come along the ray from its beginning up to each of `distances_km`, which ascend
+    // in [0, length]: without the ground.
+    std::vector<SkyRadiance> up_to(const SkyRay& ray,
+                                   const std::vector<double>& distances_km) const;
+
+    // Light scattered between two distances as it leaves the ray's beginning, without the ground.
+    SkyRadiance between(const SkyRay& ray, double from_km, double to_km) const;
+
+    // What the ground sends up, in 1/sr, where r mu_s = `sun_s_km`.
+    Spectrum ground_radiance(double sun_s_km) const;
+
+    // Transmittance to the sun at a point where r mu_s = `s_km`; 0 in the planet's shadow.
+    Spectrum sunlight(double altitude_km, double s_km) const;
+
+  private:
+    struct Piece;
+    std::vector<double> cuts_km(const SkyRay& ray) const;
+    Spectrum depth_km(const SkyRay& ray, double distance_km) const;
+    std::vector<Spectrum> phases(const SkyRay& ray) const;
+    void add_piece(const SkyRay& ray, const std::vector<Spectrum>& phases, const Piece& piece,
+                   int halvings, SkyRadiance& sum) const;
+
+    const SkyMedium& medium_;
+    const HigherOrders* higher_orders_;
+    Shell shell_;
+    std::vector<double> break_altitudes_km_;
+};
+
+// A point of a ray after `distance_km`, at an altitude where r mu_s = `sun_s_km`.
+ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double altitude_km,
+                                 double sun_s_km, double distance_km);
+
+}  // namespace skybake

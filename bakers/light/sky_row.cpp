@@ -1,0 +1,235 @@
+#include "bakers/light/sky_row.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/ray_breaks.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/ray_pieces.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// In radii of the planet: about a degree. Along a horizontal ray at dusk the sun's rays graze one
+// scale height after the other, a few degrees apart.
+constexpr double kLongestPiece = 1.0 / 48;
+
+// Chebyshev points of the second kind, cos(pi k / (n - 1)), with the weights of the barycentric
+// formula: alternating, halved at both ends.
+double chebyshev_point(int k, int count) {
+    return cosine_of_pi(static_cast<double>(k) / (count - 1));
+}
+
+Spectrum interpolate(const std::vector<Spectrum>& values, double x) {
+    const auto count = static_cast<int>(values.size());
+    Spectrum above{};
+    double below = 0;
+    for (int k = 0; k < count; ++k) {
+        const double gap = x - chebyshev_point(k, count);
+        if (gap == 0) return values[static_cast<std::size_t>(k)];
+        const double half = k == 0 || k + 1 == count ? 0.5 : 1.0;
+        const double weight = (k % 2 == 0 ? half : -half) / gap;
+        below += weight;
+        for (std::size_t c = 0; c < above.size(); ++c) {
+            above[c] += weight * values[static_cast<std::size_t>(k)][c];
+        }
+    }
+    for (double& value : above) value /= below;
+    return above;
+}
+
+}  // namespace
+
+SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
+               const HigherOrders* higher_orders, const SkyRay& any)
+    : integrator_(integrator),
+      medium_(medium),
+      higher_orders_(higher_orders),
+      shell_(shell_of(medium.air)),
+      any_(any) {
+    Spectrum depth{};
+    if (any.length_km > 0) {
+        const std::vector<RayBreak> cuts = ray_breaks(
+            shell_, any.altitude_km, any.s_km, any.length_km, quadrature_altitudes_km(medium.air));
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            const Spectrum next = depth_km(cuts[i + 1].distance_km);
+            add_pieces(cuts[i].distance_km, cuts[i + 1].distance_km, depth, next, 0);
+            depth = next;
+        }
+    }
+    for (int c = 0; c < medium.air.channels; ++c) {
+        const auto channel = static_cast<std::size_t>(c);
+        transmittance_[channel] = exponential(-depth[channel]);
+    }
+}
+
+Spectrum SkyRow::depth_km(double distance_km) const {
+    const double r = shell_.ground_radius_km + any_.altitude_km;
+    return optical_depth_along(medium_.air, any_.altitude_km, any_.s_km / r, distance_km);
+}
+
+void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from,
+                        const Spectrum& depth_to, int halvings) {
+    const auto channels = static_cast<std::size_t>(medium_.air.channels);
+    bool lit = false;
+    double depth = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        if (depth_from[c] > ray_pieces::kLastLight) continue;
+        lit = true;
+        depth = std::max(depth, depth_to[c] - depth_from[c]);
+    }
+    if (!lit) return;
+    const bool is_long = to_km - from_km > kLongestPiece * shell_.ground_radius_km;
+    if ((depth > ray_pieces::kLargestDepth || is_long) && halvings < ray_pieces::kMostHalvings) {
+        const double middle = 0.5 * (from_km + to_km);
+        const Spectrum depth_middle = depth_km(middle);
+        add_pieces(from_km, middle, depth_from, depth_middle, halvings + 1);
+        add_pieces(middle, to_km, depth_middle, depth_to, halvings + 1);
+        return;
+    }
+    pieces_.push_back({from_km, to_km, nodes_.size()});
+    const double width = to_km - from_km;
+    for (std::size_t i = 0; i < ray_pieces::gauss_rule().nodes.size(); ++i) {
+        Node node;
+        node.distance_km = from_km + width * ray_pieces::gauss_rule().nodes[i];
+        node.altitude_km = std::clamp(
+            altitude_along_km(shell_, any_.altitude_km, any_.s_km, node.distance_km), 0.0,
+            shell_.thickness_km);  // rounding
+        node.horizon_km = horizon_distance_km(shell_, node.altitude_km);
+        const Spectrum depth_here = depth_km(node.distance_km);
+        node.weight = {};
+        for (std::size_t c = 0; c < channels; ++c) {
+            node.weight[c] =
+                width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here[c]);
+        }
+        for (const SkyLayer& layer : medium_.layers) {
+            node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, node.altitude_km)
+                                                     : Spectrum{});
+        }
+        nodes_.push_back(std::move(node));
+    }
+}
+
+// Pieces at whose ends, or between, a ray has and has not the sun.
+void SkyRow::add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& rays,
+                                const std::vector<bool>& is_cut,
+                                std::vector<SkyRadiance>& sums) const {
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!is_cut[i]) continue;
+        const SkyRadiance part = integrator_.between(rays[i], piece.from_km, piece.to_km);
+        for (std::size_t c = 0; c < part.single.size(); ++c) sums[i].single[c] += part.single[c];
+    }
+}
+
+void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const {
+    const auto channels = static_cast<std::size_t>(medium_.air.channels);
+    const std::size_t count = rays.size();
+    std::vector<Spectrum> phases(medium_.layers.size() * count);
+    for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+        for (std::size_t i = 0; i < count; ++i) {
+            phases[k * count + i] = first_phase_values(medium_.layers[k], rays[i].one_minus_cosine,
+                                                       rays[i].one_plus_cosine);
+        }
+    }
+    std::vector<double> s(count);
+    std::vector<double> sun(count * kMaxChannels);
+    std::vector<bool> is_cut(count);
+    std::vector<bool> is_hidden(count);
+    const auto nodes_per_piece = ray_pieces::gauss_rule().nodes.size();
+    for (const Piece& piece : pieces_) {
+        // The shadow's edge is where (r mu_s)^2 = r^2 - R^2 with the sun below the horizontal:
+        // along a ray, a quadratic, whose lit part between two nodes or ends is lost on neither
+        // unless it is shorter than the gap between them.
+        const auto lit_at = [&](const SkyRay& ray, double distance_km) {
+            const double altitude =
+                std::max(altitude_along_km(shell_, any_.altitude_km, any_.s_km, distance_km), 0.0);
+            return ray.sun_s_km + distance_km * ray.cosine_to_sun >=
+                   -horizon_distance_km(shell_, altitude);
+        };
+        bool any_cut = false;
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool first = lit_at(rays[i], piece.from_km);
+            bool differs = lit_at(rays[i], piece.to_km) != first;
+            for (std::size_t n = 0; n < nodes_per_piece && !differs; ++n) {
+                const Node& node = nodes_[piece.first_node + n];
+                differs = (rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun >=
+                           -node.horizon_km) != first;
+            }
+            is_cut[i] = differs;
+            is_hidden[i] = differs || !first;
+            any_cut = any_cut || differs;
+        }
+        if (any_cut) add_shadowed_piece(piece, rays, is_cut, sums);
+        if (std::all_of(is_hidden.begin(), is_hidden.end(), [](bool hidden) { return hidden; })) {
+            continue;
+        }
+        for (std::size_t n = 0; n < nodes_per_piece; ++n) {
+            const Node& node = nodes_[piece.first_node + n];
+            for (std::size_t i = 0; i < count; ++i) {
+                // Rays without the sun ask for a place of the table all the same.
+                s[i] =
+                    is_hidden[i] ? 0 : rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun;
+            }
+            optical_depth_to_top(medium_.air, node.altitude_km, s.data(), static_cast<int>(count),
+                                 sun.data());
+            for (double& value : sun) value = -value;
+            exponentials(sun.data(), static_cast<int>(count * channels));
+            for (std::size_t c = 0; c < channels; ++c) {
+                for (std::size_t i = 0; i < count; ++i) {
+                    if (is_hidden[i]) continue;
+                    double towards_eye = 0;
+                    for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+                        towards_eye += node.scattering[k][c] * phases[k * count + i][c];
+                    }
+                    sums[i].single[c] += node.weight[c] * towards_eye * sun[c * count + i];
+                }
+            }
+        }
+    }
+}
+
+Spectrum SkyRow::multiple(const SkyRay& ray) const {
+    Spectrum sum{};
+    for (const Node& node : nodes_) {
+        const double s = ray.sun_s_km + node.distance_km * ray.cosine_to_sun;
+        const Spectrum again = higher_orders_->scattered(
+            scattering_point(shell_, ray, node.altitude_km, s, node.distance_km), node.scattering);
+        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += node.weight[c] * again[c];
+    }
+    return sum;
+}
+
+std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
+                                          const std::vector<double>& azimuth_cosines) const {
+    std::vector<SkyRay> rays;
+    for (const double cosine : azimuth_cosines) rays.push_back(ray_at(cosine));
+    std::vector<SkyRadiance> sums(rays.size());
+    for (SkyRadiance& sum : sums) sum.transmittance = transmittance_;
+    add_single(rays, sums);
+    if (higher_orders_ != nullptr) {
+        const bool interpolates = rays.size() > kAzimuthNodes;
+        std::vector<Spectrum> at_nodes;
+        for (int k = 0; interpolates && k < kAzimuthNodes; ++k) {
+            at_nodes.push_back(multiple(ray_at(chebyshev_point(k, kAzimuthNodes))));
+        }
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            sums[i].multiple =
+                interpolates ? interpolate(at_nodes, azimuth_cosines[i]) : multiple(rays[i]);
+        }
+    }
+    for (std::size_t i = 0; i < rays.size() && any_.meets_ground; ++i) {
+        sums[i].ground =
+            integrator_.ground_radiance(rays[i].sun_s_km + any_.length_km * rays[i].cosine_to_sun);
+        for (std::size_t c = 0; c < transmittance_.size(); ++c) {
+            sums[i].ground[c] *= transmittance_[c];
+        }
+    }
+    return sums;
+}
+
+}  // namespace skybake

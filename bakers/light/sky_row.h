@@ -1,0 +1,66 @@
+// The radiance of many rays that begin at one altitude with one zenith angle and so pass the same
+// air, whatever their azimuth: sky_radiance.h for a row of a table, many times faster.
+//
+// Nodes, transmittances and densities are found once for the row; sunlight is exact and comes for
+// all rays of a node at once (optical_depth.h). Only pieces through which the edge of the planet's
+// shadow runs are left to SkyIntegrator, ray by ray. What higher orders send is a smooth function
+// of the cosine of the azimuth: with more than kAzimuthNodes rays it is made at that many
+// Chebyshev nodes of it and interpolated (Berrut & Trefethen 2004).
+//
+// Against SkyIntegrator: tests/sky/sky_row_test.cpp.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "bakers/light/sky_radiance.h"
+
+namespace skybake {
+
+// The ray of a row whose azimuth from the sun has this cosine. Rays of a row differ in nothing but
+// the sun, and r mu_s and the cosine to it are linear in the azimuth's cosine.
+using RayOfAzimuth = std::function<SkyRay(double azimuth_cosine)>;
+
+class SkyRow {
+  public:
+    static constexpr int kAzimuthNodes = 16;
+
+    // All must outlive it. The part of `any` that all rays share makes the row.
+    SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
+           const HigherOrders* higher_orders, const SkyRay& any);
+
+    std::vector<SkyRadiance> radiance(const RayOfAzimuth& ray_at,
+                                      const std::vector<double>& azimuth_cosines) const;
+
+  private:
+    struct Node {
+        double distance_km;
+        double altitude_km;
+        double horizon_km;                 // distance to the horizon there
+        Spectrum weight;                   // of the quadrature, times the transmittance to it
+        std::vector<Spectrum> scattering;  // of each layer
+    };
+    struct Piece {
+        double from_km;
+        double to_km;
+        std::size_t first_node;
+    };
+    void add_pieces(double from_km, double to_km, const Spectrum& depth_from,
+                    const Spectrum& depth_to, int halvings);
+    Spectrum depth_km(double distance_km) const;
+    void add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const;
+    void add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& rays,
+                            const std::vector<bool>& is_cut, std::vector<SkyRadiance>& sums) const;
+    Spectrum multiple(const SkyRay& ray) const;
+
+    const SkyIntegrator& integrator_;
+    const SkyMedium& medium_;
+    const HigherOrders* higher_orders_;
+    Shell shell_;
+    SkyRay any_;
+    std::vector<Node> nodes_;
+    std::vector<Piece> pieces_;
+    Spectrum transmittance_{};
+};
+
+}  // namespace skybake

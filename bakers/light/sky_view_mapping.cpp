@@ -1,0 +1,105 @@
+#include "bakers/light/sky_view_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "bakers/air/horizon_margin.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// arccos(R / (R + h)) = 2 arcsin sqrt(h / (2 (R + h))): no digits are lost near h = 0.
+double angle_to_tangent(double radius_km, double altitude_km) {
+    return std::numbers::pi -
+           2 * arc_cosine(std::sqrt(altitude_km / (2 * (radius_km + altitude_km))));
+}
+
+}  // namespace
+
+double cosine_of(double angle) { return cosine_of_turns(angle / (2 * std::numbers::pi)); }
+
+double sine_of(double angle) { return cosine_of_turns(angle / (2 * std::numbers::pi) - 0.25); }
+
+SkyViewCamera::SkyViewCamera(const Shell& shell, double altitude_km)
+    : shell_(shell),
+      altitude_km_(altitude_km),
+      dip_(angle_to_tangent(shell.ground_radius_km, altitude_km)) {
+    range_below_ = std::numbers::pi / 2 - dip_;
+    range_above_ = std::numbers::pi / 2 + dip_;
+    if (in_space()) {
+        dip_to_top_ = angle_to_tangent(shell.ground_radius_km + shell.thickness_km,
+                                       altitude_km - shell.thickness_km);
+        range_above_ = dip_ - dip_to_top_;
+    }
+}
+
+double SkyViewCamera::angle_at(double y) const {
+    const double centred = 2 * y - 1;
+    return (centred < 0 ? -range_below_ : range_above_) * (centred * centred);
+}
+
+double SkyViewCamera::coordinate(double angle) const {
+    if (angle < 0) return 0.5 - 0.5 * std::sqrt(-angle / range_below_);
+    return range_above_ > 0 ? 0.5 + 0.5 * std::sqrt(angle / range_above_) : 0.5;
+}
+
+double SkyViewCamera::off_the_edges(double y) const {
+    const double angle = angle_at(y);
+    // From far away even the whole range may be no wider.
+    const double below = std::min(kHorizonMargin, 0.25 * range_below_);
+    if (meets_ground(y)) return coordinate(std::min(angle, -below));
+    const double above = std::min(kHorizonMargin, 0.25 * range_above_);
+    const double highest = in_space() ? range_above_ - above : range_above_;
+    return coordinate(std::clamp(angle, above, highest));
+}
+
+SkyRay SkyViewCamera::ray(double y, const SunZenith& sun, double azimuth_cosine) const {
+    const double angle = angle_at(y);
+    const double r = shell_.ground_radius_km + altitude_km_;
+    const double mu = std::clamp(sine_of(angle - dip_), -1.0, 1.0);
+    const double sine = std::clamp(cosine_of(angle - dip_), 0.0, 1.0);
+    const SkyDirection direction = sky_direction(sun, mu, sine, azimuth_cosine);
+    SkyRay ray;
+    ray.altitude_km = altitude_km_;
+    ray.s_km = r * mu;
+    ray.sun_s_km = r * sun.cosine;
+    ray.cosine_to_sun = direction.cosine_to_sun;
+    ray.one_minus_cosine = direction.one_minus_cosine;
+    ray.one_plus_cosine = direction.one_plus_cosine;
+    ray.meets_ground = meets_ground(y);
+    if (in_space()) {
+        // The ray enters where r^2 = R_top^2, passing the centre at p = r cos(dip - angle); with
+        // R_top = r cos(dip_to_top), R_top - p is a product of sines.
+        const double p = r * sine;
+        const double top = shell_.ground_radius_km + shell_.thickness_km;
+        const double gap = 2 * r * sine_of(0.5 * (dip_ - angle + dip_to_top_)) *
+                           sine_of(0.5 * (dip_ - angle - dip_to_top_));
+        const double entry_s = -std::sqrt(std::max(gap, 0.0) * (top + p));
+        const double distance = entry_s - ray.s_km;
+        ray.altitude_km = shell_.thickness_km;
+        ray.s_km = entry_s;
+        ray.sun_s_km += distance * ray.cosine_to_sun;
+    }
+    ray.length_km = ray_length_km(shell_, ray.altitude_km, ray.s_km, ray.meets_ground);
+    return ray;
+}
+
+double sky_view_v(double y, int rows) {
+    const double v = texture_coordinate(TexelConvention::end_points_on_texel_centres, y, rows);
+    const int first_of_sky = rows / 2;
+    if (!SkyViewCamera::meets_ground(y)) return std::max(v, (first_of_sky + 0.5) / rows);
+    return first_of_sky > 0 ? std::min(v, (first_of_sky - 0.5) / rows) : v;
+}
+
+SunZenith sun_at_elevation(double elevation) {
+    SunZenith sun;
+    sun.cosine = std::clamp(sine_of(elevation), -1.0, 1.0);
+    sun.sine = std::clamp(cosine_of(elevation), 0.0, 1.0);
+    return sun;
+}
+
+}  // namespace skybake

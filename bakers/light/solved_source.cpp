@@ -1,0 +1,93 @@
+#include "bakers/light/solved_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace skybake {
+
+namespace {
+
+// Sum over layers of scattering and phase moment, times the view's harmonic: [lm].
+std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
+                                   const std::vector<Spectrum>& scattering,
+                                   const std::vector<std::vector<Spectrum>>& phase_moments) {
+    const auto count = static_cast<std::size_t>(moment_count(degree));
+    std::vector<double> harmonics(count);
+    zenith_harmonics(degree, view_cos_zenith, harmonics.data());
+    std::vector<Spectrum> factors(count);
+    for (int l = 0; l <= degree; ++l) {
+        for (int m = 0; m <= l; ++m) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            for (std::size_t k = 0; k < scattering.size(); ++k) {
+                const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                    factors[lm][c] += scattering[k][c] * chi[c] * harmonics[lm];
+                }
+            }
+        }
+    }
+    return factors;
+}
+
+}  // namespace
+
+SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
+                           const std::vector<Spectrum>& scattering,
+                           const std::vector<std::vector<Spectrum>>& phase_moments)
+    : light_(light) {
+    const int degree = light.degree();
+    const auto orders = static_cast<std::size_t>(degree) + 1;
+    const std::vector<double>& levels = light.altitudes_km;
+    const auto above = std::upper_bound(levels.begin(), levels.end(), altitude_km);
+    const int level = std::clamp(static_cast<int>(above - levels.begin()) - 1, 0,
+                                 static_cast<int>(levels.size()) - 2);
+    const double low = levels[static_cast<std::size_t>(level)];
+    const double fraction =
+        (altitude_km - low) / (levels[static_cast<std::size_t>(level) + 1] - low);
+    const std::vector<Spectrum> factors =
+        view_factors(degree, view_cos_zenith, scattering, phase_moments);
+    values_.resize(static_cast<std::size_t>(light.suns.count()) * orders * kMaxChannels);
+    for (int sun = 0; sun < light.suns.count(); ++sun) {
+        const double* below = light.light.at(level, sun);
+        const double* over = light.light.at(level + 1, sun);
+        double* values = values_.data() + static_cast<std::size_t>(sun) * orders * kMaxChannels;
+        for (int l = 0; l <= degree; ++l) {
+            for (int m = 0; m <= l; ++m) {
+                const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                    const std::size_t i = lm * kChannelSlots + c;
+                    values[static_cast<std::size_t>(m) * kMaxChannels + c] +=
+                        factors[lm][c] * ((1 - fraction) * below[i] + fraction * over[i]);
+                }
+            }
+        }
+    }
+}
+
+Spectrum SolvedSource::scattered(double sun_cos_zenith, double azimuth_cosine) const {
+    const SunStencil stencil = light_.stencil(sun_cos_zenith);
+    const auto orders = static_cast<std::size_t>(light_.degree()) + 1;
+    const std::size_t column = orders * kMaxChannels;
+    const double* values = values_.data() + static_cast<std::size_t>(stencil.column) * column;
+    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
+    Spectrum sum{};
+    double power = 1;  // sine^m
+    double last = 1;   // cos(m phi), by Chebyshev's recursion
+    double before = azimuth_cosine;
+    for (std::size_t m = 0; m < orders; ++m) {
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            const double* at = values + m * kMaxChannels + c;
+            sum[c] += power * last *
+                      (stencil.weights[0] * at[0] + stencil.weights[1] * at[column] +
+                       stencil.weights[2] * at[2 * column] + stencil.weights[3] * at[3 * column]);
+        }
+        const double next = 2 * azimuth_cosine * last - before;
+        before = last;
+        last = next;
+        power *= sine;
+    }
+    return sum;
+}
+
+}  // namespace skybake

@@ -1,0 +1,361 @@
+#include "bakers/light/solver/first_light.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/light/solver/first_light.cpp"
+#include <hwy/foreach_target.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "bakers/air/transmittance_row-inl.h"
+#include "bakers/math/transcendental.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
+// A forward peak of half width 1 - |g| needs azimuths to match.
+inline int first_azimuths(const std::vector<SplitPhase>& phases) {
+    double peak = 0;
+    for (const SplitPhase& layer : phases) {
+        for (const PhaseFunction& phase : layer.wide.phase.functions) {
+            peak = std::max(peak, phase.table ? 1.0 : std::fabs(phase.g));
+        }
+    }
+    return peak < 0.5 ? 8 : peak < 0.85 ? 16 : 32;
+}
+
+// phase_function.h, for many cosines.
+HWY_INLINE Lanes phase_lanes(const PhaseFunction& phase, Lanes one_minus, Lanes one_plus) {
+    if (phase.table) {
+        double minus[Lanes::kCount];
+        double plus[Lanes::kCount];
+        one_minus.store(minus);
+        one_plus.store(plus);
+        for (std::size_t i = 0; i < Lanes::kCount; ++i) {
+            minus[i] = tabulated_phase_value(*phase.table, minus[i], plus[i]);
+        }
+        return Lanes::load(minus);
+    }
+    const double g = std::fabs(phase.g);
+    const Lanes apart = phase.g < 0 ? one_plus : one_minus;
+    const Lanes denominator = Lanes((1 - g) * (1 - g)) + Lanes(2 * g) * apart;
+    const Lanes cosine = Lanes(0.5) * (one_plus - one_minus);
+    return (Lanes(phase.constant) + Lanes(phase.quadratic) * cosine * cosine) /
+           (denominator * square_root(denominator));
+}
+
+// What gather_first_light works with for one level.
+class FirstLightPass {
+  public:
+    FirstLightPass(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
+                   const TransmittanceField& sunlight, const SunAxis& suns, int degree)
+        : medium_(medium),
+          phases_(phases),
+          field_(sunlight),
+          axis_(suns),
+          degree_(degree),
+          suns_(static_cast<std::size_t>(suns.count())),
+          layers_(medium.layers.size()),
+          azimuths_(first_azimuths(phases)),
+          row_(static_cast<std::size_t>(sunlight.row_size())),
+          sines_(suns_),
+          before_(static_cast<std::size_t>(azimuths_) * 4 * suns_),
+          sums_(static_cast<std::size_t>(azimuths_) * (layers_ + 1) * kMaxChannels * suns_),
+          moments_(static_cast<std::size_t>(moment_count(degree)) * kMaxChannels * suns_),
+          irradiance_(kMaxChannels * suns_) {
+        for (std::size_t i = 0; i < suns_; ++i) {
+            sines_[i] = square_root((1 - suns.cosines[i]) * (1 + suns.cosines[i]));
+        }
+        for (int j = 0; j < azimuths_; ++j) {
+            azimuth_cosines_.push_back(cosine_of_pi((j + 0.5) / azimuths_));
+        }
+        for (int m = 0; m <= degree; ++m) {
+            for (int j = 0; j < azimuths_; ++j) {
+                const double half_turns = (j + 0.5) * m / azimuths_;
+                azimuth_harmonics_.push_back(cosine_of_turns(0.5 * half_turns) / azimuths_);
+            }
+        }
+    }
+
+    void gather(const RayFan& fan, double* out, double* sky_irradiance);
+
+  private:
+    struct Place {
+        double along_km;  // r' mu_s' = along mu_s + across sin theta_s cos phi
+        double across_km;
+        double edge_km;  // the sun is up from here on
+        double q;        // R_top^2 - r'^2
+        double nearest_top_km;
+        double columns_per_km;
+    };
+    Place place_at(double r_km, const FanRay& ray, double distance_km, double altitude_km) const;
+    void add_cell(const Place& place, const Spectrum* near, const Spectrum* far,
+                  const Spectrum& grazing_before, const Spectrum& grazing);
+    void add_ground(const Place& place, const Spectrum& reflected);
+    void add_moments(const FanRay& ray);
+    HWY_INLINE void read_sunlight(const Place& place, Lanes s, Lanes* value) const {
+        const double last_column = field_.columns() - 1.0;
+        const Lanes d = square_root(s * s + Lanes(place.q)) - s;
+        const Lanes column = (d - Lanes(place.nearest_top_km)) * Lanes(place.columns_per_km);
+        // Rounding alone leaves the row at its ends; suns that are down are not used.
+        const Lanes inside = minimum(maximum(column, Lanes(0.0)), Lanes(last_column));
+        for (int c = 0; c < kMaxChannels; ++c) value[c] = Lanes(0.0);
+        read_row(row_.data(), field_.row_stride(), inside, field_.channels(), value);
+    }
+    double* sums(int azimuth, std::size_t layer, std::size_t channel) {
+        return sums_.data() +
+               ((static_cast<std::size_t>(azimuth) * (layers_ + 1) + layer) * kMaxChannels +
+                channel) *
+                   suns_;
+    }
+
+    const SkyMedium& medium_;
+    const std::vector<SplitPhase>& phases_;
+    const TransmittanceField& field_;
+    const SunAxis& axis_;
+    int degree_;
+    std::size_t suns_;
+    std::size_t layers_;
+    int azimuths_;
+    std::vector<double> azimuth_cosines_;
+    std::vector<double> azimuth_harmonics_;  // [m * azimuths + j]: cos(m phi_j) over their number
+    std::vector<double> row_;                // sunlight at the altitude of the point at hand
+    std::vector<double> sines_;
+    std::vector<double> before_;   // of the point before: height over the edge, sunlight
+    std::vector<double> sums_;     // of each layer, then of the ground
+    std::vector<double> moments_;  // [(lm * channels + c) * suns + sun]
+    std::vector<double> irradiance_;
+};
+
+FirstLightPass::Place FirstLightPass::place_at(double r_km, const FanRay& ray, double distance_km,
+                                               double altitude_km) const {
+    const Shell& shell = field_.shell();
+    const double rho = horizon_distance_km(shell, altitude_km);
+    const double gain = shell.thickness_km - altitude_km;
+    const double r = shell.ground_radius_km + altitude_km;
+    const double farthest = rho + horizon_distance_km(shell, shell.thickness_km);
+    return {r_km + distance_km * ray.mu,
+            distance_km * ray.sine,
+            -rho,
+            gain * (2 * r + gain),
+            gain,
+            (field_.columns() - 1.0) / (farthest - gain)};
+}
+
+// The cell that ends at `place`, whose begin is in before_; without weights its end becomes the
+// begin.
+void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Spectrum* far,
+                              const Spectrum& grazing_before, const Spectrum& grazing) {
+    for (int j = 0; j < azimuths_; ++j) {
+        double* before = before_.data() + static_cast<std::size_t>(j) * 4 * suns_;
+        const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
+        for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
+            const Lanes s = Lanes::load(axis_.cosines.data() + i) * Lanes(place.along_km) +
+                            Lanes::load(sines_.data() + i) * Lanes(across_km);
+            const Lanes height = s - Lanes(place.edge_km);
+            const LaneMask up = height >= Lanes(0.0);
+            Lanes here[kMaxChannels] = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+            if (any(up)) {
+                read_sunlight(place, s, here);
+                for (Lanes& value : here) value = select(up, value, Lanes(0.0));
+            }
+            const Lanes height_before = Lanes::load(before + i);
+            height.store(before + i);
+            const LaneMask up_before = height_before >= Lanes(0.0);
+            const bool cell = near && (any(up) || any(up_before));
+            // Where just one end is lit, the share of the cell up to the shadow's edge.
+            const Lanes low = minimum(height, height_before);
+            const Lanes high = maximum(height, height_before);
+            const LaneMask edge_inside = low < Lanes(0.0);
+            const Lanes lit = high / maximum(high - low, Lanes(1e-300));  // 0 / 0 of dark cells
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                double* stored = before + (c + 1) * suns_ + i;
+                Lanes first = Lanes::load(stored);
+                here[c].store(stored);
+                if (!cell) continue;
+                Lanes last = here[c];
+                const Lanes from_before = Lanes(grazing[c] - grazing_before[c]);
+                const Lanes share = select(up_before, lit, Lanes(1.0) - lit);
+                const Lanes at_edge = Lanes(grazing_before[c]) + from_before * share;
+                const Lanes mean = Lanes(0.5) * lit * (maximum(first, last) + at_edge);
+                const Lanes partial = select(high >= Lanes(0.0), mean, Lanes(0.0));
+                first = select(edge_inside, partial, first);
+                last = select(edge_inside, partial, last);
+                for (std::size_t k = 0; k < layers_; ++k) {
+                    double* sum = sums(j, k, c) + i;
+                    (Lanes::load(sum) + (Lanes(near[k][c]) * first + Lanes(far[k][c]) * last))
+                        .store(sum);
+                }
+            }
+        }
+    }
+}
+
+void FirstLightPass::add_ground(const Place& place, const Spectrum& reflected) {
+    for (int j = 0; j < azimuths_; ++j) {
+        const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
+        for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
+            const Lanes s = Lanes::load(axis_.cosines.data() + i) * Lanes(place.along_km) +
+                            Lanes::load(sines_.data() + i) * Lanes(across_km);
+            const Lanes cosine =
+                maximum(s, Lanes(0.0)) * Lanes(1 / field_.shell().ground_radius_km);
+            Lanes here[kMaxChannels];
+            read_sunlight(place, maximum(s, Lanes(0.0)), here);
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                double* sum = sums(j, layers_, c) + i;
+                (Lanes::load(sum) + Lanes(reflected[c]) * cosine * here[c]).store(sum);
+            }
+        }
+    }
+}
+
+// Adds the moments of the light along a ray, whose parts are in sums_.
+void FirstLightPass::add_moments(const FanRay& ray) {
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree_)));
+    zenith_harmonics(degree_, ray.mu, harmonics.data());
+    const double solid_angle = 4 * std::numbers::pi * ray.weight;
+    // A vector for each m and channel.
+    std::vector<double> fourier(static_cast<std::size_t>(degree_ + 1) * kMaxChannels *
+                                Lanes::kCount);
+    for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
+        const Lanes cosine = Lanes::load(axis_.cosines.data() + i);
+        const Lanes sine = Lanes::load(sines_.data() + i);
+        std::fill(fourier.begin(), fourier.end(), 0.0);
+        for (int j = 0; j < azimuths_; ++j) {
+            const double azimuth_cosine = azimuth_cosines_[static_cast<std::size_t>(j)];
+            // 1 -+ nu = |view -+ sun|^2 / 2.
+            const double forward = ray.sine * azimuth_cosine;
+            const Lanes across(ray.sine * ray.sine * (1 - azimuth_cosine) * (1 + azimuth_cosine));
+            const Lanes up_minus = Lanes(ray.mu) - cosine;
+            const Lanes up_plus = Lanes(ray.mu) + cosine;
+            const Lanes minus = Lanes(forward) - sine;
+            const Lanes plus = Lanes(forward) + sine;
+            const Lanes one_minus = Lanes(0.5) * (up_minus * up_minus + minus * minus + across);
+            const Lanes one_plus = Lanes(0.5) * (up_plus * up_plus + plus * plus + across);
+            Lanes light[kMaxChannels];
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                light[c] = Lanes::load(sums(j, layers_, c) + i);
+            }
+            for (std::size_t k = 0; k < layers_; ++k) {
+                if (!medium_.layers[k].scatters) continue;
+                const SplitPhase& layer = phases_[k];
+                Lanes phase[kMaxChannels];
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                    const bool is_new = c == 0 || c < layer.wide.phase.functions.size();
+                    phase[c] = is_new ? Lanes(layer.wide.share[c]) *
+                                            phase_lanes(layer.wide.phase.of(c), one_minus, one_plus)
+                                      : phase[0];
+                    light[c] = light[c] + phase[c] * Lanes::load(sums(j, k, c) + i);
+                }
+            }
+            for (std::size_t m = 0; m <= static_cast<std::size_t>(degree_); ++m) {
+                const Lanes weight(
+                    azimuth_harmonics_[m * azimuth_cosines_.size() + static_cast<std::size_t>(j)]);
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                    double* sum = fourier.data() + (m * kMaxChannels + c) * Lanes::kCount;
+                    (Lanes::load(sum) + weight * light[c]).store(sum);
+                }
+            }
+        }
+        for (int l = 0; l <= degree_; ++l) {
+            for (int m = 0; m <= l; ++m) {
+                const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                const Lanes weight(solid_angle * harmonics[lm]);
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                    double* to = moments_.data() + (lm * kMaxChannels + c) * suns_ + i;
+                    (Lanes::load(to) +
+                     weight * Lanes::load(fourier.data() +
+                                          (static_cast<std::size_t>(m) * kMaxChannels + c) *
+                                              Lanes::kCount))
+                        .store(to);
+                }
+            }
+        }
+        if (ray.mu > 0) {
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                double* to = irradiance_.data() + c * suns_ + i;
+                (Lanes::load(to) +
+                 Lanes(solid_angle * ray.mu) * Lanes::load(fourier.data() + c * Lanes::kCount))
+                    .store(to);
+            }
+        }
+    }
+}
+
+void FirstLightPass::gather(const RayFan& fan, double* out, double* sky_irradiance) {
+    const double r = field_.shell().ground_radius_km + fan.altitude_km;
+    for (const FanRay& ray : fan.rays) {
+        std::fill(sums_.begin(), sums_.end(), 0.0);
+        Spectrum grazing_before{};
+        for (std::size_t k = 0; k < ray.points.size(); ++k) {
+            const FanPoint& point = ray.points[k];
+            combine_row<Lanes>(field_, point.altitude_km, row_.data());
+            Spectrum grazing{};
+            for (int c = 0; c < field_.channels(); ++c) {
+                grazing[static_cast<std::size_t>(c)] =
+                    row_[static_cast<std::size_t>(c * field_.row_stride() + field_.columns() - 1)];
+            }
+            const Place place = place_at(r, ray, point.distance_km, point.altitude_km);
+            const std::size_t cell = (k - 1) * layers_;
+            add_cell(place, k > 0 ? ray.near.data() + cell : nullptr,
+                     k > 0 ? ray.far.data() + cell : nullptr, grazing_before, grazing);
+            grazing_before = grazing;
+        }
+        if (ray.hits_ground) {
+            combine_row<Lanes>(field_, 0, row_.data());
+            Spectrum reflected{};
+            for (std::size_t c = 0; c < reflected.size(); ++c) {
+                reflected[c] =
+                    ray.end_transmittance[c] * medium_.air.ground_albedo[c] * std::numbers::inv_pi;
+            }
+            add_ground(place_at(r, ray, ray.length_km, 0), reflected);
+        }
+        add_moments(ray);
+    }
+    for (std::size_t i = 0; i < suns_; ++i) {
+        double factor = 1;  // moments of order m are kept over sin^m theta_s
+        for (int m = 0; m <= degree_; ++m) {
+            for (int l = m; l <= degree_; ++l) {
+                const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                double* to = out + (i * static_cast<std::size_t>(moment_count(degree_)) + lm) *
+                                       kChannelSlots;
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                    to[c] = factor * moments_[(lm * kMaxChannels + c) * suns_ + i];
+                }
+            }
+            factor /= sines_[i];
+        }
+        for (std::size_t c = 0; sky_irradiance && c < kMaxChannels; ++c) {
+            sky_irradiance[i * kChannelSlots + c] = irradiance_[c * suns_ + i];
+        }
+    }
+}
+
+void GatherFirstLight(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
+                      const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
+                      int degree, double* out, double* sky_irradiance) {
+    FirstLightPass(medium, phases, sunlight, suns, degree).gather(fan, out, sky_irradiance);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake {
+
+HWY_EXPORT(GatherFirstLight);
+
+void gather_first_light(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
+                        const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
+                        int degree, double* out, double* sky_irradiance) {
+    HWY_DYNAMIC_DISPATCH(GatherFirstLight)
+    (medium, phases, fan, sunlight, suns, degree, out, sky_irradiance);
+    add_forward_peaks(medium, phases, fan.altitude_km, suns, degree, out, sky_irradiance);
+}
+
+}  // namespace skybake
+#endif  // HWY_ONCE

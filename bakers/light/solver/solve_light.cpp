@@ -1,0 +1,109 @@
+#include "bakers/light/solver/solve_light.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/transmittance_field.h"
+#include "bakers/light/solver/accelerated_orders.h"
+#include "bakers/light/solver/first_light.h"
+#include "bakers/light/solver/ray_fan.h"
+#include "bakers/light/solver/solution_levels.h"
+#include "bakers/light/solver/transport.h"
+#include "bakers/math/parallel.h"
+
+namespace skybake {
+
+namespace {
+
+// Light that falls faster than this from column to column is taken as linear between them.
+constexpr double kSteepest = 4;
+
+// Where light of one of the channels falls too fast for cubics, at any level: a column's 1 stands
+// for the stencil that begins there.
+std::vector<double> steep_columns(const LightField& light, int channels) {
+    std::vector<double> steep(static_cast<std::size_t>(light.suns));
+    for (int level = 0; level < light.levels; ++level) {
+        for (int sun = 0; sun + 3 < light.suns; ++sun) {
+            for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+                for (int j = 0; j < 3; ++j) {
+                    const double low = light.at(level, sun + j)[c];
+                    const double high = light.at(level, sun + j + 1)[c];
+                    if (!(std::max(low, high) < kSteepest * std::min(low, high))) {
+                        steep[static_cast<std::size_t>(sun)] = 1;
+                    }
+                }
+            }
+        }
+    }
+    return steep;
+}
+
+// Of two successive orders in the long run. In a slab of depth t that absorbs nothing the slowest
+// mode of diffusion loses pi^2 / 3 t^2 an order, over a white ground a quarter of that; this is
+// less.
+double slowest_ratio(const Medium& air) {
+    const Spectrum depth = optical_depth_to_top(air, 0, air.ground_radius_km);
+    double inverse_loss = 0;
+    for (std::size_t c = 0; c < depth.size(); ++c) {
+        inverse_loss =
+            std::max(inverse_loss, 2 + (1 + 3 * air.ground_albedo[c]) * depth[c] * depth[c]);
+    }
+    return 1 - 1 / inverse_loss;
+}
+
+}  // namespace
+
+SolverSettings finer(SolverSettings settings) {
+    settings.level_scale *= 1.25;
+    settings.zenith_nodes = settings.zenith_nodes * 3 / 2;
+    settings.ray_tolerance *= 0.7;
+    return settings;
+}
+
+SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                        Progress* progress) {
+    SolvedLight solved;
+    solved.channels = medium.air.channels;
+    solved.altitudes_km = solution_levels_km(medium.air, settings.level_scale);
+    solved.suns = make_sun_axis(shell_of(medium.air), settings.suns);
+    const int levels = static_cast<int>(solved.altitudes_km.size());
+    const TransmittanceField sunlight(medium.air, solved.altitudes_km, settings.sunlight, threads);
+
+    LightField first(levels, settings.suns, settings.degree);
+    const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
+    std::vector<LevelTransport> transports(static_cast<std::size_t>(levels));
+    parallel_for(levels, threads, [&](int level) {
+        const RayFan fan = make_ray_fan(medium, solved.altitudes_km, level, settings.zenith_nodes,
+                                        settings.ray_tolerance);
+        gather_first_light(medium, phases, fan, sunlight, solved.suns, settings.degree,
+                           first.at(level, 0), level == 0 ? first.sky_irradiance.data() : nullptr);
+        transports[static_cast<std::size_t>(level)] =
+            make_level_transport(medium, fan, settings.degree);
+    });
+    solved.steep = steep_columns(first, solved.channels);
+    const auto next = [&](const LightField& light, LightField& image) {
+        parallel_for(levels, threads, [&](int level) {
+            apply_transport(transports[static_cast<std::size_t>(level)], solved.suns, solved.steep,
+                            light, image.at(level, 0),
+                            level == 0 ? image.sky_irradiance.data() : nullptr);
+        });
+    };
+    if (settings.orders > 0) {
+        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
+        solved.light = std::move(sum.light);
+        solved.applications = sum.applications;
+        return solved;
+    }
+    OrderSum sum = sum_of_orders(first, next,
+                                 {slowest_ratio(medium.air), settings.tolerance,
+                                  settings.plain_orders, settings.most_applications},
+                                 progress);
+    solved.light = std::move(sum.light);
+    solved.applications = sum.applications;
+    solved.left_out = sum.left_out;
+    return solved;
+}
+
+}  // namespace skybake

@@ -1,0 +1,48 @@
+#include "bakers/math/facts.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace skybake {
+
+namespace {
+
+double number_of(const std::string& text) {
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+struct FactWriter {
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(double number) const { return fmt::format("{}", number); }
+    std::string operator()(const std::vector<double>& numbers) const {
+        return fmt::format("{}", fmt::join(numbers, ", "));
+    }
+};
+
+}  // namespace
+
+std::string fact_text(const FactValue& value) { return std::visit(FactWriter{}, value); }
+
+std::string fact_named(const Facts& facts, const std::string& name) {
+    const auto found = std::find_if(facts.begin(), facts.end(),
+                                    [&name](const auto& fact) { return fact.first == name; });
+    return found == facts.end() ? std::string() : fact_text(found->second);
+}
+
+double to_digits(double value, int digits) {
+    return number_of(fmt::format("{:.{}g}", value, digits));
+}
+
+std::vector<double> to_digits(std::vector<double> values, int digits) {
+    for (double& value : values) value = to_digits(value, digits);
+    return values;
+}
+
+double to_shortest(float value) { return number_of(fmt::format("{}", value)); }
+
+}  // namespace skybake

@@ -1,0 +1,193 @@
+#include "bakers/plot/axis_ticks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace skybake {
+namespace {
+
+// The multiple of `unit` in steps of which a kind of axis is divided.
+struct Step {
+    int mantissa = 1;
+    double unit = 1;
+    double value() const { return mantissa * unit; }
+};
+
+// Steps from about `range` down to a ten-thousandth of it, the coarsest first.
+std::vector<double> steps_within(double range, AxisTicks kind) {
+    std::vector<double> steps;
+    if (kind == AxisTicks::angles) {
+        for (const double angle : {90.0, 30.0, 15.0, 5.0}) {
+            if (angle <= range) steps.push_back(angle);
+        }
+        range = std::min(range, 2.0);
+    }
+    const int decade = static_cast<int>(std::floor(std::log10(range)));
+    for (int k = decade; k >= decade - 4; --k) {
+        for (const int mantissa : {5, 2, 1}) {
+            const Step step{mantissa, std::pow(10.0, k)};
+            if (step.value() <= range) steps.push_back(step.value());
+        }
+    }
+    return steps;
+}
+
+class Ticks {
+  public:
+    Ticks(const ChartAxis& axis, double gap)
+        : axis_(axis), gap_(gap), first_(axis.value(0)), last_(axis.value(1)) {}
+
+    std::vector<AxisTick> decimal() {
+        const double range = std::abs(last_ - first_);
+        if (!std::isfinite(range) || range == 0) return {};
+        const std::vector<double> steps = steps_within(range, axis_.ticks);
+        // The finest step that fits everywhere, then finer ones where there is room.
+        std::optional<std::vector<AxisTick>> uniform;
+        for (const double step : steps) {
+            std::vector<AxisTick> candidates = multiples(step, first_, last_);
+            if (!spaced(candidates)) break;
+            uniform = std::move(candidates);
+        }
+        ticks_ = uniform.value_or(std::vector<AxisTick>());
+        refine(steps);
+        return std::move(ticks_);
+    }
+
+    std::vector<AxisTick> logarithmic() {
+        if (!(first_ > 0 && last_ > 0) || !std::isfinite(first_ * last_)) return decimal();
+        for (const int stride : {1, 2, 3, 5, 10, 20, 50, 100}) {
+            std::vector<AxisTick> candidates = powers({1}, stride);
+            if (candidates.size() < 2 && stride == 1) return decimal();
+            if (!spaced(candidates)) continue;
+            std::vector<AxisTick> finer = powers({1, 2, 5}, stride);
+            return stride == 1 && spaced(finer) ? finer : candidates;
+        }
+        return {};
+    }
+
+  private:
+    // Where the axis has the value, by bisection: the axis is monotonic.
+    double position(double value) const {
+        const bool rising = last_ > first_;
+        double low = 0, high = 1;
+        for (int i = 0; i < 53; ++i) {
+            const double middle = (low + high) / 2;
+            ((axis_.value(middle) < value) == rising ? low : high) = middle;
+        }
+        return (low + high) / 2;
+    }
+
+    AxisTick tick_at(double value) const { return {position(value), value, number_label(value)}; }
+
+    // Multiples of the step from one value to another, ends included, ascending in t. An end that
+    // is a multiple but for rounding counts.
+    std::vector<AxisTick> multiples(double step, double from, double to) const {
+        constexpr double rounding = 1e-9;
+        const double low = std::min(from, to), high = std::max(from, to);
+        std::vector<AxisTick> found;
+        for (double i = std::ceil(low / step - rounding); i <= high / step + rounding; ++i) {
+            found.push_back(tick_at(i * step));
+            if (found.size() > most_ticks) break;
+        }
+        if (last_ < first_) std::reverse(found.begin(), found.end());
+        return found;
+    }
+
+    std::vector<AxisTick> powers(const std::vector<int>& mantissas, int stride) const {
+        constexpr double rounding = 1 + 1e-9;
+        const double low = std::min(first_, last_), high = std::max(first_, last_);
+        std::vector<AxisTick> found;
+        const int begin = static_cast<int>(std::floor(std::log10(low)));
+        for (int k = begin; std::pow(10.0, k) <= high * rounding; ++k) {
+            if (k % stride != 0) continue;
+            for (const int mantissa : mantissas) {
+                const double value = mantissa * std::pow(10.0, k);
+                if (value * rounding >= low && value <= high * rounding) {
+                    found.push_back(tick_at(value));
+                }
+            }
+        }
+        if (last_ < first_) std::reverse(found.begin(), found.end());
+        return found;
+    }
+
+    bool spaced(const std::vector<AxisTick>& ticks) const {
+        if (ticks.size() > most_ticks) return false;
+        return std::adjacent_find(ticks.begin(), ticks.end(),
+                                  [this](const AxisTick& a, const AxisTick& b) {
+                                      return b.t - a.t < gap_;
+                                  }) == ticks.end();
+    }
+
+    // Puts ticks of the coarsest step that fits into gaps wide enough for three.
+    void refine(const std::vector<double>& steps) {
+        for (const double step : steps) {
+            std::vector<AxisTick> with;
+            double begin = 0, begin_value = first_;
+            const auto fill_to = [&](double end, double end_value, bool end_is_tick) {
+                if (end - begin < 3 * gap_) return;
+                for (AxisTick& tick : multiples(step, begin_value, end_value)) {
+                    const double before = with.empty() ? -gap_ : with.back().t;
+                    const double after = end_is_tick ? end : end + gap_;
+                    if (tick.t - before >= gap_ && after - tick.t >= gap_) {
+                        with.push_back(std::move(tick));
+                    }
+                }
+            };
+            for (AxisTick& tick : ticks_) {
+                fill_to(tick.t, tick.value, true);
+                begin = tick.t;
+                begin_value = tick.value;
+                with.push_back(std::move(tick));
+            }
+            fill_to(1, last_, false);
+            ticks_ = std::move(with);
+        }
+    }
+
+    // More cannot be told apart, whatever the gap.
+    static constexpr std::size_t most_ticks = 1000;
+
+    const ChartAxis& axis_;
+    double gap_;
+    double first_;
+    double last_;
+    std::vector<AxisTick> ticks_;
+};
+
+std::string superscript(int number) {
+    static constexpr std::array<const char*, 10> digits = {"⁰", "¹", "²", "³", "⁴",
+                                                           "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = number < 0 ? "⁻" : "";
+    for (const char digit : fmt::format("{}", std::abs(number))) {
+        text += digits[static_cast<std::size_t>(digit - '0')];
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<AxisTick> axis_ticks(const ChartAxis& axis, double gap) {
+    Ticks ticks(axis, gap);
+    return axis.ticks == AxisTicks::logarithmic ? ticks.logarithmic() : ticks.decimal();
+}
+
+std::string number_label(double value) {
+    if (!std::isfinite(value)) return fmt::format("{}", value);
+    const std::string sign = value < 0 ? "−" : "";
+    const double magnitude = std::abs(value);
+    if (magnitude == 0 || (magnitude >= 1e-3 && magnitude < 1e5)) {
+        return sign + fmt::format("{:.6g}", magnitude);
+    }
+    const std::string text = fmt::format("{:.3e}", magnitude);  // "2.500e-05"
+    const std::size_t e = text.find('e');
+    const std::string mantissa = text.substr(0, text.find_last_not_of("0.", e - 1) + 1);
+    const std::string power = "10" + superscript(std::stoi(text.substr(e + 1)));
+    return sign + (mantissa == "1" ? power : mantissa + "×" + power);
+}
+
+}  // namespace skybake

@@ -1,0 +1,247 @@
+#include "bakers/preview/pictures/cloud_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/preview/bake_assets.h"
+#include "bakers/preview/occupancy_leaps.h"
+#include "bakers/preview/pictures/caption_words.h"
+#include "bakers/preview/pictures/cloud_slices.h"
+#include "bakers/render/stage_progress.h"
+#include "bakers/render/tone_curve.h"
+#include "config/cloud_extent.h"
+#include "config/recipe.h"
+
+namespace skybake {
+
+namespace {
+
+// What a cloud without an atmosphere of its own is lit by.
+constexpr const char* kEarth =
+    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
+    "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
+
+// Clouds are the brightest that there is to see, and their shades are to be seen: of the exposure
+// for pictures as a whole (tone_curve.h), so that the 99th percentile is at 0.78 of white.
+constexpr double kExposureShare = 0.8;
+
+struct Lighting {
+    SkyMedium medium;
+    SkyTables tables;
+    std::string name;  // as captions say it
+};
+
+std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
+                                    const PreviewAsset& transmittance,
+                                    const PreviewAsset& multiple_scattering, std::string name) {
+    auto tables = make_sky_tables(transmittance, multiple_scattering);
+    if (!tables.value) return std::nullopt;
+    return Lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
+}
+
+std::optional<Lighting> earth_lighting(int threads) {
+    const auto recipe = config::parse_recipe(kEarth, "earth");
+    if (!recipe.value) return std::nullopt;
+    BakeOptions options;
+    options.threads = threads;
+    options.certification = Certification::off;
+    const auto baked = bake_assets(*recipe.value, recipe.value->parameters.bakes, "earth", options);
+    if (!baked.value) return std::nullopt;
+    return lighting_of(recipe.value->parameters.atmosphere, *baked.value->of_kind("transmittance"),
+                       *baked.value->of_kind("multiple_scattering"), "the preset earth");
+}
+
+std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads) {
+    if (input.atmosphere == nullptr || input.transmittance == nullptr ||
+        input.multiple_scattering == nullptr) {
+        return earth_lighting(threads);
+    }
+    return lighting_of(*input.atmosphere, *input.transmittance, *input.multiple_scattering,
+                       "the recipe's atmosphere");
+}
+
+// A march that leaps, and what it leaps by.
+struct Leaps {
+    LeapGrid grid;
+    std::string name;  // as captions say it
+};
+
+Leaps leaps_of(const CloudPreviewInput& input, const CloudMedium& medium, int threads) {
+    if (input.occupancy != nullptr && input.occupancy_bake != nullptr) {
+        auto grid = leap_grid_of(*input.volume, *input.occupancy, *input.occupancy_bake,
+                                 filtered_threshold(*input.cloud));
+        if (grid) return {std::move(*grid), input.occupancy->entry.name};
+    }
+    return {leaps_of_voxels(medium, 4, threads), "cells made from the volume"};
+}
+
+CloudViewSettings settings_of(const CloudPreviewInput& input, const CloudMedium& medium,
+                              const SunDirection& sun) {
+    const int reduction = input.draft ? 2 : 1;
+    CloudViewSettings settings = framed_view(medium, sun, std::max(input.width / reduction, 1),
+                                             std::max(input.height / reduction, 1), input.camera);
+    settings.step_m *= reduction;
+    settings.light_step_m *= reduction;
+    return settings;
+}
+
+// Two samples along each edge of a pixel, else one.
+int samples_along_edge(const CloudViewSettings& settings) {
+    return std::int64_t{settings.width} * settings.height <= kSmallPixels ? 2 : 1;
+}
+
+// Means of squares of edge x edge.
+Image2<float> means_of_squares(const Image2<float>& image, int edge) {
+    Image2<float> result(image.width / edge, image.height / edge, image.channels);
+    const auto count = static_cast<float>(edge * edge);
+    for (int y = 0; y < result.height * edge; ++y) {
+        for (int x = 0; x < result.width * edge; ++x) {
+            for (int c = 0; c < image.channels; ++c) {
+                result.texel(x / edge, y / edge)[c] += image.texel(x, y)[c] / count;
+            }
+        }
+    }
+    return result;
+}
+
+CloudView render_samples(const CloudMedium& medium, const Lighting& lighting,
+                         CloudViewSettings settings, int threads, Progress* progress) {
+    const int edge = samples_along_edge(settings);
+    settings.width *= edge;
+    settings.height *= edge;
+    CloudView view =
+        render_cloud(medium, {lighting.medium, lighting.tables}, settings, threads, progress);
+    if (edge > 1) view.radiance = means_of_squares(view.radiance, edge);
+    return view;
+}
+
+// Where the sun stands for somebody who looks along the camera's heading; azimuths go from +x
+// towards +y, to the left.
+std::string beside_view(const SunDirection& sun, const CloudCamera& camera) {
+    const double turn = std::remainder(sun.azimuth_degrees - camera.azimuth_degrees, 360.0);
+    if (turn == 0) return "straight ahead";
+    return fmt::format("{:.4g} degrees to the {} of the view", std::fabs(turn),
+                       turn > 0 ? "left" : "right");
+}
+
+std::string lit_caption(const CloudPreviewInput& input, const CloudViewSettings& settings,
+                        const Lighting& lighting, const Leaps& leaps, const FetchCounts& fetches,
+                        double exposure) {
+    const int samples = samples_along_edge(settings) * samples_along_edge(settings);
+    const double pixels = static_cast<double>(settings.width) * settings.height;
+    return fmt::format(
+        "{}, the {}, {}, in the light of {}; {}. The camera is `{}`. There {} per pixel, {:.3g} m "
+        "steps along the view and {:.3g} m steps towards the sun, and {} octaves of scattering "
+        "(Wrenninge et al. 2013). Leaping by {}, each pixel takes {:.0f} lookups of the volume and "
+        "{:.0f} of the grid.",
+        input.single ? "One tile alone" : "The layer that the tile repeats to",
+        sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
+        lighting.name, tone_text(exposure), camera_text(settings.camera),
+        samples == 1 ? std::string("is one sample") : fmt::format("are {} samples", samples),
+        settings.step_m, settings.light_step_m, kOctaves, leaps.name,
+        static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
+        static_cast<double>(fetches.cells) / pixels);
+}
+
+PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& medium,
+                           const Lighting& lighting, const Leaps& leaps, const SunDirection& sun,
+                           int threads, Progress* progress) {
+    const CloudViewSettings settings = settings_of(input, medium, sun);
+    const CloudView view = render_samples(medium, lighting, settings, threads, progress);
+    const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
+                                                 : kExposureShare * exposure_for(view.radiance);
+    PreviewPicture picture;
+    picture.name =
+        fmt::format("{}_lit_{}", input.volume->entry.name, sun_stem(sun.elevation_degrees));
+    picture.title = fmt::format("Lit, {}", sun_text(sun.elevation_degrees));
+    picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, exposure);
+    picture.picture = tone_mapped(view.radiance, exposure);
+    picture.exposure = exposure;
+    picture.kind = PictureKind::scene;
+    return picture;
+}
+
+void add_lit_pictures(const CloudPreviewInput& input, const CloudMedium& medium,
+                      const Lighting& lighting, const Leaps& leaps, int threads,
+                      std::vector<PreviewPicture>& pictures) {
+    const double share = 1.0 / static_cast<double>(input.suns.size());
+    for (std::size_t i = 0; i < input.suns.size() && !is_cancelled(input.progress); ++i) {
+        const SunDirection& sun = input.suns[i];
+        const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
+        ProgressPart part(input.progress, step, static_cast<double>(i) * share, share);
+        pictures.push_back(lit_picture(input, medium, lighting, leaps, sun, threads, &part));
+    }
+}
+
+void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
+               const std::array<int, 3>& telling, std::vector<PreviewPicture>& pictures) {
+    if (input.occupancy == nullptr || input.occupancy_bake == nullptr) return;
+    const config::OccupancyBake& bake = *input.occupancy_bake;
+    const auto leaps = leaps_of_grid(*input.occupancy, bake, filtered_threshold(*input.cloud));
+    const std::array<int, 3> cells = occupancy::CellGrid{medium.volume.size, bake.cell}.size();
+    if (!leaps || leaps->size() != occupancy::count_of(cells)) return;
+    for (const int axis : {1, 2}) {
+        pictures.push_back(cells_picture(medium, *input.volume, input.occupancy->entry.name,
+                                         bake.cell, *leaps, axis,
+                                         telling[static_cast<std::size_t>(axis)]));
+        if (input.draft) return;
+    }
+}
+
+bool holds_voxels(const PreviewAsset& asset) {
+    const ManifestAsset& entry = asset.entry;
+    if (!entry.is_volume() || entry.size.size() != 3 || entry.channels.empty()) return false;
+    return asset.voxels.size() ==
+           occupancy::count_of({entry.size[0], entry.size[1], entry.size[2]}) *
+               entry.channels.size();
+}
+
+// With the extent that its volume has.
+std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input) {
+    if (input.cloud == nullptr) return std::nullopt;
+    if (input.volume_bake == nullptr) return *input.cloud;
+    return config::stretched(*input.cloud, *input.volume_bake);
+}
+
+}  // namespace
+
+std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int threads) {
+    const bool has_grid = input.occupancy != nullptr && holds_voxels(*input.occupancy);
+    const std::optional<config::Cloud> cloud = cloud_as_baked(input);
+    if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) {
+        if (!has_grid) return {};
+        return grid_pictures(*input.occupancy, input.occupancy_bake, cloud ? &*cloud : nullptr,
+                             input.draft);
+    }
+    const ManifestAsset& entry = input.volume->entry;
+    CloudMedium medium = cloud_medium(*cloud, input.volume->voxels.data(),
+                                      {entry.size[0], entry.size[1], entry.size[2]},
+                                      static_cast<int>(entry.channels.size()), threads,
+                                      !input.single);
+    std::vector<PreviewPicture> pictures;
+    if (const std::optional<Lighting> lighting = lighting_of(input, threads)) {
+        Leaps leaps = leaps_of(input, medium, threads);
+        medium.leaps = std::move(leaps.grid);
+        add_lit_pictures(input, medium, *lighting, leaps, threads, pictures);
+        if (is_cancelled(input.progress)) return pictures;
+    }
+    const Image2<float> depth = column_optical_depth(medium, threads);
+    pictures.push_back(optical_depth_picture(medium, entry.name, depth));
+    const std::array<int, 3> telling = telling_voxel(medium, depth);
+    for (const int axis : {1, 0, 2}) {
+        pictures.push_back(
+            slice_picture(medium, *input.volume, axis, telling[static_cast<std::size_t>(axis)]));
+        if (input.draft) break;
+    }
+    if (has_grid) add_cells(input, medium, telling, pictures);
+    return pictures;
+}
+
+}  // namespace skybake

@@ -1,0 +1,51 @@
+// Pictures of cloud volumes and of occupancy grids.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bakers/plot/picture.h"
+#include "bakers/render/cloud_framing.h"
+#include "bakers/render/cloud_view.h"
+#include "bakers/render/preview_asset.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// Below it a sample's grain is as large as what there is to see, and four samples are soon marched.
+inline constexpr int kSmallPixels = 640 * 400;
+
+// Any pointer but `cloud` may be null.
+struct CloudPreviewInput {
+    const config::Cloud* cloud = nullptr;                  // that the volume is of
+    const config::CloudVolumeBake* volume_bake = nullptr;  // what made it
+    const PreviewAsset* volume = nullptr;
+    const PreviewAsset* occupancy = nullptr;  // of that volume
+    const config::OccupancyBake* occupancy_bake = nullptr;
+    // The recipe's atmosphere with its two tables; without all three those of preset "earth".
+    const config::Atmosphere* atmosphere = nullptr;
+    const PreviewAsset* transmittance = nullptr;
+    const PreviewAsset* multiple_scattering = nullptr;
+    std::vector<SunDirection> suns = {
+        {20, 105}};                        // a lit picture for each; the view's azimuth is 63
+    std::optional<double> exposure_stops;  // the exposure is 2 to this; none: chosen
+    CameraRequest camera;
+    bool single = false;  // one tile alone, not the layer that it repeats to
+    int width = 960;      // of lit pictures
+    int height = 540;
+    bool draft = false;  // half that size, steps twice as long, the most telling pictures alone
+    Progress* progress = nullptr;  // is told of lit pictures
+};
+
+// Of a volume: the lit picture for each sun, the column's optical depth from above, and slices,
+// with the cells of the occupancy grid over them if there is one. Of a grid alone: its slices.
+// Slices go through where there is most to see. No lit pictures where make_sky_tables
+// (sky_tables.h) refuses the tables. Fewer pictures: the user has interrupted.
+// Lit pictures of at most kSmallPixels have four samples per pixel.
+//
+// The march leaps by the grid where that is sure to lose nothing: the exact rule for this volume's
+// first channel, at this size, and a filter as wide as the march's trilinear one. Else by cells
+// made from the volume.
+std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int threads);
+
+}  // namespace skybake

@@ -1,0 +1,274 @@
+#include "bakers/preview/pictures/noise_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "bakers/plot/chart.h"
+#include "bakers/plot/field_scaling.h"
+#include "bakers/preview/pictures/noise_spectrum.h"
+#include "bakers/preview/pictures/volume_slices.h"
+
+namespace skybake {
+namespace {
+
+constexpr int smallest_tile = 256;  // pixels along the longer edge of a slice
+constexpr int largest_tile = 512;
+constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
+
+// What black and white stand for.
+struct GreyScale {
+    double black = 0;
+    double white = 1;
+};
+
+// As a screen shows data: in proportion to sRGB's numbers, row 0 at the bottom.
+Picture grey(const Image2<float>& field, const GreyScale& scale) {
+    Picture picture(field.width, field.height);
+    auto pixel = picture.rgb.begin();
+    for (int y = field.height - 1; y >= 0; --y) {
+        for (int x = 0; x < field.width; ++x) {
+            const double t =
+                (double{*field.texel(x, y)} - scale.black) / (scale.white - scale.black);
+            const auto byte = static_cast<std::uint8_t>(std::lround(255 * std::clamp(t, 0.0, 1.0)));
+            pixel = std::fill_n(pixel, 3, byte);
+        }
+    }
+    return picture;
+}
+
+std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel) {
+    if (channel == "R") return {0xc8, 0x3a, 0x32};
+    if (channel == "G") return {0x2e, 0x8b, 0x57};
+    if (channel == "B") return {0x2f, 0x6f, 0xc4};
+    return {0x1f, 0x23, 0x28};
+}
+
+class NoisePictures {
+  public:
+    explicit NoisePictures(const PreviewAsset& asset)
+        : entry_(asset.entry),
+          volume_{{entry_.size[0], entry_.size[1], entry_.size[2]},
+                  static_cast<int>(entry_.channels.size()),
+                  &asset.voxels},
+          scale_(scale_of(asset.voxels)) {}
+
+    std::vector<PreviewPicture> make() {
+        const bool is_curve = volume_.size[1] == 1 && volume_.size[2] == 1;
+        if (entry_.kind == "optical_depth") {
+            is_curve ? add_curves() : add_slices();
+            return std::move(pictures_);
+        }
+        add_slices();
+        add_tiles();
+        add_histogram();
+        add_spectrum();
+        return std::move(pictures_);
+    }
+
+  private:
+    // [0, 1] where all voxels are in it, as most noises are; else from the least to the greatest.
+    static GreyScale scale_of(const std::vector<float>& voxels) {
+        const auto [least, most] = std::minmax_element(voxels.begin(), voxels.end());
+        if (*least >= 0 && *most <= 1) return {};
+        if (*least == *most) return {double{*least}, double{*least} + 1};
+        return {double{*least}, double{*most}};
+    }
+
+    std::string scale_words() const {
+        return fmt::format("Black is {:.3g}, white is {:.3g}.", scale_.black, scale_.white);
+    }
+
+    void add(const std::string& stem, const std::string& title, std::string caption,
+             Picture picture) {
+        pictures_.push_back({entry_.name + "_" + stem, entry_.name + ": " + title,
+                             std::move(caption), std::move(picture)});
+    }
+
+    // "R, x = 64": a channel and the plane of a slice.
+    std::string plane_words(int channel, int axis, int at) const {
+        return fmt::format("{}, {} = {}", entry_.channels[static_cast<std::size_t>(channel)],
+                           axis_names[static_cast<std::size_t>(axis)], at);
+    }
+
+    int middle(int axis) const { return volume_.size[static_cast<std::size_t>(axis)] / 2; }
+
+    void add_slices() {
+        const bool is_flat = entry_.kind == "optical_depth" && volume_.size[2] == 1;
+        std::vector<Picture> slices;
+        std::vector<std::string> captions;
+        for (int channel = 0; channel < volume_.channels; ++channel) {
+            for (int axis = is_flat ? 2 : 0; axis < 3; ++axis) {
+                const Image2<float> plane = slice(volume_, channel, axis, middle(axis));
+                slices.push_back(grey(fitted(plane, smallest_tile, largest_tile), scale_));
+                captions.push_back(plane_words(channel, axis, middle(axis)));
+            }
+        }
+        const std::string planes = is_flat
+                                       ? "Each channel is shown with y up. "
+                                       : "Each row shows a channel in the middle planes across x, "
+                                         "y and z. z is up in the first two, y in the last. ";
+        add("slices", "slices", planes + scale_words(),
+            contact_sheet(slices, captions, is_flat ? 2 : 3));
+    }
+
+    // Of a table with one axis, by its texture coordinate.
+    void add_curves() {
+        std::vector<ChartLine> lines;
+        for (int channel = 0; channel < volume_.channels; ++channel) {
+            const std::string& name = entry_.channels[static_cast<std::size_t>(channel)];
+            const Image2<float> texels = slice(volume_, channel, 2, 0);
+            ChartLine line{name, noise_line_colour(name), {}, {}};
+            for (int i = 0; i < texels.width; ++i) {
+                line.x.push_back((i + 0.5) / texels.width);
+                line.y.push_back(*texels.texel(i, 0));
+            }
+            lines.push_back(std::move(line));
+        }
+        const bool over_decades = entry_.mapping == "phase_functions";
+        add("curves", "curves", fmt::format("These are the file's texels: {}.", entry_.content),
+            line_chart(lines, entry_.name, "u", "value", false, over_decades));
+        pictures_.back().kind = PictureKind::plot;
+    }
+
+    void add_tiles() {
+        std::vector<Picture> tiles;
+        std::vector<std::string> captions;
+        for (int channel = 0; channel < volume_.channels; ++channel) {
+            for (const int axis : {2, 0}) {
+                const Image2<float> plane =
+                    tiled_twice(slice(volume_, channel, axis, middle(axis)));
+                tiles.push_back(grey(fitted(plane, smallest_tile, 2 * largest_tile), scale_));
+                captions.push_back(plane_words(channel, axis, middle(axis)));
+            }
+        }
+        add("tiled", "two by two tiles",
+            fmt::format("The tile is repeated: a seam would show as a line through the middle. The "
+                        "measured seam error is {:.3g}. {}",
+                        entry_.seam_error, scale_words()),
+            contact_sheet(tiles, captions, 2));
+    }
+
+    void add_histogram() {
+        std::vector<ChartLine> lines;
+        const std::vector<ValueStatistics>& statistics = entry_.levels.front().statistics;
+        for (std::size_t i = 0; i < std::min(statistics.size(), entry_.channels.size()); ++i) {
+            lines.push_back(histogram_line(statistics[i], entry_.channels[i]));
+        }
+        add("histogram", "histogram",
+            "The curves show how often each value of a channel occurs; the area below a curve is "
+            "the share of voxels." +
+                without_spectrum(),
+            line_chart(lines, entry_.name + ": histogram", "value", "density", false, false));
+        pictures_.back().kind = PictureKind::plot;
+    }
+
+    // A step a bin, down to 0 at both ends.
+    ChartLine histogram_line(const ValueStatistics& statistics, const std::string& channel) const {
+        ChartLine line{fmt::format("{}, mean {:.3f}", channel, statistics.mean),
+                       noise_line_colour(channel),
+                       {statistics.histogram_range[0]},
+                       {0}};
+        const auto bins = static_cast<double>(statistics.histogram.size());
+        const double width = (statistics.histogram_range[1] - statistics.histogram_range[0]) / bins;
+        const double voxels = double{1} * volume_.size[0] * volume_.size[1] * volume_.size[2];
+        for (const std::int64_t count : statistics.histogram) {
+            const double density = static_cast<double>(count) / (voxels * width);
+            const double left = line.x.back();
+            line.x.insert(line.x.end(), {left, left + width});
+            line.y.insert(line.y.end(), {density, density});
+        }
+        line.x.push_back(line.x.back());
+        line.y.push_back(0);
+        return line;
+    }
+
+    bool is_constant(int channel) const {
+        const std::vector<float>& voxels = *volume_.voxels;
+        const auto channels = static_cast<std::size_t>(volume_.channels);
+        const auto first = static_cast<std::size_t>(channel);
+        for (std::size_t i = first; i < voxels.size(); i += channels) {
+            if (voxels[i] != voxels[first]) return false;
+        }
+        return true;
+    }
+
+    std::vector<int> varying_channels() const {
+        std::vector<int> varying;
+        for (int channel = 0; channel < volume_.channels; ++channel) {
+            if (!is_constant(channel)) varying.push_back(channel);
+        }
+        return varying;
+    }
+
+    // Why there is no spectrum; empty where there is one.
+    std::string without_spectrum() const {
+        if (*std::min_element(volume_.size.begin(), volume_.size.end()) < 2) {
+            return " There is no spectrum: it needs two voxels along each axis.";
+        }
+        return varying_channels().empty() ? " There is no spectrum, since nothing varies." : "";
+    }
+
+    std::string constant_words() const {
+        std::string names;
+        for (int channel = 0; channel < volume_.channels; ++channel) {
+            if (!is_constant(channel)) continue;
+            names +=
+                (names.empty() ? "" : ", ") + entry_.channels[static_cast<std::size_t>(channel)];
+        }
+        return names.empty() ? "" : fmt::format(" Constant channels are left out: {}.", names);
+    }
+
+    void add_spectrum() {
+        if (!without_spectrum().empty()) return;
+        std::vector<ChartLine> lines;
+        for (const int channel : varying_channels()) {
+            const std::string& name = entry_.channels[static_cast<std::size_t>(channel)];
+            ChartLine line{name, noise_line_colour(name), {}, {}};
+            const std::vector<double> spectrum = slice_spectrum(volume_, channel);
+            for (std::size_t k = 1; k < spectrum.size(); ++k) {
+                line.x.push_back(static_cast<double>(k));
+                line.y.push_back(spectrum[k]);
+            }
+            lines.push_back(std::move(line));
+        }
+        add("spectrum", "spectrum",
+            fmt::format("The curves show the variance by frequency up to half a cycle per voxel, "
+                        "averaged over {} slices across x, y and z and over all directions. A "
+                        "channel whose curve rises towards the right end aliases.{}",
+                        spectrum_slices(volume_.size), constant_words()),
+            line_chart(lines, entry_.name + ": spectrum", "frequency (cycles per tile)",
+                       "variance per cycle", true, true));
+        pictures_.back().kind = PictureKind::plot;
+    }
+
+    const ManifestAsset& entry_;
+    VoxelView volume_;
+    GreyScale scale_;
+    std::vector<PreviewPicture> pictures_;
+};
+
+bool is_complete(const PreviewAsset& asset) {
+    const std::vector<int>& size = asset.entry.size;
+    if (!asset.entry.is_volume() || size.size() != 3 || asset.entry.channels.empty()) return false;
+    std::size_t values = asset.entry.channels.size();
+    for (const int edge : size) {
+        if (edge <= 0) return false;
+        values *= static_cast<std::size_t>(edge);
+    }
+    return asset.voxels.size() == values;
+}
+
+}  // namespace
+
+std::vector<PreviewPicture> noise_pictures(const PreviewAsset& asset) {
+    if (!is_complete(asset)) return {};
+    return NoisePictures(asset).make();
+}
+
+}  // namespace skybake

@@ -1,0 +1,78 @@
+#include "bakers/preview/pictures/phase_pictures.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <string>
+
+#include "bakers/assets/phase/phase_axis.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/plot/chart.h"
+
+namespace skybake {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;  // of a radian
+
+// The forward peak of rain is some thousandths of a degree wide.
+constexpr double smallest_shown_angle = 1e-3;
+
+std::array<std::uint8_t, 3> line_colour(const std::string& channel) {
+    if (channel == "R") return {0xc8, 0x3a, 0x32};
+    if (channel == "G") return {0x2e, 0x8b, 0x57};
+    if (channel == "B") return {0x2f, 0x6f, 0xc4};
+    return {0x1f, 0x23, 0x28};
+}
+
+double angle_deg(const std::string& mapping, double x) {
+    const config::PhaseSpacing spacing = mapping == "angle"    ? config::PhaseSpacing::angle
+                                         : mapping == "cosine" ? config::PhaseSpacing::cosine
+                                                               : config::PhaseSpacing::peaks;
+    return radians(scattering_angle(spacing, x)) * degrees;
+}
+
+std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
+    const Image2<float>& table = asset.table;
+    const bool inverse = asset.entry.mapping == "share";
+    std::vector<ChartLine> lines;
+    for (std::size_t c = 0; c < asset.entry.channels.size(); ++c) {
+        ChartLine line;
+        line.name = asset.entry.channels[c];
+        line.colour = line_colour(line.name);
+        for (int i = 0; i < table.width; ++i) {
+            const double x =
+                texel_coordinate(TexelConvention::end_points_on_texel_centres, i, table.width);
+            const double value = table.texel(i, 0)[c];
+            const double at = inverse ? x : angle_deg(asset.entry.mapping, x);
+            if (at < least_angle) continue;
+            line.x.push_back(at);
+            line.y.push_back(inverse ? radians({value, 2 - value}) * degrees : value);
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::vector<PreviewPicture> phase_pictures(const PreviewAsset& asset) {
+    const std::string& name = asset.entry.name;
+    if (asset.entry.mapping == "share") {
+        return {as_plot({name, "Scattering angle by share of light",
+                         "The curve shows the angle below which a share of the light is scattered, "
+                         "from the file's texels.",
+                         line_chart(lines_of(asset, 0), asset.entry.name, "share of the light",
+                                    "scattering angle (deg)", false, false)})};
+    }
+    return {as_plot({name, "Phase function", "The curves show the file's texels.",
+                     line_chart(lines_of(asset, 0), asset.entry.name, "scattering angle (deg)",
+                                "phase function (1/sr)", false, true)}),
+            as_plot({name + "_peak", "Phase function, forward peak",
+                     "The same curves over the logarithm of the angle show the forward peak.",
+                     line_chart(lines_of(asset, smallest_shown_angle),
+                                asset.entry.name + ", forward peak", "scattering angle (deg)",
+                                "phase function (1/sr)", true, true)})};
+}
+
+}  // namespace skybake

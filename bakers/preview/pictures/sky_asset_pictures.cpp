@@ -1,0 +1,222 @@
+#include "bakers/preview/pictures/sky_asset_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "bakers/plot/chart.h"
+#include "bakers/plot/field_scaling.h"
+#include "bakers/preview/pictures/caption_words.h"
+#include "bakers/render/tone_curve.h"
+#include "config/recipe.h"
+
+namespace skybake {
+namespace {
+
+constexpr int view_width = 512;
+constexpr int slice_width = 240;
+constexpr int shown_slices = 4;
+
+// Of a manifest's parameters, which are themselves a recipe; none where they are those of another
+// asset, or of another release.
+template <class Asset>
+std::optional<Asset> bake_of(const ManifestAsset& entry) {
+    const auto recipe = config::parse_recipe(entry.parameters, entry.name);
+    if (!recipe.value || recipe.value->parameters.bakes.size() != 1) return std::nullopt;
+    const auto* asset = std::get_if<Asset>(&recipe.value->parameters.bakes.front().asset);
+    return asset ? std::optional(*asset) : std::nullopt;
+}
+
+// Rows of a table as a picture, the first at the bottom.
+Image2<float> upwards(const Image2<float>& table, int first_row, int rows) {
+    Image2<float> part(table.width, rows, table.channels);
+    const auto row_values =
+        static_cast<std::size_t>(table.width) * static_cast<std::size_t>(table.channels);
+    for (int y = 0; y < rows; ++y) {
+        std::copy_n(table.texel(0, first_row + y), row_values, part.texel(0, rows - 1 - y));
+    }
+    return part;
+}
+
+// The angle above the horizon at a place between the first and the last row (sky_view_mapping.h).
+double angle_above_horizon(const AxisMapping& axis, double y) {
+    const double centred = 2 * y - 1;
+    return (centred < 0 ? axis.first : axis.last) * centred * centred;
+}
+
+// --- Volumes ------------------------------------------------------------------------------------
+
+bool has_all_texels(const PreviewAsset& asset) {
+    std::size_t values = asset.entry.channels.size();
+    for (const int edge : asset.entry.size) values *= static_cast<std::size_t>(edge);
+    return asset.entry.size.size() == 3 && values > 0 && asset.voxels.size() == values;
+}
+
+// Channels first ... first + count - 1 of slice z; row 0 at the top, as the volume has it.
+Image2<float> slice_of(const PreviewAsset& asset, int z, int first, int count) {
+    const std::vector<int>& size = asset.entry.size;
+    const auto channels = asset.entry.channels.size();
+    Image2<float> slice(size[0], size[1], count);
+    const std::size_t texels =
+        static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+    const float* voxel = asset.voxels.data() + static_cast<std::size_t>(z) * texels * channels;
+    for (std::size_t i = 0; i < texels; ++i, voxel += channels) {
+        std::copy_n(voxel + first, count,
+                    slice.texels.data() + i * static_cast<std::size_t>(count));
+    }
+    return slice;
+}
+
+// A share as a screen shows it, by the sRGB curve.
+Picture as_shares(const Image2<float>& shares) {
+    Picture picture(shares.width, shares.height);
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+        const std::size_t texel = i / 3 * static_cast<std::size_t>(shares.channels);
+        const double value =
+            std::clamp(double{shares.texels[texel + (shares.channels == 3 ? i % 3 : 0)]}, 0.0, 1.0);
+        const double encoded =
+            value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+        picture.rgb[i] = static_cast<std::uint8_t>(255 * encoded + 0.5);
+    }
+    return picture;
+}
+
+class AerialPictures {
+  public:
+    AerialPictures(const PreviewAsset& asset, const config::AerialPerspectiveBake& bake)
+        : asset_(asset), bake_(bake) {
+        const int slices = asset.entry.size[2];
+        for (int i = 1; i <= shown_slices; ++i) {
+            const int z = std::max(slices * i / shown_slices - 1, 0);
+            if (slices_.empty() || z != slices_.back()) slices_.push_back(z);
+        }
+    }
+
+    std::vector<PreviewPicture> make() const {
+        const auto channels = static_cast<int>(asset_.entry.channels.size());
+        std::vector<PreviewPicture> pictures;
+        if (bake_.content == config::AerialContent::transmittance) {
+            pictures.push_back(transmittance(0, channels));
+            return pictures;
+        }
+        const bool both = bake_.content == config::AerialContent::in_scatter_and_transmittance;
+        pictures.push_back(light(both ? channels - 1 : channels));
+        if (both) pictures.push_back(transmittance(channels - 1, 1));
+        return pictures;
+    }
+
+  private:
+    double distance_km(int z) const {
+        const double w = (z + 0.5) / asset_.entry.size[2];
+        const bool squared = bake_.slices == config::SliceSpacing::squared;
+        return bake_.view_distance.kilometers() * (squared ? w * w : w);
+    }
+
+    Picture sheet(const std::vector<Picture>& pictures) const {
+        std::vector<std::string> captions;
+        for (const int z : slices_) {
+            captions.push_back(fmt::format("slice {}: {:.3g} km", z, distance_km(z)));
+        }
+        return contact_sheet(pictures, captions, 2);
+    }
+
+    PreviewPicture light(int channels) const {
+        const double exposure = exposure_for(slice_of(asset_, slices_.back(), 0, channels));
+        std::vector<Picture> pictures;
+        for (const int z : slices_) {
+            pictures.push_back(tone_mapped(
+                fitted(slice_of(asset_, z, 0, channels), slice_width, 2 * slice_width), exposure));
+        }
+        return {
+            asset_.entry.name + "_light", asset_.entry.name + ": light added by the air",
+            fmt::format("The slices show the camera's picture, upright; {}.", tone_text(exposure)),
+            sheet(pictures), exposure};
+    }
+
+    PreviewPicture transmittance(int first, int count) const {
+        std::vector<Picture> pictures;
+        for (const int z : slices_) {
+            pictures.push_back(
+                as_shares(fitted(slice_of(asset_, z, first, count), slice_width, 2 * slice_width)));
+        }
+        return {asset_.entry.name + "_transmittance", asset_.entry.name + ": transmittance",
+                "The slices show the camera's picture, upright; white is 1, black is 0.",
+                sheet(pictures)};
+    }
+
+    const PreviewAsset& asset_;
+    const config::AerialPerspectiveBake& bake_;
+    std::vector<int> slices_;
+};
+
+}  // namespace
+
+std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
+    const ManifestAsset& entry = asset.entry;
+    const auto bake = bake_of<config::SkyViewBake>(entry);
+    const int rows = bake ? bake->size[1] : 0;
+    const bool fits = bake && asset.table.width > 0 && entry.axes.size() == 2 &&
+                      asset.table.height == rows * static_cast<int>(bake->sun_elevations.size());
+    std::vector<PreviewPicture> pictures;
+    for (std::size_t k = 0; fits && k < bake->sun_elevations.size(); ++k) {
+        const Image2<float> view = upwards(asset.table, static_cast<int>(k) * rows, rows);
+        const double exposure = exposure_for(view);
+        const double sun = bake->sun_elevations[k].radians * 180 / std::numbers::pi;
+        const std::string title = fmt::format("{}: {}", entry.name, sun_text(sun));
+        const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 180 * t; },
+                                AxisTicks::angles};
+        const ChartAxis angle{
+            "above the horizon (deg)",
+            [axis = entry.axes[1]](double t) { return angle_above_horizon(axis, t); },
+            AxisTicks::angles};
+        pictures.push_back(
+            {fmt::format("{}_{}", entry.name, sun_stem(sun)), title,
+             fmt::format(
+                 "The picture shows the texels of this sun; {}. The sun's disc is not in them.",
+                 tone_text(exposure)),
+             framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, azimuth,
+                    angle),
+             exposure});
+    }
+    return pictures;
+}
+
+std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
+    const ManifestAsset& entry = asset.entry;
+    if (asset.table.width <= 0 || asset.table.height <= 0 || entry.axes.size() != 2) return {};
+    const Image2<float> view = upwards(asset.table, 0, asset.table.height);
+    const double exposure = exposure_for(view);
+    const std::string title =
+        fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
+    const bool twilight = entry.mapping == "twilight";
+    const ChartAxis sun{"cosine of the sun's zenith angle",
+                        [twilight](double t) {
+                            const double centred = 2 * t - 1;
+                            return twilight ? centred * std::fabs(centred) : centred;
+                        },
+                        AxisTicks::decimal};
+    const ChartAxis altitude{"altitude (km)",
+                             [top = entry.axes[1].last](double t) { return t * t * top; },
+                             AxisTicks::decimal};
+    return {
+        {entry.name + "_texels", title,
+         fmt::format("The picture shows the file's texels, with its first row at the bottom; {}.",
+                     tone_text(exposure)),
+         framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, sun,
+                altitude),
+         exposure}};
+}
+
+std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset) {
+    const auto bake = bake_of<config::AerialPerspectiveBake>(asset.entry);
+    if (!bake || !has_all_texels(asset)) return {};
+    return AerialPictures(asset, *bake).make();
+}
+
+}  // namespace skybake

@@ -1,0 +1,296 @@
+#include "bakers/preview/pictures/sky_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bakers/field/bilinear.h"
+#include "bakers/plot/chart.h"
+#include "bakers/preview/pictures/caption_words.h"
+#include "bakers/preview/pictures/sky_reference.h"
+#include "bakers/render/sky_view.h"
+#include "bakers/render/tone_curve.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr double kLowestDegrees = -20;
+constexpr double kHighestDegrees = 70;
+// What is around a dome: dark, so that the horizon's brightness shows.
+constexpr std::array<std::uint8_t, 3> kSurround = {22, 24, 28};
+
+// What all pictures of a preview share.
+struct SkyScene {
+    SkyMedium medium;
+    SkyTables tables;
+    double camera_altitude_km;
+    const SkyPreviewOptions& options;
+    int threads;
+    std::unique_ptr<const SkyLight> solved;  // the reference; null: none is shown
+    std::string why_unsolved;                // a sentence, where it was asked for and there is none
+};
+
+SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
+    SkyView view;
+    view.projection = SkyProjection::dome;
+    view.width = pixels;
+    view.height = pixels;
+    view.camera_altitude_km = scene.camera_altitude_km;
+    view.sun_elevation_degrees = sun_elevation_degrees;
+    return view;
+}
+
+SkyView panorama_view(const SkyScene& scene, double sun_elevation_degrees) {
+    SkyView view = dome_view(scene, sun_elevation_degrees, scene.options.panorama_pixels);
+    view.projection = SkyProjection::panorama;
+    view.lowest_degrees = kLowestDegrees;
+    view.highest_degrees = kHighestDegrees;
+    view.height =
+        static_cast<int>(std::lround(view.width * (kHighestDegrees - kLowestDegrees) / 360));
+    return view;
+}
+
+double exposure_of(const SkyPreviewOptions& options, const Image2<float>& radiance) {
+    return options.exposure_stops ? std::exp2(*options.exposure_stops) : exposure_for(radiance);
+}
+
+// Each pixel by bilinear lookup, for a picture that is larger.
+Image2<float> enlarged(const Image2<float>& image, int pixels) {
+    Image2<float> result(pixels, pixels, image.channels);
+    std::array<double, kMaxChannels> value{};
+    for (int y = 0; y < pixels; ++y) {
+        for (int x = 0; x < pixels; ++x) {
+            bilinear(image, (x + 0.5) / pixels, (y + 0.5) / pixels, value.data());
+            for (int c = 0; c < image.channels; ++c) {
+                result.texel(x, y)[c] = static_cast<float>(value[static_cast<std::size_t>(c)]);
+            }
+        }
+    }
+    return result;
+}
+
+// Tone-mapped, with the circle's edge smoothed against its surround.
+Picture dome_picture(const Image2<float>& radiance, const SkyView& view, double exposure) {
+    Picture picture = tone_mapped(radiance, exposure);
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            const double share = coverage_at(view, x, y);
+            if (share == 1) continue;
+            std::uint8_t* pixel =
+                picture.rgb.data() +
+                3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +
+                     static_cast<std::size_t>(x));
+            for (std::size_t c = 0; c < kSurround.size(); ++c) {
+                pixel[c] = static_cast<std::uint8_t>(
+                    std::lround(share * pixel[c] + (1 - share) * kSurround[c]));
+            }
+        }
+    }
+    return picture;
+}
+
+ChartAxis dome_axis(const char* title) {
+    return {title, [](double t) { return 180 * t - 90; }, AxisTicks::angles};
+}
+
+Picture framed_dome(const Picture& dome, const std::string& title) {
+    return framed(dome, title, dome_axis("across (deg from the zenith)"),
+                  dome_axis("towards the sun (deg from the zenith)"));
+}
+
+// The least of 1, 2, 5, 10 ... percent that 99 of 100 pixels lie within, but 100 at most: a table
+// that fails is to be seen where it does, and what is off by more is nothing but wrong.
+double percent_shown(const Image2<float>& relative) {
+    std::vector<float> sizes;
+    for (const float value : relative.texels) sizes.push_back(std::fabs(value));
+    const auto rank =
+        sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), rank, sizes.end());
+    double limit = 0.1;
+    for (int i = 0; limit < std::min(100 * double{*rank}, 100.0); ++i) {
+        limit *= i % 3 == 1 ? 2.5 : 2;
+    }
+    return limit;
+}
+
+Picture difference_chart(const SkyDifference& difference, int pixels) {
+    Image2<float> percent(difference.relative.width, difference.relative.height, 1);
+    for (int y = 0; y < percent.height; ++y) {
+        for (int x = 0; x < percent.width; ++x) {
+            *percent.texel(x, percent.height - 1 - y) = 100 * *difference.relative.texel(x, y);
+        }
+    }
+    const double limit = percent_shown(difference.relative);
+    return false_colour_chart(percent, {-limit, limit, false, true, "tables over solved sky (%)"},
+                              "difference", dome_axis("across (deg from the zenith)"),
+                              dome_axis("towards the sun (deg from the zenith)"), pixels);
+}
+
+std::string degrees_text(double degrees) { return fmt::format("{:g} deg", degrees); }
+
+// Three digits, never an exponent of ten.
+std::string number_text(double value) {
+    return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+std::string percent_text(double share) { return number_text(100 * share) + " %"; }
+
+// What every caption of a sky says of light and camera.
+std::string how_shown(const SkyScene& scene) {
+    return fmt::format(
+        "The camera is at {:g} km; each ray is marched in {} steps. Radiance is for a solar "
+        "irradiance of 1 in each channel, so that sunlight outside the atmosphere is white; "
+        "channels are shown as linear sRGB",
+        scene.camera_altitude_km, kSkySteps);
+}
+
+std::string figures_text(const ErrorFigures& figures) {
+    return fmt::format("at most {}, RMS {}", percent_text(figures.max), percent_text(figures.rms));
+}
+
+// Adds the solved sky and the difference to it to a dome from the tables.
+void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_elevation_degrees,
+                         double exposure, PreviewPicture& result) {
+    const int pixels = scene.options.dome_pixels;
+    const SkyView view = dome_view(scene, sun_elevation_degrees, pixels);
+    const SkyView small = dome_view(scene, sun_elevation_degrees, scene.options.solved_pixels);
+    const SkyCost cost = sky_cost(scene.medium, scene.tables, *scene.solved, small, scene.threads);
+    const std::string difference = figures_text(cost.difference.error);
+    const std::string marching = figures_text(cost.marching);
+    result.picture = contact_sheet(
+        {framed_dome(dome, "from the tables"),
+         framed_dome(dome_picture(enlarged(cost.solved, pixels), view, exposure),
+                     "reference: the solved sky"),
+         difference_chart(cost.difference, pixels)},
+        {fmt::format("sun at {}, {} steps per ray, {}", degrees_text(sun_elevation_degrees),
+                     kSkySteps, exposure_text(exposure)),
+         fmt::format("all orders of scattering, {0}x{0} pixels, enlarged", small.width),
+         fmt::format("tables: {}; of which {} steps: {}", difference, kSkySteps, marching)},
+        3);
+    result.caption += fmt::format(
+        " The middle shows the reference of every method, the solved sky: all orders of "
+        "scattering, as the asset `sky_view` bakes them, without the sun's disc. The right shows "
+        "how far the tables are from it: {}; each pixel shows the channel with the largest error, "
+        "relative to the reference or to 1e-3 of the channel's largest value, whichever is larger. "
+        "The colour scale is clipped at +-{:g} %. The error of marching in {} steps alone, with "
+        "the same tables, is {}.",
+        difference, percent_shown(cost.difference.relative), kSkySteps, marching);
+}
+
+PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
+    const SkyView view = dome_view(scene, sun_elevation_degrees, scene.options.dome_pixels);
+    Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
+    const double exposure = exposure_of(scene.options, radiance);
+    add_sun_disc(scene.medium, scene.tables, view, radiance);
+
+    PreviewPicture result;
+    result.name = "sky_" + sun_stem(sun_elevation_degrees);
+    result.title = fmt::format("Sky, {}", sun_text(sun_elevation_degrees));
+    result.exposure = exposure;
+    result.caption = fmt::format(
+        "This is a fisheye view of the upper hemisphere with the sun towards the top. {}; {}.",
+        how_shown(scene), tone_text(exposure));
+    const Picture dome = dome_picture(radiance, view, exposure);
+    if (scene.solved) {
+        compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
+    } else {
+        result.picture = framed_dome(dome, "from the tables");
+        result.caption += scene.why_unsolved;
+    }
+    return result;
+}
+
+PreviewPicture panoramas(const SkyScene& scene) {
+    std::vector<Picture> pictures;
+    std::vector<std::string> captions;
+    for (const double elevation : scene.options.sun_elevations_degrees) {
+        const SkyView view = panorama_view(scene, elevation);
+        Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
+        const double exposure = exposure_of(scene.options, radiance);
+        add_sun_disc(scene.medium, scene.tables, view, radiance);
+        pictures.push_back(tone_mapped(radiance, exposure));
+        captions.push_back(fmt::format("{}, {}", sun_text(elevation), exposure_text(exposure)));
+    }
+    PreviewPicture result;
+    result.name = "sky_panoramas";
+    result.kind = PictureKind::scene;
+    result.title = "Sky all around";
+    result.caption = fmt::format(
+        "The panorama shows the sky from the tables, with azimuths from -180 to 180 deg around the "
+        "sun's and elevations from {:g} to {:g} deg. {}; tone curve {}. The ground is lit by the "
+        "sun and, through the table of multiple scattering, by a sky of uniform brightness.",
+        kLowestDegrees, kHighestDegrees, how_shown(scene), tone_curve_name());
+    result.picture = contact_sheet(pictures, captions, 1);
+    return result;
+}
+
+// Solves for the reference.
+void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
+    const BakeOptions options{scene.threads, Certification::off, scene.options.progress};
+    auto light = std::make_unique<SkyLight>(atmosphere, config::SkyOrders::all,
+                                            std::vector<std::string>{}, options);
+    const auto problem = light->problem("the sky's reference");
+    if (problem) {
+        scene.why_unsolved =
+            fmt::format(" There is no reference to compare with: {}.", problem->message);
+    } else {
+        scene.solved = std::move(light);
+    }
+}
+
+// Tells of the picture that comes next; false once the user has interrupted.
+bool goes_on(const SkyScene& scene, double sun_elevation_degrees, std::size_t done) {
+    Progress* progress = scene.options.progress;
+    if (progress == nullptr) return true;
+    const std::size_t count = scene.options.sun_elevations_degrees.size() + 1;
+    progress->advance(fmt::format("sun {:g} deg", sun_elevation_degrees),
+                      static_cast<double>(done) / static_cast<double>(count));
+    return !progress->cancelled();
+}
+
+}  // namespace
+
+SkyPreviewOptions draft_sky_preview() {
+    SkyPreviewOptions options;
+    options.sun_elevations_degrees = {60, 10, 0};
+    options.dome_pixels = 192;
+    options.solved_pixels = 0;
+    options.panorama_pixels = 360;
+    return options;
+}
+
+std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
+                                         const PreviewAsset& transmittance,
+                                         const PreviewAsset& multiple_scattering,
+                                         const SkyPreviewOptions& options, int threads) {
+    config::Outcome<SkyTables> tables = make_sky_tables(transmittance, multiple_scattering);
+    std::vector<PreviewPicture> pictures;
+    if (!tables.value) return pictures;
+    SkyMedium medium = make_sky_medium(atmosphere);
+    if (medium.air.channels != tables.value->transmittance.channels) return pictures;
+    const double altitude_km = std::min(options.camera_altitude_km, medium.air.thickness_km);
+    SkyScene scene = {
+        std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, ""};
+    if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
+    // After an interruption the solution is not to be used.
+    if (is_cancelled(options.progress)) return pictures;
+    // What is to be looked at comes first, what is to be measured after it.
+    if (options.panorama_pixels > 0 && !options.sun_elevations_degrees.empty()) {
+        pictures.push_back(panoramas(scene));
+    }
+    for (const double elevation : options.sun_elevations_degrees) {
+        if (!goes_on(scene, elevation, pictures.size())) return pictures;
+        pictures.push_back(dome_of(scene, elevation));
+    }
+    return pictures;
+}
+
+}  // namespace skybake

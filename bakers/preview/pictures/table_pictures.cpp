@@ -1,0 +1,351 @@
+#include "bakers/preview/pictures/table_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "bakers/field/bilinear.h"
+#include "bakers/plot/chart.h"
+#include "bakers/plot/field_scaling.h"
+#include "bakers/preview/pictures/caption_words.h"
+#include "bakers/preview/pictures/sky_asset_pictures.h"
+#include "bakers/preview/pictures/table_geometry.h"
+#include "bakers/render/tone_curve.h"
+
+namespace skybake {
+namespace {
+
+constexpr int view_width = 512;
+constexpr int view_height = 320;
+constexpr int profile_points = 400;
+constexpr std::uint8_t no_ray_grey = 0xd4;
+
+struct ChannelName {
+    std::string stem;   // "red"
+    std::string title;  // "red, 680 nm"
+    std::array<std::uint8_t, 3> colour{};
+};
+
+std::vector<ChannelName> channel_names(const ManifestAsset& entry, const TableGeometry& geometry) {
+    const std::vector<double>& wavelengths = geometry.wavelengths_nm();
+    const auto title = [&](const std::string& name, std::size_t i) {
+        if (i >= wavelengths.size()) return name;
+        const std::string length = fmt::format("{:.5g} nm", wavelengths[i]);
+        return name.empty() ? length : name + ", " + length;
+    };
+    if (entry.channels.size() < 3) return {{"luminance", title("", 0), {0x1f, 0x23, 0x28}}};
+    return {{"red", title("red", 0), {0xc8, 0x3a, 0x32}},
+            {"green", title("green", 1), {0x2e, 0x8b, 0x57}},
+            {"blue", title("blue", 2), {0x2f, 0x6f, 0xc4}}};
+}
+
+// The words and the scale that differ between the kinds of tables.
+struct Quantity {
+    std::string heading;  // "Transmittance"
+    std::string axis;     // "transmittance"
+    std::string angle;    // of the horizontal axis
+    bool logarithmic = false;
+};
+
+bool holds_optical_depth(const ManifestAsset& entry) {
+    return entry.content.starts_with("optical depth");
+}
+
+Quantity quantity_of(const ManifestAsset& entry, const TableGeometry& geometry) {
+    if (!geometry.is_transmittance()) {
+        return {"Multiple scattering", "Ψ (1/sr)", "sun zenith angle (deg)", true};
+    }
+    if (holds_optical_depth(entry)) {
+        return {"Optical depth", "optical depth to the top", "zenith angle of the ray (deg)", true};
+    }
+    return {"Transmittance", "transmittance to the top", "zenith angle of the ray (deg)", false};
+}
+
+ColourScale scale_of(const Image2<float>& table, int channel, const Quantity& quantity) {
+    if (!quantity.logarithmic) return {0, 1, false, false, quantity.axis};
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (std::size_t i = static_cast<std::size_t>(channel); i < table.texels.size();
+         i += static_cast<std::size_t>(table.channels)) {
+        const double value = double{table.texels[i]};
+        if (value > 0) low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    if (!(high > 0)) return {0, 1, false, false, quantity.axis};
+    // Six decades: from full daylight to a night that no exposure shows beside it.
+    low = std::max(low, high * 1e-6);
+    return {low == high ? low / 2 : low, high, true, false, quantity.axis};
+}
+
+// --- Lookups over physical axes -----------------------------------------------------------------
+
+// Zenith angles up to the horizon seen from the top, rounded up to 5 degrees.
+double widest_angle(const TableGeometry& geometry) {
+    return std::min(180.0,
+                    5 * std::ceil(geometry.largest_zenith_angle(geometry.thickness_km()) / 5));
+}
+
+// What lookups return, NaN where the ray hits the ground. Row 0 is the ground.
+Image2<float> physical_view(const Image2<float>& table, const TableGeometry& geometry) {
+    Image2<float> view(view_width, view_height, table.channels);
+    std::vector<double> value(static_cast<std::size_t>(table.channels));
+    const double widest = widest_angle(geometry);
+    for (int y = 0; y < view.height; ++y) {
+        const double altitude = (y + 0.5) / view.height * geometry.thickness_km();
+        const double horizon = geometry.largest_zenith_angle(altitude);
+        for (int x = 0; x < view.width; ++x) {
+            const double angle = (x + 0.5) / view.width * widest;
+            if (angle > horizon) {
+                std::fill_n(view.texel(x, y), view.channels,
+                            std::numeric_limits<float>::quiet_NaN());
+                continue;
+            }
+            const auto uv = geometry.texture_coordinates(altitude, angle);
+            bilinear(table, uv[0], uv[1], value.data());
+            std::transform(value.begin(), value.end(), view.texel(x, y),
+                           [](double v) { return static_cast<float>(v); });
+        }
+    }
+    return view;
+}
+
+Image2<float> one_channel(const Image2<float>& image, int channel) {
+    Image2<float> field(image.width, image.height, 1);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            *field.texel(x, y) = image.texel(x, y)[channel];
+        }
+    }
+    return field;
+}
+
+// The other way up: views have row 0 at the top.
+Image2<float> upside_down(const Image2<float>& image) {
+    Image2<float> turned(image.width, image.height, image.channels);
+    for (int y = 0; y < image.height; ++y) {
+        std::copy_n(
+            image.texel(0, image.height - 1 - y),
+            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels),
+            turned.texel(0, y));
+    }
+    return turned;
+}
+
+// What a table's texels let through or scatter: optical depths as transmittances.
+Image2<float> light_of(const Image2<float>& table, const ManifestAsset& entry) {
+    Image2<float> light = table;
+    if (!holds_optical_depth(entry)) return light;
+    for (float& value : light.texels) value = std::exp(-value);
+    return light;
+}
+
+// Tone-mapped, row 0 of the picture at the top; grey where there is no ray.
+Picture shown(const Image2<float>& field, double exposure) {
+    Image2<float> view = upside_down(field);
+    std::vector<std::size_t> missing;
+    const auto channels = static_cast<std::size_t>(view.channels);
+    for (std::size_t i = 0; i < view.texels.size(); i += channels) {
+        if (!std::isnan(view.texels[i])) continue;
+        missing.push_back(i / channels);
+        std::fill_n(view.texels.begin() + static_cast<std::ptrdiff_t>(i), view.channels, 0.0F);
+    }
+    Picture picture = tone_mapped(view, exposure);
+    for (const std::size_t pixel : missing) {
+        std::fill_n(picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, no_ray_grey);
+    }
+    return picture;
+}
+
+// --- Texels as they lie -------------------------------------------------------------------------
+
+PreviewPicture texels_picture(const ManifestAsset& entry, const Image2<float>& light,
+                              double exposure, const ChartAxis& across, const ChartAxis& up) {
+    const std::string title =
+        fmt::format("{}: {} × {} texels", entry.name, light.width, light.height);
+    return {
+        entry.name + "_texels", title,
+        fmt::format("The picture shows the file's texels, with its first row at the bottom; {}.",
+                    tone_text(exposure)),
+        framed(shown(fitted(light, view_width, 2 * view_width), exposure), title, across, up)};
+}
+
+// --- Pictures -----------------------------------------------------------------------------------
+
+class TablePictures {
+  public:
+    TablePictures(const PreviewAsset& asset, const TableGeometry& geometry)
+        : entry_(asset.entry),
+          table_(asset.table),
+          light_(light_of(asset.table, asset.entry)),
+          geometry_(geometry),
+          quantity_(quantity_of(asset.entry, geometry)),
+          channels_(channel_names(asset.entry, geometry)),
+          view_(physical_view(asset.table, geometry)),
+          exposure_(exposure_for(light_)) {}
+
+    std::vector<PreviewPicture> make() {
+        add_colours();
+        for (int channel = 0; channel < static_cast<int>(channels_.size()); ++channel) {
+            add_false_colours(channel);
+        }
+        add_profile_over_angle();
+        add_profile_over_altitude();
+        add_texels();
+        return std::move(pictures_);
+    }
+
+  private:
+    ChartAxis angle_axis() const {
+        const double widest = widest_angle(geometry_);
+        return {quantity_.angle, [widest](double t) { return t * widest; }, AxisTicks::angles};
+    }
+    ChartAxis altitude_axis() const {
+        const double thickness = geometry_.thickness_km();
+        return {"altitude (km)", [thickness](double t) { return t * thickness; },
+                AxisTicks::decimal};
+    }
+
+    void add(const std::string& stem, const std::string& title, std::string caption,
+             Picture picture) {
+        pictures_.push_back(
+            {entry_.name + "_" + stem, title, std::move(caption), std::move(picture)});
+    }
+
+    std::string where_grey() const {
+        return geometry_.is_transmittance() ? " Where the picture is grey, the ray hits the ground."
+                                            : "";
+    }
+
+    void add_colours() {
+        const std::string title =
+            (geometry_.is_transmittance() ? "Transmittance" : quantity_.heading) +
+            std::string(" as colour");
+        add("view", title,
+            fmt::format("The picture shows bilinear lookups; {}.{}", tone_text(exposure_),
+                        where_grey()),
+            framed(shown(light_of(view_, entry_), exposure_), title, angle_axis(),
+                   altitude_axis()));
+    }
+
+    void add_false_colours(int channel) {
+        const ChannelName& name = channels_[static_cast<std::size_t>(channel)];
+        const std::string title = quantity_.heading + ", " + name.title;
+        const ColourScale scale = scale_of(table_, channel, quantity_);
+        add(name.stem, title,
+            fmt::format("The picture shows bilinear lookups over zenith angle and altitude{}.{}",
+                        scale.logarithmic ? ", on a logarithmic scale" : "", where_grey()),
+            false_colour_chart(one_channel(view_, channel), scale, title, angle_axis(),
+                               altitude_axis(), view_width));
+        pictures_.back().kind = PictureKind::plot;
+    }
+
+    // What is below the scale of the false colours is left out, or it would fill the chart.
+    void hide_night(std::vector<ChartLine>& lines) const {
+        for (std::size_t channel = 0; channel < lines.size(); ++channel) {
+            const ColourScale scale = scale_of(table_, static_cast<int>(channel), quantity_);
+            for (double& value : lines[channel].y) {
+                if (value < scale.low) value = std::numeric_limits<double>::quiet_NaN();
+            }
+        }
+    }
+
+    // Lookups along a line of places, as one curve a channel.
+    std::vector<ChartLine> curves(
+        const std::function<std::array<double, 3>(double)>& x_altitude_angle) const {
+        std::vector<ChartLine> lines;
+        for (const ChannelName& name : channels_)
+            lines.push_back({name.title, name.colour, {}, {}});
+        std::vector<double> value(static_cast<std::size_t>(table_.channels));
+        for (int i = 0; i <= profile_points; ++i) {
+            const auto [x, altitude, angle] =
+                x_altitude_angle(static_cast<double>(i) / profile_points);
+            const auto uv = geometry_.texture_coordinates(altitude, angle);
+            bilinear(table_, uv[0], uv[1], value.data());
+            for (std::size_t channel = 0; channel < lines.size(); ++channel) {
+                lines[channel].x.push_back(x);
+                lines[channel].y.push_back(value[channel]);
+            }
+        }
+        if (quantity_.logarithmic) hide_night(lines);
+        return lines;
+    }
+
+    void add_profile_over_angle() {
+        const double horizon = geometry_.largest_zenith_angle(0);
+        const auto lines = curves([&](double t) {
+            return std::array<double, 3>{t * horizon, 0.0, t * horizon};
+        });
+        const std::string title = quantity_.heading + " at the ground";
+        add("ground_profile", title, "The curves show bilinear lookups at the ground, altitude 0.",
+            line_chart(lines, title, quantity_.angle, quantity_.axis, false,
+                       quantity_.logarithmic));
+        pictures_.back().kind = PictureKind::plot;
+    }
+
+    void add_profile_over_altitude() {
+        const double thickness = geometry_.thickness_km();
+        const auto lines = curves([&](double t) {
+            return std::array<double, 3>{t * thickness, t * thickness, 90.0};
+        });
+        const std::string title =
+            quantity_.heading +
+            (geometry_.is_transmittance() ? " along the horizontal" : " with the sun at 90°");
+        add("altitude_profile", title,
+            "The curves show bilinear lookups at a zenith angle of 90 degrees.",
+            line_chart(lines, title, "altitude (km)", quantity_.axis, false,
+                       quantity_.logarithmic));
+        pictures_.back().kind = PictureKind::plot;
+    }
+
+    void add_texels() {
+        const TableGeometry geometry = geometry_;
+        const ChartAxis up{"altitude (km)",
+                           [geometry](double t) { return geometry.altitude_km(t); },
+                           AxisTicks::decimal};
+        const ChartAxis across =
+            geometry.is_transmittance()
+                ? ChartAxis{"u: straight up on the left, the horizon on the right",
+                            [](double t) { return t; }, AxisTicks::decimal}
+                : ChartAxis{quantity_.angle,
+                            [geometry](double t) { return geometry.zenith_angle(t, 0); },
+                            AxisTicks::angles};
+        pictures_.push_back(texels_picture(entry_, light_, exposure_, across, up));
+    }
+
+    const ManifestAsset& entry_;
+    const Image2<float>& table_;
+    const Image2<float> light_;
+    const TableGeometry& geometry_;
+    Quantity quantity_;
+    std::vector<ChannelName> channels_;
+    Image2<float> view_;
+    double exposure_;
+    std::vector<PreviewPicture> pictures_;
+};
+
+}  // namespace
+
+std::vector<PreviewPicture> table_pictures(const PreviewAsset& asset) {
+    if (asset.entry.kind == "sky_view") return sky_view_pictures(asset);
+    if (asset.entry.kind == "irradiance") return irradiance_pictures(asset);
+    const bool known =
+        asset.entry.kind == "transmittance" || asset.entry.kind == "multiple_scattering";
+    const Image2<float>& table = asset.table;
+    if (!known || table.width <= 0 || table.height <= 0 || table.channels <= 0) return {};
+    if (const auto geometry = TableGeometry::of(asset.entry)) {
+        return TablePictures(asset, *geometry).make();
+    }
+    const auto coordinate = [](double t) { return t; };
+    return {texels_picture(asset.entry, table, exposure_for(table),
+                           {"u", coordinate, AxisTicks::decimal},
+                           {"v", coordinate, AxisTicks::decimal})};
+}
+
+}  // namespace skybake

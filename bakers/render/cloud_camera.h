@@ -1,0 +1,39 @@
+// From pixels to rays through a cloud layer.
+#pragma once
+
+#include <array>
+
+#include "bakers/render/cloud_view.h"
+#include "bakers/render/view_direction.h"
+
+namespace skybake {
+
+class CameraRays {
+  public:
+    CameraRays(const CloudCamera& camera, int width, int height);
+
+    // Through the middle of pixel (x, y), row 0 at the top.
+    Direction through(double x, double y) const;
+
+  private:
+    Direction forward_{};
+    Direction right_{};
+    Direction up_{};
+    double half_width_ = 0;  // of the picture, at distance 1
+    int width_ = 0;
+    int height_ = 0;
+};
+
+// In [0, 1], a function of the pixel alone; neighbours differ much. `layer` 0, 1 ... makes others.
+float gradient_noise(int x, int y, int layer);
+
+// Where a ray is within the layer, or the one tile that there is, as distances; none where first >
+// last.
+struct RaySpan {
+    double first_m = 0;
+    double last_m = 0;
+};
+RaySpan span_in_layer(const CloudMedium& medium, const CloudCamera& camera,
+                      const Direction& direction, double reach_m);
+
+}  // namespace skybake

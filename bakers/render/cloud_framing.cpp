@@ -1,0 +1,179 @@
+#include "bakers/render/cloud_framing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/render/cloud_camera.h"
+
+namespace skybake {
+
+namespace {
+
+// No simple fraction of a turn: tiles do not line up.
+constexpr double kHeading = 63;
+constexpr double kField = 50;
+// Eyes of somebody who stands on the ground.
+constexpr double kLowest_m = 2;
+// The share of the picture's width or height that a framed box fills.
+constexpr double kFilled = 0.9;
+// Of the greatest value: crumbs that are fainter are hardly seen, and are not what is framed.
+constexpr float kFaint = 0.05F;
+
+// From below where the layer is high enough that its nearest clouds are some voxels away, else from
+// above.
+void place_under_layer(const CloudMedium& medium, CloudCamera& camera) {
+    const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
+    const bool from_below = medium.base_m >= 0.1 * tile;
+    const double below_m = std::max(medium.base_m - 0.25 * tile, kLowest_m);
+    const double top_m = medium.base_m + medium.extent_m[2];
+    camera.position_m = {0.31 * medium.extent_m[0], 0.12 * medium.extent_m[1],
+                         from_below ? below_m : top_m + 0.15 * tile};
+    camera.elevation_degrees = from_below ? 12 : -9;
+}
+
+std::array<Direction, 8> corners_of(const CloudBox& box) {
+    std::array<Direction, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            corners[i][a] = (i >> a & 1) != 0 ? box.high_m[a] : box.low_m[a];
+        }
+    }
+    return corners;
+}
+
+// The camera's position along its own axis, so far back from the box's middle that all corners are
+// within kFilled of the picture.
+std::array<double, 3> position_before(const CloudBox& box, const CloudCamera& camera,
+                                      double height_over_width) {
+    const Direction forward = direction_of(camera.elevation_degrees, camera.azimuth_degrees);
+    const Direction right = direction_of(0, camera.azimuth_degrees - 90);
+    const Direction up = direction_of(camera.elevation_degrees + 90, camera.azimuth_degrees);
+    const double half = camera.horizontal_field_degrees / 2;
+    const double half_width = kFilled * sine_of_degrees(half) / cosine_of_degrees(half);
+    Direction middle;
+    for (std::size_t a = 0; a < 3; ++a) middle[a] = 0.5 * (box.low_m[a] + box.high_m[a]);
+    double back = 0;
+    for (Direction corner : corners_of(box)) {
+        for (std::size_t a = 0; a < 3; ++a) corner[a] -= middle[a];
+        const double across = std::fabs(dot(corner, right)) / half_width;
+        const double upwards = std::fabs(dot(corner, up)) / (half_width * height_over_width);
+        back = std::max(back, std::max(across, upwards) - dot(corner, forward));
+    }
+    std::array<double, 3> position;
+    for (std::size_t a = 0; a < 3; ++a) position[a] = middle[a] - back * forward[a];
+    return position;
+}
+
+// From a little below, so that the cloud stands against the sky, unless the ground is in the way.
+void place_before_box(const CloudBox& box, const CameraRequest& request, double height_over_width,
+                      CloudCamera& camera) {
+    camera.elevation_degrees = request.pitch_degrees.value_or(8);
+    camera.position_m = position_before(box, camera, height_over_width);
+    if (camera.position_m[2] >= kLowest_m || request.pitch_degrees) return;
+    camera.elevation_degrees = -8;
+    camera.position_m = position_before(box, camera, height_over_width);
+}
+
+double farthest_corner_m(const CloudBox& box, const std::array<double, 3>& from) {
+    double farthest = 0;
+    for (Direction corner : corners_of(box)) {
+        for (std::size_t a = 0; a < 3; ++a) corner[a] -= from[a];
+        farthest = std::max(farthest, std::sqrt(dot(corner, corner)));
+    }
+    return farthest;
+}
+
+CloudCamera camera_for(const CloudMedium& medium, const CameraRequest& request,
+                       double height_over_width) {
+    CloudCamera camera;
+    camera.azimuth_degrees = request.heading_degrees.value_or(kHeading);
+    camera.horizontal_field_degrees = request.field_degrees.value_or(kField);
+    if (medium.repeats) {
+        place_under_layer(medium, camera);
+    } else {
+        place_before_box(occupied_box(medium), request, height_over_width, camera);
+    }
+    camera.elevation_degrees = request.pitch_degrees.value_or(camera.elevation_degrees);
+    camera.position_m = request.position_m.value_or(camera.position_m);
+    // Under the ground there is nothing to be seen from.
+    camera.position_m[2] = std::max(camera.position_m[2], kLowest_m);
+    return camera;
+}
+
+double reach_m(const CloudMedium& medium, const CloudCamera& camera) {
+    if (!medium.repeats) {
+        const CloudBox whole = {
+            {0, 0, medium.base_m},
+            {medium.extent_m[0], medium.extent_m[1], medium.base_m + medium.extent_m[2]}};
+        return farthest_corner_m(whole, camera.position_m);
+    }
+    const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
+    return std::min(std::max(24 * tile, 40e3), 256 * tile);
+}
+
+std::string kilometers(double meters) { return fmt::format("{:.4g}km", meters / 1000); }
+
+}  // namespace
+
+CloudBox occupied_box(const CloudMedium& medium) {
+    const std::array<int, 3>& size = medium.volume.size;
+    const AlignedFloats& values = medium.volume.values;
+    const float greatest = *std::max_element(values.begin(), values.end());
+    const float faint = std::max(medium.visible_above, kFaint * greatest);
+    std::array<int, 3> low = size;
+    std::array<int, 3> high{};
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            const float* row =
+                values.data() + (z + 1) * medium.volume.plane() + (y + 1) * medium.volume.row() + 1;
+            for (int x = 0; x < size[0]; ++x) {
+                if (!(row[x] > faint)) continue;
+                const std::array<int, 3> at = {x, y, z};
+                for (std::size_t a = 0; a < 3; ++a) {
+                    low[a] = std::min(low[a], at[a]);
+                    high[a] = std::max(high[a], at[a] + 1);
+                }
+            }
+        }
+    }
+    if (high[0] == 0) {
+        low = {};
+        high = size;
+    }
+    CloudBox box;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double origin = a == 2 ? medium.base_m : 0;
+        box.low_m[a] = origin + low[a] * medium.meters_per_voxel(a);
+        box.high_m[a] = origin + high[a] * medium.meters_per_voxel(a);
+    }
+    return box;
+}
+
+CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
+                              int height, const CameraRequest& request) {
+    CloudViewSettings settings;
+    settings.width = width;
+    settings.height = height;
+    settings.sun = sun;
+    settings.step_m =
+        exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
+                              medium.meters_per_voxel(2)) /
+                    3);
+    settings.light_step_m =
+        std::max(settings.step_m, sun_march_length_m(medium, sun) / kSunSamples);
+    settings.camera = camera_for(medium, request, static_cast<double>(height) / width);
+    settings.reach_m = reach_m(medium, settings.camera);
+    return settings;
+}
+
+std::string camera_text(const CloudCamera& camera) {
+    return fmt::format("position={},{},{} heading={:.4g}deg pitch={:.4g}deg fov={:.4g}deg",
+                       kilometers(camera.position_m[0]), kilometers(camera.position_m[1]),
+                       kilometers(camera.position_m[2]), camera.azimuth_degrees,
+                       camera.elevation_degrees, camera.horizontal_field_degrees);
+}
+
+}  // namespace skybake

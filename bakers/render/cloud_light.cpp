@@ -1,0 +1,152 @@
+#include "bakers/render/cloud_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+using Plane = std::vector<double>;
+
+// The grid of blocks: block k of an axis has voxels floor(k N / n) ... floor((k + 1) N / n) - 1.
+struct Blocks {
+    std::array<int, 3> voxels{};
+    std::array<int, 3> size{};
+
+    Blocks(const std::array<int, 3>& voxels_, int block) : voxels(voxels_) {
+        for (std::size_t a = 0; a < 3; ++a) size[a] = (voxels[a] + block - 1) / block;
+    }
+    int first(std::size_t axis, int k) const {
+        return static_cast<int>(std::int64_t{k} * voxels[axis] / size[axis]);
+    }
+    std::size_t plane_count() const {
+        return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+    }
+};
+
+double mean_density(const CloudMedium& medium, const Blocks& blocks, int i, int j, int k) {
+    double sum = 0;
+    int count = 0;
+    for (int z = blocks.first(2, k); z < blocks.first(2, k + 1); ++z) {
+        for (int y = blocks.first(1, j); y < blocks.first(1, j + 1); ++y) {
+            const float* row = medium.volume.values.data() + (z + 1) * medium.volume.plane() +
+                               (y + 1) * medium.volume.row() + 1;
+            for (int x = blocks.first(0, i); x < blocks.first(0, i + 1); ++x) {
+                sum += density(medium.optics, double{row[x]});
+                ++count;
+            }
+        }
+    }
+    return sum / count;
+}
+
+// (1 - g) sigma h / 2 of each block, plane by plane.
+std::vector<Plane> diffuse_depths(const CloudMedium& medium, const Blocks& blocks, int threads) {
+    const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
+    const double height_m = medium.extent_m[2] / blocks.size[2];
+    std::vector<Plane> planes(static_cast<std::size_t>(blocks.size[2]),
+                              Plane(blocks.plane_count()));
+    parallel_for(blocks.size[2], threads, [&](int k) {
+        std::size_t index = 0;
+        for (int j = 0; j < blocks.size[1]; ++j) {
+            for (int i = 0; i < blocks.size[0]; ++i) {
+                planes[static_cast<std::size_t>(k)][index++] =
+                    (1 - g) / 2 * medium.optics.extinction_per_m * height_m *
+                    mean_density(medium, blocks, i, j, k);
+            }
+        }
+    });
+    return planes;
+}
+
+// Sums s, 1 - 2 s, s along one axis of a plane that repeats.
+Plane smoothed(const Plane& plane, const Blocks& blocks, bool along_x, double s) {
+    Plane out(plane.size());
+    const int nx = blocks.size[0];
+    const int ny = blocks.size[1];
+    const auto at = [&](int x, int y) { return plane[occupancy::index_of({nx, ny, 1}, x, y, 0)]; };
+    for (int y = 0; y < ny; ++y) {
+        for (int x = 0; x < nx; ++x) {
+            const double before = along_x ? at(occupancy::wrapped(x - 1, nx), y)
+                                          : at(x, occupancy::wrapped(y - 1, ny));
+            const double after = along_x ? at(occupancy::wrapped(x + 1, nx), y)
+                                         : at(x, occupancy::wrapped(y + 1, ny));
+            out[occupancy::index_of({nx, ny, 1}, x, y, 0)] =
+                (1 - 2 * s) * at(x, y) + s * (before + after);
+        }
+    }
+    return out;
+}
+
+// s for a variance of 2 s d^2 = h^2 / 2 with blocks d wide; at most 1/4, where a checkerboard is
+// smoothed away.
+double smoothing(const CloudMedium& medium, const Blocks& blocks, std::size_t axis) {
+    const double h = medium.extent_m[2] / blocks.size[2];
+    const double d = medium.extent_m[axis] / blocks.size[axis];
+    return std::min(0.25, h * h / (4 * d * d));
+}
+
+// Carries V through the planes in the order `order`; values at the blocks' centres go to `shares`,
+// one per block; returns the mean of V beyond the last plane.
+double carry(const CloudMedium& medium, const Blocks& blocks, const std::vector<Plane>& depths,
+             bool downwards, std::vector<float>& shares) {
+    Plane share(blocks.plane_count(), 1.0);
+    for (int step = 0; step < blocks.size[2]; ++step) {
+        const int k = downwards ? blocks.size[2] - 1 - step : step;
+        share = smoothed(share, blocks, true, smoothing(medium, blocks, 0));
+        share = smoothed(share, blocks, false, smoothing(medium, blocks, 1));
+        const Plane& depth = depths[static_cast<std::size_t>(k)];
+        float* out = shares.data() + static_cast<std::size_t>(k) * share.size();
+        for (std::size_t i = 0; i < share.size(); ++i) {
+            const double before = 1 / share[i];
+            out[i] = static_cast<float>(1 / (before + depth[i] / 2));
+            share[i] = 1 / (before + depth[i]);
+        }
+    }
+    double sum = 0;
+    for (const double value : share) sum += value;
+    return sum / static_cast<double>(share.size());
+}
+
+}  // namespace
+
+std::array<OctavePhase, kOctaves> octave_phases() {
+    const DropletPhase phase = droplet_phase(kDropletDiameter_um);
+    std::array<OctavePhase, kOctaves> octaves;
+    double brightness = 1;
+    double eccentricity = 1;
+    for (OctavePhase& octave : octaves) {
+        octave = {brightness, widened(phase, eccentricity)};
+        brightness *= kOctaveBrightness;
+        eccentricity *= kOctaveHalving;
+    }
+    return octaves;
+}
+
+double sun_scattering(const std::array<OctavePhase, kOctaves>& octaves, double offset, double tau) {
+    double sum = 0;
+    double thinner = tau;
+    for (const OctavePhase& octave : octaves) {
+        sum += octave.brightness * phase_value(octave.phase, offset) * exponential(-thinner);
+        thinner *= kOctaveHalving;
+    }
+    return sum;
+}
+
+DiffuseShare diffuse_share(const CloudMedium& medium, int block, int threads) {
+    const Blocks blocks(medium.volume.size, block);
+    const std::vector<Plane> depths = diffuse_depths(medium, blocks, threads);
+    std::vector<float> shares(occupancy::count_of(blocks.size));
+    DiffuseShare result;
+    result.through = carry(medium, blocks, depths, true, shares);
+    result.from_sky = padded_volume(shares.data(), blocks.size, 0, 1, threads);
+    carry(medium, blocks, depths, false, shares);
+    result.from_ground = padded_volume(shares.data(), blocks.size, 0, 1, threads);
+    return result;
+}
+
+}  // namespace skybake

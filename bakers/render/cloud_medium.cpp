@@ -1,0 +1,132 @@
+#include "bakers/render/cloud_medium.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bakers/math/parallel.h"
+#include "bakers/occupancy/cell_range.h"
+#include "bakers/occupancy/leap_distance.h"
+
+namespace skybake {
+
+namespace {
+
+using occupancy::CellGrid;
+
+// Everything is empty: farther than any ray goes.
+constexpr float kNothingAtAll = 0x1p30F;
+
+float visible_above(const CloudOptics& optics, const PaddedVolume& volume) {
+    float least = 0;
+    float greatest = 0;
+    for (const float value : volume.values) {
+        least = std::min(least, value);
+        greatest = std::max(greatest, std::fabs(value));
+    }
+    const auto threshold = static_cast<float>(optics.has_edge ? optics.threshold : 0.0);
+    if (threshold == 0 && least == 0) return 0;
+    return std::nextafter(threshold + 0x1p-20F * greatest, 0x1p127F);
+}
+
+// The voxels of `steps` consecutive cells of an axis that repeats, at least.
+int voxels_of_cells(int steps, int cell, int cells, int size) {
+    const int missing = cells * cell - size;  // of the last cell
+    return steps * cell - (steps + cells - 1) / cells * missing;
+}
+
+}  // namespace
+
+CloudOptics cloud_optics(const config::Cloud& cloud) {
+    return {cloud.extinction_scale.per_meter, cloud.threshold_at == config::ThresholdAt::runtime,
+            cloud.threshold, cloud.edge_softness};
+}
+
+double density(const CloudOptics& optics, double value) {
+    const double threshold = optics.has_edge ? optics.threshold : 0.0;
+    if (!(value > threshold)) return 0;
+    if (!optics.has_edge || optics.edge_softness == 0) return value;
+    const double x = std::min((value - threshold) / optics.edge_softness, 1.0);
+    return value * (x * x * (3 - 2 * x));
+}
+
+PaddedVolume padded_volume(const float* voxels, const std::array<int, 3>& size, int channel,
+                           int channels, int threads, bool repeats) {
+    PaddedVolume padded;
+    padded.size = size;
+    padded.values.resize(static_cast<std::size_t>(padded.plane()) *
+                         static_cast<std::size_t>(size[2] + 2));
+    parallel_for(size[2] + 2, threads, [&](int plane) {
+        const int z = occupancy::clamped(plane - 1, size[2]);
+        float* out = padded.values.data() + plane * padded.plane();
+        for (int row = 0; row < size[1] + 2; ++row) {
+            const int y = occupancy::wrapped(row - 1, size[1]);
+            if (!repeats && y != row - 1) {  // nothing, as the padding began
+                out += padded.row();
+                continue;
+            }
+            const auto at = [&](int x) {
+                return voxels[occupancy::index_of(size, x, y, z) *
+                                  static_cast<std::size_t>(channels) +
+                              static_cast<std::size_t>(channel)];
+            };
+            *out++ = repeats ? at(size[0] - 1) : 0;
+            for (int x = 0; x < size[0]; ++x) *out++ = at(x);
+            *out++ = repeats ? at(0) : 0;
+        }
+    });
+    return padded;
+}
+
+LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector<float>& leaps) {
+    LeapGrid grid;
+    grid.cell = cell;
+    grid.cells = CellGrid{voxels, cell}.size();
+    grid.reach.reserve(leaps.size());
+    const bool nothing = std::none_of(leaps.begin(), leaps.end(), [](float l) { return l == 0; });
+    for (const float leap : leaps) {
+        if (leap == 0) {
+            grid.reach.push_back(-1);
+            continue;
+        }
+        const int steps = static_cast<int>(leap) - 1;
+        const int reach = std::min(voxels_of_cells(steps, cell, grid.cells[0], voxels[0]),
+                                   voxels_of_cells(steps, cell, grid.cells[1], voxels[1]));
+        grid.reach.push_back(nothing ? kNothingAtAll : static_cast<float>(reach));
+    }
+    return grid;
+}
+
+CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
+                         const std::array<int, 3>& size, int channels, int threads, bool repeats) {
+    CloudMedium medium;
+    for (std::size_t a = 0; a < 3; ++a) medium.extent_m[a] = cloud.extent[a].meters;
+    medium.base_m = cloud.base_altitude.meters;
+    medium.optics = cloud_optics(cloud);
+    medium.repeats = repeats;
+    medium.volume = padded_volume(voxels, size, 0, channels, threads, repeats);
+    medium.visible_above = visible_above(medium.optics, medium.volume);
+    const std::vector<float> all_occupied(occupancy::count_of(CellGrid{size, 16}.size()), 0.0F);
+    medium.leaps = leap_grid(size, 16, all_occupied);
+    return medium;
+}
+
+LeapGrid leaps_of_voxels(const CloudMedium& medium, int cell, int threads) {
+    const std::array<int, 3>& size = medium.volume.size;
+    const CellGrid grid{size, cell};
+    std::vector<float> voxels(occupancy::count_of(size));
+    parallel_for(size[2], threads, [&](int z) {
+        for (int y = 0; y < size[1]; ++y) {
+            const float* row = medium.volume.values.data() + (z + 1) * medium.volume.plane() +
+                               (y + 1) * medium.volume.row() + 1;
+            std::copy(row, row + size[0], voxels.data() + occupancy::index_of(size, 0, y, z));
+        }
+    });
+    const auto ranges =
+        occupancy::cell_ranges(voxels.data(), grid, config::OccupancyFilter::trilinear, threads);
+    const auto threshold =
+        static_cast<float>(medium.optics.has_edge ? medium.optics.threshold : 0.0);
+    const auto leaps = occupancy::leap_distance(occupancy::occupied_cells(ranges, threshold));
+    return leap_grid(size, cell, {leaps.begin(), leaps.end()});
+}
+
+}  // namespace skybake

@@ -1,0 +1,161 @@
+// Places along rays through a cloud, one ray in each lane, and what is there.
+//
+// Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
+#if defined(SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
+#undef SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
+#else
+#define SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
+#endif
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "bakers/render/cloud_medium.h"
+#include "bakers/render/float_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
+// Somewhere along a ray, in voxels: `x`, `y` within the tile that begins at tile_x, tile_y.
+struct Place {
+    FloatLanes x, y, z;
+    FloatLanes tile_x, tile_y;
+    FloatMask within;  // where the volume is; both its faces along z belong to it
+};
+
+// Splits x into the tile's beginning and the rest in [0, size), in steps that are exact but for
+// one rounding of places just below a tile's beginning, to that beginning: it keeps their order.
+HWY_INLINE void split(FloatLanes position, float size, FloatLanes& rest, FloatLanes& tile) {
+    const FloatLanes length(size);
+    tile = length * floor_of(position * FloatLanes(1 / size));
+    rest = position - tile;
+    const FloatMask below = rest < FloatLanes(0.0F);
+    rest = select(below, rest + length, rest);
+    tile = select(below, tile - length, tile);
+    const FloatMask beyond = length <= rest;
+    rest = select(beyond, rest - length, rest);
+    tile = select(beyond, tile + length, tile);
+}
+
+// The two voxels beside a coordinate, as the index of the first in a padded axis, and the second's
+// weight.
+struct Taps {
+    IntLanes index;
+    FloatLanes weight;
+};
+HWY_INLINE Taps taps_at(FloatLanes x) {
+    const FloatLanes before = floor_of(x - FloatLanes(0.5F));
+    return {to_int(before + FloatLanes(1.0F)), (x - FloatLanes(0.5F)) - before};
+}
+
+HWY_INLINE FloatLanes mixed(FloatLanes a, FloatLanes b, FloatLanes t) { return a + t * (b - a); }
+
+HWY_INLINE FloatLanes lookup(const PaddedVolume& volume, FloatLanes x, FloatLanes y, FloatLanes z) {
+    const Taps tx = taps_at(x);
+    const Taps ty = taps_at(y);
+    const Taps tz = taps_at(z);
+    const std::ptrdiff_t row = volume.row();
+    const std::ptrdiff_t plane = volume.plane();
+    const IntLanes index = tz.index * IntLanes(static_cast<std::int32_t>(plane)) +
+                           ty.index * IntLanes(static_cast<std::int32_t>(row)) + tx.index;
+    const auto along_x = [&](std::ptrdiff_t offset) HWY_ATTR {
+        const float* first = volume.values.data() + offset;
+        return mixed(gather(first, index), gather(first + 1, index), tx.weight);
+    };
+    return mixed(mixed(along_x(0), along_x(row), ty.weight),
+                 mixed(along_x(plane), along_x(plane + row), ty.weight), tz.weight);
+}
+
+// Samples stand evenly along a ray.
+struct CloudSamples {
+    FloatLanes jitter;
+    float step_m;
+    float steps_per_m;
+
+    HWY_INLINE FloatLanes distance(FloatLanes k) const { return (k + jitter) * FloatLanes(step_m); }
+    // About the first sample at or beyond a distance.
+    HWY_INLINE FloatLanes first_beyond(FloatLanes distance_m) const {
+        return ceil_of(distance_m * FloatLanes(steps_per_m) - jitter);
+    }
+};
+
+// A ray with its samples, in each lane.
+struct CloudPath {
+    const CloudMedium& medium;
+    FloatLanes origin_x, origin_y, origin_z;           // voxels
+    FloatLanes direction_x, direction_y, direction_z;  // voxels per metre
+    CloudSamples samples;
+
+    HWY_INLINE FloatLanes x_at(FloatLanes t) const { return origin_x + t * direction_x; }
+    HWY_INLINE FloatLanes y_at(FloatLanes t) const { return origin_y + t * direction_y; }
+    HWY_INLINE FloatLanes z_at(FloatLanes t) const { return origin_z + t * direction_z; }
+
+    HWY_INLINE FloatMask in_first_tile(const Place& place) const {
+        const FloatLanes zero(0.0F);
+        return (place.tile_x <= zero) & (zero <= place.tile_x) & (place.tile_y <= zero) &
+               (zero <= place.tile_y);
+    }
+
+    HWY_INLINE Place place(FloatLanes t) const {
+        Place place;
+        split(x_at(t), static_cast<float>(medium.volume.size[0]), place.x, place.tile_x);
+        split(y_at(t), static_cast<float>(medium.volume.size[1]), place.y, place.tile_y);
+        place.z = z_at(t);
+        const FloatLanes top(static_cast<float>(medium.volume.size[2]));
+        place.within = (FloatLanes(0.0F) <= place.z) & (place.z <= top);
+        if (!medium.repeats) place.within = place.within & in_first_tile(place);
+        return place;
+    }
+};
+
+// The cell of a place; of lanes in `wanted`.
+struct CellPlace {
+    IntLanes x, y, z;
+};
+HWY_INLINE CellPlace cell_place(const LeapGrid& grid, const Place& at, FloatMask wanted) {
+    const int shift = std::countr_zero(static_cast<unsigned>(grid.cell));
+    // The volume's top belongs to the highest cell.
+    return {shifted_right(to_int(at.x), shift), shifted_right(to_int(at.y), shift),
+            minimum(shifted_right(to_int(zero_unless(wanted, at.z)), shift),
+                    IntLanes(grid.cells[2] - 1))};
+}
+HWY_INLINE IntLanes index_of(const LeapGrid& grid, const CellPlace& cell) {
+    return (cell.z * IntLanes(grid.cells[1]) + cell.y) * IntLanes(grid.cells[0]) + cell.x;
+}
+
+// Extinction per metre at places of the volume, 0 elsewhere.
+HWY_INLINE FloatLanes extinction(const CloudMedium& medium, const Place& at, FloatMask wanted) {
+    const CloudOptics& optics = medium.optics;
+    const FloatLanes value = lookup(medium.volume, at.x, at.y, zero_unless(wanted, at.z));
+    const FloatMask visible = wanted & (FloatLanes(medium.visible_above) < value);
+    FloatLanes sigma = value * FloatLanes(static_cast<float>(optics.extinction_per_m));
+    if (optics.has_edge && optics.edge_softness > 0) {
+        const FloatLanes above = value - FloatLanes(static_cast<float>(optics.threshold));
+        const FloatLanes x =
+            minimum(above / FloatLanes(static_cast<float>(optics.edge_softness)), FloatLanes(1.0F));
+        sigma = sigma * (x * x * (FloatLanes(3.0F) - (x + x)));
+    }
+    return zero_unless(visible, sigma);
+}
+
+// How far lanes are: at sample k, the one before it having been nothing or not.
+struct Progress {
+    FloatLanes k;
+    FloatLanes was_empty;  // 1 or 0
+};
+
+// Beyond the sample that lanes have looked at.
+HWY_INLINE void step_on(FloatMask sampled, FloatLanes sigma, Progress& progress) {
+    const FloatLanes empty = select(FloatLanes(0.0F) < sigma, FloatLanes(0.0F), FloatLanes(1.0F));
+    progress.was_empty = select(sampled, empty, progress.was_empty);
+    progress.k = select(sampled, progress.k + FloatLanes(1.0F), progress.k);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#endif  // SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_

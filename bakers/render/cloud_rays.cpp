@@ -1,0 +1,265 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/render/cloud_rays.cpp"
+#include <hwy/foreach_target.h>
+// Highway wants its own header after foreach_target.h.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bakers/render/cloud_rays.h"
+
+#include "bakers/render/cloud_leap-inl.h"
+#include "bakers/render/cloud_path-inl.h"
+#include "bakers/render/sun_march-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+namespace {
+
+constexpr float kPi = 3.14159265F;
+
+// The octaves of sun_scattering for the angle of each lane: b^n p_n.
+struct OctaveLanes {
+    FloatLanes value[kOctaves];
+};
+
+HWY_INLINE FloatLanes henyey_greenstein(double g, FloatLanes offset) {
+    const FloatLanes base = FloatLanes(static_cast<float>((1 - g) * (1 - g))) +
+                            FloatLanes(static_cast<float>(2 * g)) * offset;
+    return FloatLanes(static_cast<float>((1 - g) * (1 + g) / 4)) /
+           (FloatLanes(kPi) * base * square_root(base));
+}
+
+HWY_INLINE OctaveLanes octaves_at(const CloudMarch& march, FloatLanes offset) {
+    OctaveLanes lanes;
+    const FloatLanes u = FloatLanes(1.0F) - offset;
+    for (std::size_t n = 0; n < kOctaves; ++n) {
+        const DropletPhase& phase = march.octaves[n].phase;
+        const double brightness = march.octaves[n].brightness;
+        const double g = phase.draine_g;
+        const double alpha = phase.draine_alpha;
+        const double draine_scale =
+            brightness * phase.draine_share / (1 + alpha * (1 + 2 * g * g) / 3);
+        const FloatLanes draine =
+            henyey_greenstein(g, offset) *
+            (FloatLanes(1.0F) + FloatLanes(static_cast<float>(alpha)) * u * u) *
+            FloatLanes(static_cast<float>(draine_scale));
+        const FloatLanes forward =
+            henyey_greenstein(phase.hg_g, offset) *
+            FloatLanes(static_cast<float>(brightness * (1 - phase.draine_share)));
+        lanes.value[n] = draine + forward;
+    }
+    return lanes;
+}
+
+// exp(-tau / 2^n) for the last octave, whose squares are those before it.
+HWY_INLINE FloatLanes scattered_sunlight(const OctaveLanes& octaves, FloatLanes tau) {
+    static_assert(kOctaveHalving == 0.5);
+    FloatLanes through =
+        exponential_of_negative(tau * FloatLanes(-1.0F / static_cast<float>(1 << (kOctaves - 1))));
+    FloatLanes sum(0.0F);
+    for (std::size_t n = kOctaves; n-- > 0;) {
+        sum = sum + octaves.value[n] * through;
+        through = through * through;
+    }
+    return sum;
+}
+
+// A share of diffuse light at places of the volume.
+HWY_INLINE FloatLanes share_at(const std::array<int, 3>& voxels, const PaddedVolume& shares,
+                               FloatLanes x, FloatLanes y, FloatLanes z) {
+    const auto scaled = [&](FloatLanes value, std::size_t axis) HWY_ATTR {
+        const double scale = static_cast<double>(shares.size[axis]) / voxels[axis];
+        return minimum(value * FloatLanes(static_cast<float>(scale)),
+                       FloatLanes(static_cast<float>(shares.size[axis])));
+    };
+    return lookup(shares, scaled(x, 0), scaled(y, 1), scaled(z, 2));
+}
+
+// The light of each point goes to its ray, in the order of points.
+class Lighting {
+  public:
+    Lighting(const CloudMarch& march, const RayBlock& rays) : march_(march) {
+        for (std::size_t i = 0; i < RayBlock::kCount; i += FloatLanes::kCount) {
+            const OctaveLanes octaves = octaves_at(march, FloatLanes::load(&rays.sun_offset[i]));
+            for (std::size_t n = 0; n < kOctaves; ++n) octaves.value[n].store(&octaves_[n][i]);
+        }
+    }
+
+    void add(const LightPoints& points, RayResults& results) const {
+        for (std::size_t first = 0; first < points.size(); first += FloatLanes::kCount) {
+            add_packet(points, first, results);
+        }
+    }
+
+  private:
+    void add_packet(const LightPoints& points, std::size_t first, RayResults& results) const {
+        alignas(64) float x[FloatLanes::kCount] = {};
+        alignas(64) float y[FloatLanes::kCount] = {};
+        alignas(64) float z[FloatLanes::kCount] = {};
+        alignas(64) float tau[FloatLanes::kCount] = {};
+        alignas(64) float octaves[kOctaves][FloatLanes::kCount] = {};
+        const std::size_t count = std::min(FloatLanes::kCount, points.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = points.x[first + i];
+            y[i] = points.y[first + i];
+            z[i] = points.z[first + i];
+            tau[i] = points.tau[first + i];
+            for (std::size_t n = 0; n < kOctaves; ++n) {
+                octaves[n][i] = octaves_[n][points.ray[first + i]];
+            }
+        }
+        OctaveLanes lanes;
+        for (std::size_t n = 0; n < kOctaves; ++n) lanes.value[n] = FloatLanes::load(octaves[n]);
+        const std::array<int, 3>& voxels = march_.medium->volume.size;
+        const FloatLanes at_x = FloatLanes::load(x);
+        const FloatLanes at_y = FloatLanes::load(y);
+        const FloatLanes at_z = FloatLanes::load(z);
+        const FloatLanes sunlight = scattered_sunlight(lanes, FloatLanes::load(tau));
+        const FloatLanes height = at_z * FloatLanes(1.0F / static_cast<float>(voxels[2]));
+        const FloatLanes high = sunlight * height;
+        (sunlight - high).store(x);
+        high.store(y);
+        share_at(voxels, march_.diffuse->from_sky, at_x, at_y, at_z).store(z);
+        share_at(voxels, march_.diffuse->from_ground, at_x, at_y, at_z).store(tau);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t ray = points.ray[first + i];
+            const float weight = points.weight[first + i];
+            results.sun_at_base[ray] += weight * x[i];
+            results.sun_at_top[ray] += weight * y[i];
+            results.from_sky[ray] += 0.5F * weight * z[i];
+            results.from_ground[ray] += 0.5F * weight * tau[i];
+        }
+    }
+
+    const CloudMarch& march_;
+    alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
+};
+
+// What of a packet's samples becomes points of light: of samples k and k + 1, both in cloud and k
+// even, the latter has the light of the former.
+class PointCollector {
+  public:
+    PointCollector(LightPoints& points, std::size_t first_ray)
+        : points_(points), first_ray_(first_ray) {
+        for (float& k : last_k_) k = -2;  // one after none
+    }
+
+    void add(const Place& at, FloatLanes k, FloatLanes weight, FloatMask lit) {
+        alignas(64) float values[5][FloatLanes::kCount];
+        at.x.store(values[0]);
+        at.y.store(values[1]);
+        at.z.store(values[2]);
+        zero_unless(lit, weight).store(values[3]);
+        k.store(values[4]);
+        for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
+            if (values[3][lane] == 0) continue;
+            const bool odd = (static_cast<std::int32_t>(values[4][lane]) & 1) != 0;
+            if (odd && last_k_[lane] + 1 == values[4][lane]) {
+                points_.weight[last_point_[lane]] += values[3][lane];
+                continue;
+            }
+            last_k_[lane] = values[4][lane];
+            last_point_[lane] = points_.size();
+            points_.x.push_back(values[0][lane]);
+            points_.y.push_back(values[1][lane]);
+            points_.z.push_back(values[2][lane]);
+            points_.weight.push_back(values[3][lane]);
+            points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
+        }
+    }
+
+  private:
+    LightPoints& points_;
+    std::size_t first_ray_;
+    float last_k_[FloatLanes::kCount];
+    std::size_t last_point_[FloatLanes::kCount] = {};
+};
+
+void march_packet(const CloudMarch& march, const RayBlock& rays, std::size_t first,
+                  LightPoints& points, RayResults& results, FetchCounts& counts) {
+    const FloatLanes direction_x = FloatLanes::load(&rays.direction[0][first]);
+    const FloatLanes direction_y = FloatLanes::load(&rays.direction[1][first]);
+    const FloatLanes direction_z = FloatLanes::load(&rays.direction[2][first]);
+    const CloudPath path{*march.medium,
+                         FloatLanes(march.origin[0]),
+                         FloatLanes(march.origin[1]),
+                         FloatLanes(march.origin[2]),
+                         direction_x,
+                         direction_y,
+                         direction_z,
+                         {FloatLanes::load(&rays.jitter[first]), march.step_m, 1 / march.step_m}};
+    const Pace pace{pace_of(direction_x), pace_of(direction_y), pace_of(direction_z)};
+    PointCollector collector(points, first);
+    const FloatLanes zero(0.0F);
+    const FloatLanes one(1.0F);
+    const FloatLanes end = FloatLanes::load(&rays.end[first]);
+    Progress progress{FloatLanes::load(&rays.first[first]), one};
+    FloatLanes transmittance = one;
+    FloatLanes distance = zero;
+    FloatMask going = progress.k < end;
+    while (any(going)) {
+        progress.k = zero_unless(going, progress.k);
+        const FloatLanes k = progress.k;
+        const FloatLanes t = path.samples.distance(k);
+        const Place at = path.place(t);
+        const FloatMask before = and_not(going, at.within);
+        progress.k = select(before, k + one, k);
+        FloatMask sampling = going & at.within;
+        if (march.leaping) {
+            sampling = leap_or_look(path, pace, at, sampling, end, progress, counts.cells);
+        }
+        if (any(sampling)) {
+            counts.samples += count_of(sampling);
+            const FloatLanes sigma = extinction(*march.medium, at, sampling);
+            step_on(sampling, sigma, progress);
+            const FloatMask lit = zero < sigma;
+            if (any(lit)) {
+                const FloatLanes through =
+                    exponential_of_negative(zero - sigma * FloatLanes(march.step_m));
+                const FloatLanes weight = transmittance * (one - through);
+                collector.add(at, k, weight, lit);
+                distance = distance + zero_unless(lit, weight * t);
+                transmittance = select(lit, transmittance * through, transmittance);
+            }
+        }
+        going = going & (progress.k < end) & (FloatLanes(kOpaque) <= transmittance);
+    }
+    transmittance.store(&results.transmittance[first]);
+    distance.store(&results.distance_m[first]);
+}
+
+}  // namespace
+
+void march_all(const CloudMarch& march, const RayBlock& rays, RayResults& results,
+               FetchCounts& counts) {
+    results = {};
+    const Lighting lighting(march, rays);
+    LightPoints points;
+    for (std::size_t first = 0; first < RayBlock::kCount; first += FloatLanes::kCount) {
+        march_packet(march, rays, first, points, results, counts);
+    }
+    SunMarches(march, rays, points, counts).run();
+    lighting.add(points, results);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake {
+
+HWY_EXPORT(march_all);
+
+void march_cloud_rays(const CloudMarch& march, const RayBlock& rays, RayResults& results,
+                      FetchCounts& counts) {
+    HWY_DYNAMIC_DISPATCH(march_all)(march, rays, results, counts);
+}
+
+}  // namespace skybake
+#endif  // HWY_ONCE

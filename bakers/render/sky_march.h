@@ -1,0 +1,59 @@
+// The marching of sky_view.h for a row of rays.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bakers/render/sky_tables.h"
+
+namespace skybake {
+
+// Density linear between two altitudes, its end values there; nothing at its top itself.
+struct MarchPiece {
+    float bottom_km = 0;
+    float top_km = 0;
+    float density_at_bottom = 0;
+    float density_per_km = 0;
+};
+
+// A layer in floats.
+struct MarchLayer {
+    float scale_height_km = 0;  // 0: piecewise
+    std::vector<MarchPiece> pieces;
+    std::array<float, 3> scattering_per_km{};
+    std::array<float, 3> extinction_per_km{};
+    bool scatters = false;
+    float phase_constant = 0, phase_quadratic = 0, phase_g = 0;  // phase_function.h
+};
+
+// What all rays of a picture share.
+struct SkyMarch {
+    int channels = 0;
+    float ground_radius_km = 0;
+    float thickness_km = 0;
+    float top_horizon_km = 0;  // from the top to the horizon, H of the transmittance's mapping
+    float camera_altitude_km = 0;
+    float sun_s_km = 0;  // r mu_s at the camera
+    std::array<float, 3> ground_albedo{};
+    std::vector<MarchLayer> layers;
+    const SkyTables* tables = nullptr;
+    int steps = 0;
+};
+
+// Rays of a row, `count` of them, a multiple of kMarchPadding.
+inline constexpr int kMarchPadding = 16;
+struct MarchRays {
+    std::vector<float> mu;
+    std::vector<float> cosine_to_sun;
+    std::vector<float> one_minus_cosine;
+    std::vector<float> one_plus_cosine;
+    int count = 0;
+};
+
+// Channel c of ray i goes to radiance[c * rays.count + i]. The same bits for any vector width.
+void march_rays(const SkyMarch& sky, const MarchRays& rays, float* radiance);
+
+// The same without vectors: its specification.
+void march_rays_scalar(const SkyMarch& sky, const MarchRays& rays, float* radiance);
+
+}  // namespace skybake

@@ -1,0 +1,46 @@
+// The two tables of an atmosphere as a runtime has them: textures with a clamped, bilinear sampler.
+#pragma once
+
+#include <vector>
+
+#include "bakers/air/ray.h"
+#include "bakers/field/image.h"
+#include "bakers/render/preview_asset.h"
+#include "config/diagnostic.h"
+
+namespace skybake {
+
+// A texture and how coordinates in [0, 1] stand in it: texel position = x * scale + offset, counted
+// from the first texel's centre, which is u * size - 1/2 for either convention
+// (bakers/field/texel_axis.h).
+struct LookupTable {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    // Channels interleaved; a column and a row are repeated at the far edges, so that a lookup
+    // always has a right and an upper neighbour.
+    int texels_per_row = 0;
+    std::vector<float> texels;
+    float scale_x = 0, offset_x = 0;
+    float scale_y = 0, offset_y = 0;
+};
+
+struct SkyTables {
+    LookupTable transmittance;         // x_mu, x_r of bakers/air/transmittance_mapping.h
+    bool holds_optical_depth = false;  // transmittance is exp(-value)
+    LookupTable multiple_scattering;   // sun's coordinate, altitude / thickness
+    bool twilight = false;             // the sun's coordinate by square roots
+};
+
+// From assets of the same atmosphere, told apart by what their manifest says of mapping and
+// content. E0304 where an asset is another one, its mapping is unknown or the numbers of channels
+// differ.
+config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
+                                           const PreviewAsset& multiple_scattering);
+
+// Transmittance from an altitude towards the sun at r mu_s = `sun_s_km`, one value a channel; 0
+// where the planet hides it.
+Spectrum look_up_sunlight(const SkyTables& tables, const Shell& shell, double altitude_km,
+                          double sun_s_km);
+
+}  // namespace skybake

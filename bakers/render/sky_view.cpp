@@ -1,0 +1,163 @@
+#include "bakers/render/sky_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+#include "bakers/air/ray.h"
+#include "bakers/math/parallel.h"
+#include "bakers/render/sky_march.h"
+
+namespace skybake {
+
+namespace {
+
+// Half of the sun's mean angular diameter from Earth, 0.533 degrees.
+constexpr double kSunRadius = 0.2665 * std::numbers::pi / 180;
+
+std::array<float, 3> floats(const Spectrum& values) {
+    return {static_cast<float>(values[0]), static_cast<float>(values[1]),
+            static_cast<float>(values[2])};
+}
+
+// What the march can do: of spheres Henyey-Greenstein's with their mean cosine, that of all
+// channels.
+PhaseFunction closed_form(const LayerPhase& phase) {
+    if (!phase.functions.front().table) return phase.functions.front();
+    double sum = 0;
+    for (const PhaseFunction& function : phase.functions) sum += function.g;
+    return make_phase_function(config::Phase::henyey_greenstein,
+                               sum / static_cast<double>(phase.functions.size()));
+}
+
+MarchLayer march_layer(const SkyLayer& layer) {
+    MarchLayer result;
+    if (!layer.alone.exponential_layers.empty()) {
+        const ExponentialLayer& air = layer.alone.exponential_layers.front();
+        result.scale_height_km = static_cast<float>(air.scale_height_km);
+        result.scattering_per_km = floats(air.scattering_per_km);
+        result.extinction_per_km = floats(air.extinction_per_km);
+    } else {
+        const PiecewiseLayer& air = layer.alone.piecewise_layers.front();
+        for (const LinearPiece& piece : air.pieces) {
+            result.pieces.push_back({static_cast<float>(piece.bottom_km),
+                                     static_cast<float>(piece.top_km),
+                                     static_cast<float>(piece.density_at_bottom),
+                                     static_cast<float>(piece.density_per_km)});
+        }
+        result.scattering_per_km = floats(air.scattering_per_km);
+        result.extinction_per_km = floats(air.extinction_per_km);
+    }
+    result.scatters = layer.scatters;
+    const PhaseFunction phase = closed_form(layer.phase);
+    result.phase_constant = static_cast<float>(phase.constant);
+    result.phase_quadratic = static_cast<float>(phase.quadratic);
+    result.phase_g = static_cast<float>(phase.g);
+    return result;
+}
+
+SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
+                    int steps) {
+    const Medium& air = medium.air;
+    SkyMarch sky;
+    sky.channels = air.channels;
+    sky.ground_radius_km = static_cast<float>(air.ground_radius_km);
+    sky.thickness_km = static_cast<float>(air.thickness_km);
+    sky.top_horizon_km = static_cast<float>(horizon_distance_km(shell_of(air), air.thickness_km));
+    sky.camera_altitude_km = static_cast<float>(view.camera_altitude_km);
+    sky.sun_s_km =
+        static_cast<float>((air.ground_radius_km + view.camera_altitude_km) * sun_sine(view));
+    sky.ground_albedo = floats(air.ground_albedo);
+    for (const SkyLayer& layer : medium.layers) sky.layers.push_back(march_layer(layer));
+    sky.tables = &tables;
+    sky.steps = steps;
+    return sky;
+}
+
+void add_ray(const SkyDirection& direction, MarchRays& rays) {
+    rays.mu.push_back(static_cast<float>(direction.mu));
+    rays.cosine_to_sun.push_back(static_cast<float>(direction.cosine_to_sun));
+    rays.one_minus_cosine.push_back(static_cast<float>(direction.one_minus_cosine));
+    rays.one_plus_cosine.push_back(static_cast<float>(direction.one_plus_cosine));
+    ++rays.count;
+}
+
+// The left half of a row; the right one is its mirror image.
+template <class March>
+void render_row(const SkyMarch& sky, const SkyView& view, int y, const March& march,
+                Image2<float>& image) {
+    MarchRays rays;
+    std::vector<int> columns;
+    for (int x = 0; x < (view.width + 1) / 2; ++x) {
+        const std::optional<SkyDirection> direction = direction_at(view, x, y);
+        if (!direction) continue;
+        columns.push_back(x);
+        add_ray(*direction, rays);
+    }
+    if (columns.empty()) return;
+    const SkyDirection last = *direction_at(view, columns.back(), y);
+    while (rays.count % kMarchPadding != 0) add_ray(last, rays);
+    std::vector<float> radiance(static_cast<std::size_t>(rays.count * sky.channels));
+    march(sky, rays, radiance.data());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        for (int c = 0; c < sky.channels; ++c) {
+            const float value = radiance[static_cast<std::size_t>(c * rays.count) + i];
+            image.texel(columns[i], y)[c] = value;
+            image.texel(view.width - 1 - columns[i], y)[c] = value;
+        }
+    }
+}
+
+template <class March>
+Image2<float> render(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
+                     int threads, int steps, const March& march) {
+    const SkyMarch sky = make_march(medium, tables, view, steps);
+    Image2<float> image(view.width, view.height, sky.channels);
+    parallel_for(view.height, threads, [&](int y) { render_row(sky, view, y, march, image); });
+    return image;
+}
+
+}  // namespace
+
+Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
+                         int threads, int steps) {
+    return render(medium, tables, view, threads, steps, march_rays);
+}
+
+Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
+                                const SkyView& view, int threads) {
+    return render(medium, tables, view, threads, kSkySteps, march_rays_scalar);
+}
+
+void add_sun_disc(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
+                  Image2<float>& radiance) {
+    const Shell shell = shell_of(medium.air);
+    const double r = shell.ground_radius_km + view.camera_altitude_km;
+    const double horizon = -horizon_distance_km(shell, view.camera_altitude_km) / r;
+    const double degrees_per_pixel =
+        view.projection == SkyProjection::dome
+            ? 180.0 / std::min(view.width, view.height)
+            : (view.highest_degrees - view.lowest_degrees) / view.height;
+    const double pixel = degrees_per_pixel * std::numbers::pi / 180;
+    const double solid_angle = std::numbers::pi * kSunRadius * kSunRadius;
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            const std::optional<SkyDirection> direction = direction_at(view, x, y);
+            if (!direction || direction->mu < horizon) continue;
+            const double angle = std::sqrt(2 * direction->one_minus_cosine);  // to its square
+            const double share = std::clamp((kSunRadius - angle) / pixel + 0.5, 0.0, 1.0);
+            if (share == 0) continue;
+            const Spectrum sun =
+                look_up_sunlight(tables, shell, view.camera_altitude_km, r * direction->mu);
+            for (int c = 0; c < radiance.channels; ++c) {
+                radiance.texel(x, y)[c] +=
+                    static_cast<float>(share * sun[static_cast<std::size_t>(c)] / solid_angle);
+            }
+        }
+    }
+}
+
+}  // namespace skybake

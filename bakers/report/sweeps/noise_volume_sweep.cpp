@@ -1,0 +1,127 @@
+#include "bakers/report/sweeps/noise_volume_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "bakers/noise/noise_field.h"
+#include "bakers/noise/noise_plan.h"
+#include "bakers/report/sweeps/pointwise_noise.h"
+#include "bakers/report/sweeps/sweep.h"
+#include "config/octave_sampling.h"
+
+namespace skybake {
+
+using config::Noise;
+using config::NoiseChannel;
+using config::NoiseOctaves;
+using config::NoiseType;
+using config::NoiseVolumeBake;
+using config::PixelType;
+using Voxels = std::shared_ptr<const VoxelSource>;
+
+namespace {
+
+std::int64_t channels_of(const Noise& noise) {
+    return noise.pack == config::NoisePacking::none ? std::ssize(noise.channels) : 1;
+}
+
+std::size_t octave_count(const Noise& noise) {
+    std::size_t count = 0;
+    for (const NoiseChannel& channel : noise.channels) {
+        count =
+            std::max({count, channel.octaves.gains.size(), channel.worley_octaves.gains.size()});
+    }
+    return count;
+}
+
+// False where nothing would be left: what there is has no weight.
+bool cut(NoiseOctaves& octaves, std::size_t count) {
+    if (octaves.gains.size() <= count) return true;
+    octaves.gains.resize(count);
+    octaves.frequencies.resize(count);
+    return std::accumulate(octaves.gains.begin(), octaves.gains.end(), 0.0) > 0;
+}
+
+// The noise with no more than `count` octaves of a kind in each channel; their weights have the sum
+// 1 again. None where a channel has no weight in these octaves.
+std::optional<Noise> cut_short(Noise noise, std::size_t count) {
+    for (NoiseChannel& channel : noise.channels) {
+        if (!cut(channel.octaves, count) || !cut(channel.worley_octaves, count))
+            return std::nullopt;
+    }
+    return noise;
+}
+
+// Whether an octave of gradient noise is 0 at every voxel of the size (W0208).
+bool loses_an_octave(const Noise& noise, const std::array<int, 3>& size) {
+    const auto is_lost = [&](const NoiseChannel& channel) {
+        if (channel.type != NoiseType::perlin && channel.type != NoiseType::perlin_worley) {
+            return false;
+        }
+        for (std::size_t i = 0; i < channel.octaves.gains.size(); ++i) {
+            if (channel.octaves.gains[i] > 0 &&
+                config::is_zero_everywhere(channel.octaves.frequencies[i], size, noise.sampling)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    return std::any_of(noise.channels.begin(), noise.channels.end(), is_lost);
+}
+
+Voxels make_voxels(const Noise& noise, const std::array<int, 3>& size) {
+    return std::make_shared<noise::NoiseField>(noise::make_noise_plan(noise, size));
+}
+
+void add_octaves(const Noise& noise, const std::array<int, 3>& size, VolumeSweep& sweep) {
+    const std::size_t all = octave_count(noise);
+    for (std::size_t count = 1; count < all; ++count) {
+        std::string name = fmt::format("{} of {} octaves", count, all);
+        const std::optional<Noise> shorter = cut_short(noise, count);
+        if (!shorter) {
+            sweep.notes.push_back(
+                fmt::format("{}: left out, their gains are 0 in a channel", name));
+            continue;
+        }
+        add_variant(sweep, "octaves cut short, bin, float", std::move(name),
+                    make_voxels(*shorter, size), size, PixelType::float32)
+            .in_quadrature_sweep = true;
+    }
+}
+
+void add_baseline(const Noise& noise, const std::array<int, 3>& size, VolumeSweep& sweep) {
+    VolumeVariant& variant =
+        add_variant(sweep, "point by point, bin, float", size_text(size),
+                    std::make_shared<PointwiseNoise>(noise::make_noise_plan(noise, size)), size,
+                    PixelType::float32);
+    variant.baseline = "every sample hashed on its own";
+    variant.in_quadrature_sweep = true;
+}
+
+}  // namespace
+
+std::array<int, 3> report_size(const Noise& noise, const NoiseVolumeBake& bake, bool quick) {
+    return size_within(bake.size, max_report_values(quick) / channels_of(noise));
+}
+
+VolumeSweep noise_volume_sweep(const Noise& noise, const NoiseVolumeBake& bake,
+                               std::array<int, 3> size, bool quick) {
+    const auto make = [&](const std::array<int, 3>& voxels) { return make_voxels(noise, voxels); };
+    const auto refusal = [&](const std::array<int, 3>& voxels) -> std::string {
+        return loses_an_octave(noise, voxels) ? "an octave would be 0 at every voxel" : "";
+    };
+    VolumeSweep sweep = storage_sweep(
+        {bake, bake.size == size, size, static_cast<int>(channels_of(noise)), make, refusal},
+        make_voxels(noise, size), quick);
+    add_octaves(noise, size, sweep);
+    add_baseline(noise, size, sweep);
+    return sweep;
+}
+
+}  // namespace skybake

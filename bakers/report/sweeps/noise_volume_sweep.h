@@ -1,0 +1,20 @@
+// What a report compares for `asset = "noise_volume"`.
+#pragma once
+
+#include <array>
+
+#include "bakers/report/sweeps/volume_sweep.h"
+#include "config/parameters.h"
+
+namespace skybake {
+
+// The size that a report is about: the bake's own, halved until it is measured in seconds.
+std::array<int, 3> report_size(const config::Noise& noise, const config::NoiseVolumeBake& bake,
+                               bool quick);
+
+// About the volume of `size` voxels: sizes, pixel types, octaves and compressions, and the same
+// voxels made point by point.
+VolumeSweep noise_volume_sweep(const config::Noise& noise, const config::NoiseVolumeBake& bake,
+                               std::array<int, 3> size, bool quick);
+
+}  // namespace skybake

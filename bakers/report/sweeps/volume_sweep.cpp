@@ -1,0 +1,131 @@
+#include "bakers/report/sweeps/volume_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bakers/io/files/spelling.h"
+#include "bakers/report/sweeps/sweep.h"
+
+namespace skybake {
+
+using config::Compression;
+using config::PixelType;
+using config::VdbCompression;
+using config::VolumeFormat;
+using Voxels = std::shared_ptr<const VoxelSource>;
+
+namespace {
+
+class StorageSweep {
+  public:
+    StorageSweep(const VolumeSubject& subject, Voxels own, bool quick)
+        : subject_(subject), files_(subject.files), own_(std::move(own)), quick_(quick) {}
+
+    VolumeSweep make() {
+        add_compressions();
+        add_sizes();
+        return std::move(sweep_);
+    }
+
+  private:
+    bool is_asked_for(VolumeFormat format) const {
+        return subject_.of_recipe_size && std::find(files_.formats.begin(), files_.formats.end(),
+                                                    format) != files_.formats.end();
+    }
+
+    // EXR and VDB have no unorm: where the recipe does, they are shown as half.
+    void add_compressions() {
+        const bool has_unorm =
+            files_.pixel_type == PixelType::unorm8 || files_.pixel_type == PixelType::unorm16;
+        const PixelType type = has_unorm ? PixelType::half : files_.pixel_type;
+        for (const Compression compression :
+             {Compression::none, Compression::zip, Compression::zips, Compression::piz}) {
+            VolumeVariant& variant =
+                add_variant(sweep_, fmt::format("exr, {}", spell(type)),
+                            fmt::format("exr {}", spell(compression)), own_, subject_.size, type);
+            variant.format = VolumeFormat::exr;
+            variant.compression = compression;
+            variant.of_recipe =
+                is_asked_for(VolumeFormat::exr) && compression == files_.compression;
+        }
+        for (const VdbCompression compression :
+             {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
+            VolumeVariant& variant =
+                add_variant(sweep_, fmt::format("vdb, {}", spell(type)),
+                            fmt::format("vdb {}", spell(compression)), own_, subject_.size, type);
+            variant.format = VolumeFormat::vdb;
+            variant.vdb_compression = compression;
+            variant.of_recipe =
+                is_asked_for(VolumeFormat::vdb) && compression == files_.vdb_compression;
+        }
+    }
+
+    std::vector<std::array<int, 3>> sizes() {
+        std::vector<std::array<double, 3>> factors;
+        for (const double factor : {0.5, 0.75, 1.0, 1.5, 2.0}) {
+            factors.push_back({factor, factor, factor});
+        }
+        std::vector<std::array<int, 3>> all =
+            sizes_around(subject_.size, factors, max_report_values(quick_) / subject_.channels);
+        std::erase_if(all, [&](const std::array<int, 3>& size) {
+            const std::string refusal = subject_.refusal ? subject_.refusal(size) : "";
+            if (!refusal.empty()) {
+                sweep_.notes.push_back(fmt::format("{}: left out, {}", size_text(size), refusal));
+            }
+            return !refusal.empty();
+        });
+        return all;
+    }
+
+    // In all pixel types, uncompressed, so that bytes compare.
+    void add_sizes() {
+        std::vector<std::pair<std::array<int, 3>, Voxels>> volumes;
+        for (const std::array<int, 3>& size : sizes()) {
+            volumes.emplace_back(size, size == subject_.size ? own_ : subject_.make_voxels(size));
+        }
+        for (const PixelType type :
+             {PixelType::float32, PixelType::half, PixelType::unorm16, PixelType::unorm8}) {
+            for (const auto& [size, voxels] : volumes) {
+                VolumeVariant& variant = add_variant(sweep_, fmt::format("bin, {}", spell(type)),
+                                                     size_text(size), voxels, size, type);
+                const bool own_size = size == subject_.size;
+                variant.in_quadrature_sweep = own_size && type == PixelType::float32;
+                variant.of_recipe =
+                    own_size && is_asked_for(VolumeFormat::bin) && type == files_.pixel_type;
+            }
+        }
+    }
+
+    const VolumeSubject& subject_;
+    const config::VolumeFiles& files_;
+    Voxels own_;
+    bool quick_;
+    VolumeSweep sweep_;
+};
+
+}  // namespace
+
+std::int64_t max_report_values(bool quick) {
+    return quick ? std::int64_t{1} << 23 : std::int64_t{1} << 26;
+}
+
+VolumeVariant& add_variant(VolumeSweep& sweep, std::string family, std::string name,
+                           std::shared_ptr<const VoxelSource> voxels,
+                           const std::array<int, 3>& size, PixelType pixel_type) {
+    VolumeVariant variant;
+    variant.family = std::move(family);
+    variant.name = std::move(name);
+    variant.voxels = std::move(voxels);
+    variant.size = size;
+    variant.pixel_type = pixel_type;
+    sweep.variants.push_back(std::move(variant));
+    return sweep.variants.back();
+}
+
+VolumeSweep storage_sweep(const VolumeSubject& subject, const Voxels& own, bool quick) {
+    return StorageSweep(subject, own, quick).make();
+}
+
+}  // namespace skybake

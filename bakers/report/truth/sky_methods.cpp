@@ -1,0 +1,193 @@
+#include "bakers/report/truth/sky_methods.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "bakers/assets/multiple_scattering/fitted_radiance.h"
+#include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
+#include "bakers/field/bilinear.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/light/isotropic_orders.h"
+#include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/solved_orders.h"
+#include "bakers/light/solver/solve_light.h"
+#include "bakers/light/strip_orders.h"
+#include "bakers/report/truth/bruneton_sky.h"
+
+namespace skybake {
+
+namespace {
+
+using config::MultipleScatteringMapping;
+using config::MultipleScatteringMethod;
+
+// What `max_texel_error` chooses by default on Earth (tests/benchmarks/README.md): level 9.
+constexpr int kLevel = 8;
+// Of the light that a table is fitted to (fitted_radiance.h).
+constexpr int kFittedDegree = 8;
+constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+
+struct TableShape {
+    MultipleScatteringMapping mapping;
+    std::array<int, 2> size;
+};
+constexpr TableShape kClassic = {MultipleScatteringMapping::hillaire, {32, 32}};
+constexpr TableShape kTwilight = {MultipleScatteringMapping::twilight, {64, 32}};
+
+bool is_twilight(const TableShape& shape) {
+    return shape.mapping == MultipleScatteringMapping::twilight;
+}
+
+std::string key_of(const char* stem, const TableShape& shape) {
+    return fmt::format("{}_{}x{}{}", stem, shape.size[0], shape.size[1],
+                       is_twilight(shape) ? "_twilight" : "");
+}
+
+std::string name_of(const TableShape& shape) {
+    return fmt::format("{}x{} {}", shape.size[0], shape.size[1],
+                       is_twilight(shape) ? "twilight" : "hillaire");
+}
+
+// A runtime that has this table.
+std::unique_ptr<HigherOrders> orders_of_table(const Medium& medium, const TableShape& shape,
+                                              const Image2<double>& texels) {
+    RangeCounts range;
+    auto table = std::make_shared<const Image2<float>>(
+        store_texels(texels, config::PixelType::float32, range));
+    const double thickness_km = medium.thickness_km;
+    return std::make_unique<IsotropicOrders>(medium, [table, thickness_km, mapping = shape.mapping](
+                                                         double altitude_km,
+                                                         double sun_cos_zenith) {
+        Spectrum psi{};
+        bilinear(
+            *table,
+            texture_coordinate(kConvention, sun_coordinate(mapping, sun_cos_zenith), table->width),
+            texture_coordinate(kConvention, altitude_km / thickness_km, table->height), psi.data());
+        return psi;
+    });
+}
+
+std::unique_ptr<HigherOrders> closure(const Medium& medium, const TableShape& shape,
+                                      MultipleScatteringMethod method) {
+    config::MultipleScatteringBake bake;
+    bake.method = method;
+    bake.mapping = shape.mapping;
+    const TableModel model = multiple_scattering_model(medium, bake, 1);
+    const int level = method == MultipleScatteringMethod::converged ? kLevel : 0;
+    return orders_of_table(medium, shape,
+                           bake_texels(model, level, shape.size, BakeOptions{.threads = 1}));
+}
+
+SolvedLight solved(const SkyMedium& medium, int degree) {
+    SolverSettings settings;
+    settings.degree = degree;
+    return solve_light(medium, settings, 1);
+}
+
+FitAxes axes_of(const SkyMedium& medium, const TableShape& shape) {
+    const auto [columns, rows] = shape.size;
+    FitAxes axes;
+    for (int x = 0; x < columns; ++x) {
+        axes.sun_cos_zenith_of_columns.push_back(
+            sun_cos_zenith_at(shape.mapping, texel_coordinate(kConvention, x, columns)));
+    }
+    for (int y = 0; y < rows; ++y) {
+        axes.altitudes_km_of_rows.push_back(texel_coordinate(kConvention, y, rows) *
+                                            medium.air.thickness_km);
+    }
+    axes.column_of = [shape](double sun_cos_zenith) {
+        return sun_coordinate(shape.mapping, sun_cos_zenith) * (shape.size[0] - 1);
+    };
+    return axes;
+}
+
+std::unique_ptr<HigherOrders> mean_radiance(const SkyMedium& medium, const TableShape& shape) {
+    const SolvedLight light = solved(medium, SolverSettings().degree);
+    const FitAxes axes = axes_of(medium, shape);
+    const auto [columns, rows] = shape.size;
+    Image2<double> texels(columns, rows, medium.air.channels);
+    double* texel = texels.texels.data();
+    for (const double altitude_km : axes.altitudes_km_of_rows) {
+        for (const double sun_cos_zenith : axes.sun_cos_zenith_of_columns) {
+            const Spectrum mean = light.mean_radiance_at(altitude_km, sun_cos_zenith);
+            texel = std::copy_n(mean.begin(), texels.channels, texel);
+        }
+    }
+    return orders_of_table(medium.air, shape, texels);
+}
+
+std::unique_ptr<HigherOrders> fitted(const SkyMedium& medium, const TableShape& shape) {
+    const SolvedLight light = solved(medium, kFittedDegree);
+    return orders_of_table(
+        medium.air, shape,
+        fit_mean_radiance(medium, light, FitScene(), axes_of(medium, shape), FitSettings(), 1));
+}
+
+// Higher orders with the solution that they look things up in.
+class SolutionItself : public HigherOrders {
+  public:
+    SolutionItself(const SkyMedium& medium, int degree)
+        : light_(solved(medium, degree)), orders_(medium, light_, degree) {}
+
+    Spectrum scattered(const ScatteringPoint& point,
+                       const std::vector<Spectrum>& scattering_per_km) const override {
+        return orders_.scattered(point, scattering_per_km);
+    }
+    Spectrum sky_irradiance(double sun_cos_zenith) const override {
+        return orders_.sky_irradiance(sun_cos_zenith);
+    }
+
+  private:
+    SolvedLight light_;
+    SolvedOrders orders_;
+};
+
+}  // namespace
+
+std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
+    std::vector<TableShape> shapes = {kClassic};
+    if (!quick) shapes.push_back(kTwilight);
+    std::vector<SkyMethod> methods;
+    methods.push_back({"single", "single scattering", "alone", "", nullptr, {}});
+    methods.push_back({"strips", "eight strips", "second order", "after Ai et al. 2014", [&medium] {
+                           return std::make_unique<StripOrders>(medium, BakeOptions{.threads = 1});
+                       }});
+    methods.push_back({key_of("as_in_paper", kClassic), "as in the paper", name_of(kClassic),
+                       "Hillaire 2020 (64 directions, 20 steps)", [&medium] {
+                           return closure(medium.air, kClassic,
+                                          MultipleScatteringMethod::as_in_paper);
+                       }});
+    for (const TableShape& shape : shapes) {
+        methods.push_back({key_of("converged", shape), "Hillaire, converged", name_of(shape), "",
+                           [&medium, shape] {
+                               return closure(medium.air, shape,
+                                              MultipleScatteringMethod::converged);
+                           }});
+    }
+    for (const TableShape& shape : shapes) {
+        methods.push_back({key_of("mean_radiance", shape), "mean radiance, solved", name_of(shape),
+                           "", [&medium, shape] { return mean_radiance(medium, shape); }});
+    }
+    for (const TableShape& shape : shapes) {
+        methods.push_back({key_of("fitted", shape), "fitted, solved", name_of(shape), "",
+                           [&medium, shape] { return fitted(medium, shape); }});
+    }
+    // They take longer than all others together.
+    const std::vector<bool> bruneton = quick ? std::vector<bool>() : std::vector{false, true};
+    for (const bool combined : bruneton) {
+        const char* kind = combined ? "combined" : "separate";
+        methods.push_back({fmt::format("bruneton_{}", kind), "Bruneton's tables", kind, "", nullptr,
+                           [&medium, combined] { return bruneton_sky(medium, {}, combined); }});
+    }
+    for (const int degree : {2, 4, 8}) {
+        methods.push_back(
+            {fmt::format("moments_{}", degree), "moments, solved", fmt::format("degree {}", degree),
+             "", [&medium, degree] { return std::make_unique<SolutionItself>(medium, degree); }});
+    }
+    return methods;
+}
+
+}  // namespace skybake

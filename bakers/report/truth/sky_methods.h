@@ -1,0 +1,48 @@
+// Ways to multiple scattering: what a sky may take for the light that was scattered before.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bakers/air/sky_medium.h"
+#include "bakers/light/higher_orders.h"
+#include "bakers/light/sky_direction.h"
+
+namespace skybake {
+
+// What the air sends towards a camera in it, without the ground, in 1/sr for a solar irradiance
+// of 1. Any thread may ask.
+using AirRadiance = std::function<Spectrum(double altitude_km, const SunZenith& sun,
+                                           const SkyDirection& direction)>;
+
+struct SkyMethod {
+    std::string key;       // for file names: "solved_32x32"
+    std::string family;    // what it shares with others: "moments, solved"
+    std::string name;      // what it differs in: "degree 4"
+    std::string baseline;  // where it is from, of what others are compared with; or empty
+    // All that comes before the first view ray, from nothing but the medium, on one thread: what is
+    // timed. Null: nothing is to be made, there are no higher orders.
+    std::function<std::unique_ptr<HigherOrders>()> make;
+    // The same of methods that bring single scattering along: then there is no `make`.
+    std::function<AirRadiance()> make_whole = {};
+
+    bool takes_time() const { return make || make_whole; }
+};
+
+// From single scattering alone to moments of degree 8. Tables are float, with bilinear lookups, as
+// a runtime has them; moments are looked up in the solver's own grid. `quick` leaves out the tables
+// of 64x32. `medium` must outlive what they make.
+//
+//   single scattering
+//   eight strips       the second order alone (sky/strip_orders.h)
+//   as in the paper    64 directions x 20 steps, 32x32
+//   converged          the same closure by the baker's quadrature (level 9), 32x32, 64x32 twilight
+//   mean radiance      of the solution, all orders with their phases, in the same tables
+//   fitted             to the skies of cameras up to 3 km (sky/fitted_radiance.h), same tables
+//   Bruneton's tables  of scattering, 256x128x32, solved: with single_mie apart, and combined
+//   moments            of the solution, of degree 2, 4 and 8
+std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick);
+
+}  // namespace skybake

@@ -1,0 +1,300 @@
+#include "bakers/workspace/asset_cache.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "bakers/io/files/file_descriptor.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/manifest/release.h"
+#include "bakers/workspace/copy_asset.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Diagnostic;
+using config::Outcome;
+
+constexpr const char* tag_name = "CACHEDIR.TAG";
+// What https://bford.info/cachedir/ asks for.
+constexpr std::string_view tag_text =
+    "Signature: 8a477f597d28d172789f06886806bc55\n"
+    "# This folder holds assets that skybake can bake again.\n";
+
+// Keys are 32 hexadecimal digits; whatever else a manifest says leads nowhere.
+bool is_key(std::string_view key) {
+    return key.size() == 32 && key.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+fs::path assets_folder(const fs::path& cache) { return cache / "assets"; }
+
+fs::path entry_folder(const fs::path& cache, const std::string& key) {
+    return assets_folder(cache) / key.substr(0, 2) / key;
+}
+
+// Nobody asks a copy into the cache to stop: it is short beside the bake that it spares.
+class Unhurried : public Progress {
+  public:
+    void advance(std::string_view, double) override {}
+    bool cancelled() const override { return false; }
+};
+
+// A folder in `pending`, locked while this process lives, removed with what is in it.
+class PendingFolder {
+  public:
+    explicit PendingFolder(const fs::path& cache, std::error_code& error) {
+        static std::atomic<unsigned> counter{0};
+        const fs::path parent = cache / "pending";
+        fs::create_directories(parent, error);
+        // Processes of other containers and machines may have this one's number.
+        for (bool is_own = false; !error && !is_own;) {
+            path_ = parent / fmt::format("{}-{}", ::getpid(), counter++);
+            is_own = fs::create_directory(path_, error) && lock();
+        }
+        if (error) path_.clear();
+    }
+    PendingFolder(const PendingFolder&) = delete;
+    PendingFolder& operator=(const PendingFolder&) = delete;
+    ~PendingFolder() {
+        std::error_code ignored;
+        if (!path_.empty()) fs::remove_all(path_, ignored);
+    }
+
+    const fs::path& path() const { return path_; }
+
+  private:
+    // False where another process has taken the new folder for an abandoned one in the meantime: it
+    // holds the lock, or the folder is gone. Where there are no locks nothing is taken for
+    // abandoned.
+    bool lock() {
+        lock_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+        if (!lock_.valid()) return errno != ENOENT;
+        if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+        struct stat named {};
+        struct stat opened {};
+        return ::lstat(path_.c_str(), &named) == 0 && ::fstat(lock_.get(), &opened) == 0 &&
+               named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
+    }
+
+    fs::path path_;
+    FileDescriptor lock_;
+};
+
+Diagnostic unwritable(const fs::path& path, const std::string& reason) {
+    return file_error("E0301", path.string(),
+                      fmt::format("cannot write `{}`: {}", path.string(), reason));
+}
+
+std::vector<Diagnostic> write_tag(const fs::path& cache) {
+    std::error_code error;
+    if (fs::exists(cache / tag_name, error)) return {};
+    return write_file_atomically(cache / tag_name, tag_text).diagnostics;
+}
+
+Manifest manifest_of(const ManifestAsset& entry) {
+    Manifest manifest;
+    manifest.tool_name = tool_name();
+    manifest.tool_version = entry.release;
+    manifest.assets = {entry};
+    return manifest;
+}
+
+std::vector<Diagnostic> store(const fs::path& cache, const ReadyAsset& asset) {
+    std::error_code error;
+    const PendingFolder pending(cache, error);
+    if (error) return {unwritable(cache, error.message())};
+    if (auto problems = write_tag(cache); !problems.empty()) return problems;
+    AtomicFiles files;
+    const auto staged = stage_copies(asset, pending.path(), files, Unhurried());
+    if (!staged.value) return staged.diagnostics;
+    const std::string text = manifest_json(manifest_of(asset.entry));
+    const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
+    if (!manifest.value) return manifest.diagnostics;
+    if (auto failures = files.commit(); !failures.empty()) return failures;
+    const fs::path target = entry_folder(cache, asset.entry.key);
+    fs::create_directories(target.parent_path(), error);
+    if (error) return {unwritable(target, error.message())};
+    if (fs::is_symlink(target, error)) fs::remove(target, error);  // one that leads nowhere
+    fs::rename(pending.path(), target, error);
+    // Another process was faster: its entry holds the same.
+    if (error && !fs::exists(target)) return {unwritable(target, error.message())};
+    return {};
+}
+
+// Out of sight at once, then file by file.
+std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entry) {
+    std::error_code error;
+    const PendingFolder pending(cache, error);
+    if (!error) fs::rename(entry, pending.path() / "entry", error);
+    if (error && fs::exists(entry)) return {unwritable(entry, error.message())};
+    return {};
+}
+
+// What is in `pending` and nobody holds the lock of: its process is gone. Links are not followed.
+void remove_abandoned(const fs::path& cache) {
+    std::error_code error;
+    std::vector<fs::path> pending;
+    for (fs::directory_iterator entry(cache / "pending", error), end; !error && entry != end;
+         entry.increment(error)) {
+        pending.push_back(entry->path());
+    }
+    for (const fs::path& path : pending) {
+        const FileDescriptor folder(
+            ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+        const bool abandoned = folder.valid() && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
+        if (abandoned) fs::remove_all(path, error);
+    }
+}
+
+CacheEntry describe(const fs::path& folder) {
+    CacheEntry entry;
+    entry.folder = folder;
+    entry.key = folder.filename().string();
+    std::error_code error;
+    for (fs::directory_iterator file(folder, error), end; !error && file != end;
+         file.increment(error)) {
+        std::error_code gone;
+        const auto bytes = fs::file_size(file->path(), gone);
+        if (!gone) entry.bytes += bytes;
+    }
+    struct stat status {};
+    if (::lstat((folder / manifest_name).c_str(), &status) == 0) {
+        entry.last_use_s = status.st_mtim.tv_sec;
+    }
+    const auto manifest = read_manifest(folder);
+    if (manifest.value && manifest.value->assets.size() == 1) {
+        entry.kind = manifest.value->assets[0].kind;
+    }
+    return entry;
+}
+
+bool is_damage(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(),
+                       [](const Diagnostic& diagnostic) { return diagnostic.code == "E0304"; });
+}
+
+// Whether the manifest is that of an entry, as it was written.
+bool is_entry_of(const Manifest& manifest, const std::string& key) {
+    return manifest.alterations.empty() && manifest.assets.size() == 1 &&
+           manifest.assets[0].key == key;
+}
+
+// Files of an entry that are not what its manifest says; the manifest itself if it is damaged.
+std::vector<fs::path> damages(const CacheEntry& entry) {
+    const auto manifest = read_manifest(entry.folder);
+    if (!manifest.value || !is_entry_of(*manifest.value, entry.key)) {
+        return {entry.folder / manifest_name};
+    }
+    std::vector<fs::path> damaged;
+    for (const ManifestFile& file : manifest.value->assets[0].files) {
+        const auto print = fingerprint(entry.folder / file.path);
+        if (!print.value || print.value->xxh3 != file.xxh3) {
+            damaged.push_back(entry.folder / file.path);
+        }
+    }
+    return damaged;
+}
+
+}  // namespace
+
+std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
+    if (!is_key(key)) return std::nullopt;
+    const fs::path folder = entry_folder(folder_, key);
+    std::error_code error;
+    if (!fs::exists(folder, error)) return std::nullopt;
+    const auto manifest = read_manifest(folder);
+    if (!manifest.value || !is_entry_of(*manifest.value, key)) {
+        // A damaged entry makes room for a whole one; one that cannot be read now may be good.
+        if (manifest.value || is_damage(manifest.diagnostics)) remove_entry(folder_, folder);
+        return std::nullopt;
+    }
+    // Its last use. A cache that may only be read is used all the same.
+    ::utimensat(AT_FDCWD, (folder / manifest_name).c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
+    return ReadyAsset{folder, manifest.value->assets[0]};
+}
+
+void AssetCache::reject(const ReadyAsset& asset) { remove_entry(folder_, asset.folder); }
+
+void AssetCache::offer(const ReadyAsset& asset) {
+    if (!std::exchange(tidied_, true)) remove_abandoned(folder_);
+    std::error_code error;
+    if (!is_key(asset.entry.key) || fs::exists(entry_folder(folder_, asset.entry.key), error)) {
+        return;
+    }
+    for (const Diagnostic& problem : store(folder_, asset)) {
+        Diagnostic warning = problem;
+        warning.severity = config::Severity::warning;
+        warning.code = "W0301";
+        warning.message = "the cache could not keep this asset: " + problem.message;
+        if (problems_.empty()) problems_.push_back(std::move(warning));
+    }
+}
+
+Outcome<std::vector<CacheEntry>> cache_entries(const fs::path& folder) {
+    std::vector<CacheEntry> entries;
+    std::error_code error;
+    for (fs::directory_iterator group(assets_folder(folder), error), end; !error && group != end;
+         group.increment(error)) {
+        for (fs::directory_iterator entry(group->path(), error); !error && entry != end;
+             entry.increment(error)) {
+            if (is_key(entry->path().filename().string())) {
+                entries.push_back(describe(entry->path()));
+            }
+        }
+    }
+    if (error && error != std::errc::no_such_file_or_directory) {
+        return {{},
+                {file_error("E0300", folder.string(),
+                            fmt::format("cannot read the cache `{}`: {}", folder.string(),
+                                        error.message()))}};
+    }
+    std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) {
+        return std::pair(a.last_use_s, a.key) < std::pair(b.last_use_s, b.key);
+    });
+    return {std::move(entries), {}};
+}
+
+Outcome<std::vector<CacheEntry>> collect_garbage(const fs::path& folder,
+                                                 std::uint64_t largest_bytes) {
+    auto entries = cache_entries(folder);
+    if (!entries.value) return entries;
+    remove_abandoned(folder);
+    std::uint64_t bytes = 0;
+    for (const CacheEntry& entry : *entries.value) bytes += entry.bytes;
+    std::vector<CacheEntry> removed;
+    for (const CacheEntry& entry : *entries.value) {
+        if (bytes <= largest_bytes) break;
+        auto problems = remove_entry(folder, entry.folder);
+        if (!problems.empty()) return {{}, std::move(problems)};
+        bytes -= entry.bytes;
+        removed.push_back(entry);
+    }
+    return {std::move(removed), {}};
+}
+
+Outcome<CacheVerification> verify_cache(const fs::path& folder) {
+    auto entries = cache_entries(folder);
+    if (!entries.value) return {{}, std::move(entries.diagnostics)};
+    CacheVerification verification;
+    for (const CacheEntry& entry : *entries.value) {
+        ++verification.entries;
+        const std::vector<fs::path> damaged = damages(entry);
+        if (damaged.empty()) continue;
+        verification.damaged.insert(verification.damaged.end(), damaged.begin(), damaged.end());
+        auto problems = remove_entry(folder, entry.folder);
+        if (!problems.empty()) return {{}, std::move(problems)};
+    }
+    return {std::move(verification), {}};
+}
+
+}  // namespace skybake

@@ -1,0 +1,292 @@
+#include "bakers/workspace/bake_folder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "bakers/assets/registry.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_names.h"
+#include "bakers/io/files/folder_lock.h"
+#include "bakers/io/files/stopwatch.h"
+#include "bakers/io/files/temporary_file.h"
+#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/workspace/copy_asset.h"
+#include "bakers/workspace/prepared_asset.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Diagnostic;
+using config::Outcome;
+
+// Whether a copy failed for what was to be copied, not for where it was to go.
+bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+        return diagnostic.code == "E0300" || diagnostic.code == "E0304";
+    });
+}
+
+// One bake of one folder, locked. Each step says whether to go on; where not, diagnostics say why,
+// or there are none after an interruption.
+class FolderMaker {
+  public:
+    FolderMaker(const FolderBake& bake, const FolderPlan& plan, BakeObserver& observer)
+        : bake_(bake), plan_(plan), observer_(observer), prepared_(plan.assets.size()) {
+        for (const PlannedAsset& planned : plan.assets) {
+            FinishedAsset& finished = result_.assets.emplace_back();
+            if (planned.stale()) continue;
+            finished.state = AssetState::up_to_date;
+            finished.entry = *planned.up_to_date;
+            finished.files.assign(finished.entry.files.size(), WriteResult::unchanged);
+        }
+    }
+
+    Outcome<BakedFolder> make() {
+        if (!has_modules() || !make_all() || !stage_all() || !stage_manifest() || !commit() ||
+            !prune()) {
+            return {{}, std::move(diagnostics_)};
+        }
+        return {std::move(result_), std::move(diagnostics_)};
+    }
+
+  private:
+    bool stop(std::vector<Diagnostic> diagnostics) {
+        std::move(diagnostics.begin(), diagnostics.end(), std::back_inserter(diagnostics_));
+        return false;
+    }
+
+    bool has_modules() {
+        for (const PlannedAsset& planned : plan_.assets) {
+            if (!planned.stale()) continue;
+            for (const std::string& file : file_names(*planned.bake)) {
+                if (fs::path(file).extension() != ".vdb") continue;
+                auto obstacle = vdb_obstacle(bake_.folder / file);
+                return !obstacle || stop({std::move(*obstacle)});
+            }
+        }
+        return true;
+    }
+
+    // A copy from a source, or a bake. All are tried, so that one run shows all that is wrong.
+    bool make_all() {
+        bool good = true;
+        for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
+            if (!plan_.assets[i].stale()) continue;
+            const auto progress = observer_.begin(plan_.assets[i].bake->name);
+            good = (copy(i, *progress) || bake(i, *progress)) && good;
+            if (observer_.cancelled()) return stop_for_interruption();
+        }
+        return good;
+    }
+
+    // What a source has and cannot be read, or is damaged, is baked.
+    bool copy(std::size_t i, const Progress& progress) {
+        for (AssetSource* source : bake_.sources) {
+            const auto ready = source->find(plan_.assets[i].identity.key);
+            if (!ready) continue;
+            auto staged = stage_copies(*ready, bake_.folder, files_, progress);
+            if (!staged.value) {
+                if (is_unusable(staged.diagnostics)) source->reject(*ready);
+                continue;
+            }
+            result_.assets[i] = {AssetState::copied, ready->entry, std::move(*staged.value)};
+            return true;
+        }
+        return false;
+    }
+
+    bool bake(std::size_t i, Progress& progress) {
+        if (observer_.cancelled()) return false;
+        const PlannedAsset& planned = plan_.assets[i];
+        BakeOptions options;
+        options.threads = bake_.threads;
+        options.certification = bake_.certification;
+        options.progress = &progress;
+        const Stopwatch stopwatch;
+        auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
+        const double seconds = stopwatch.seconds();
+        stop(std::move(baked.diagnostics));
+        if (!baked.value) return false;
+        auto prepared = prepare(std::move(*baked.value), bake_.threads);
+        stop(std::move(prepared.diagnostics));
+        if (!prepared.value) return false;
+        if (auto changed = changed_input(planned)) return stop({std::move(*changed)});
+        prepared_[i] = std::move(*prepared.value);
+        sign(planned.identity, entry_of(*prepared_[i]));
+        result_.assets[i].certify_s = seconds - entry_of(*prepared_[i]).timing.bake_s;
+        return true;
+    }
+
+    // A picture that is another one than when the asset's key was made: its bytes would stand under
+    // the key of others.
+    std::optional<Diagnostic> changed_input(const PlannedAsset& planned) const {
+        const auto now = asset_identity(*bake_.recipe, *planned.bake, bake_.certification);
+        if (!now.value) return now.diagnostics.front();
+        if (now.value->key == planned.identity.key) return std::nullopt;
+        return file_error("E0300", "",
+                          fmt::format("a map of `bake.{}` changed while it was being baked; bake "
+                                      "again",
+                                      planned.bake->name));
+    }
+
+    bool stage_all() {
+        for (std::size_t i = 0; i < prepared_.size(); ++i) {
+            if (!prepared_[i]) continue;
+            const auto progress = observer_.begin(plan_.assets[i].bake->name);
+            auto staged = stage(*prepared_[i], bake_.folder, files_, bake_.threads, *progress);
+            if (!staged.value) return stop(std::move(staged.diagnostics));
+            if (staged.value->back() == WriteResult::interrupted) return stop_for_interruption();
+            result_.assets[i] = {AssetState::baked, entry_of(*prepared_[i]),
+                                 std::move(*staged.value), result_.assets[i].certify_s};
+        }
+        return true;
+    }
+
+    // Last, so that it gets its name first.
+    bool stage_manifest() {
+        Manifest manifest = new_manifest(*bake_.recipe);
+        for (const FinishedAsset& finished : result_.assets) {
+            manifest.assets.push_back(finished.entry);
+        }
+        const bool partial = bake_.bakes.size() < bake_.recipe->parameters.bakes.size();
+        if (partial && plan_.folder.previous) {
+            manifest = merge_manifests(*plan_.folder.previous, std::move(manifest));
+            warn_of_other_values();
+        }
+        manifest.retired = plan_.retired;
+        result_.retired = plan_.retired;
+        manifest_ = std::move(manifest);
+        const auto progress = observer_.begin(manifest_name);
+        const std::string text = manifest_json(manifest_);
+        const auto staged =
+            files_.stage(bake_.folder / manifest_name, std::string_view(text), progress.get());
+        if (!staged.value) return stop(staged.diagnostics);
+        result_.manifest = *staged.value;
+        return result_.manifest != WriteResult::interrupted || stop_for_interruption();
+    }
+
+    // Once all files have their names. Until a file is gone the manifest lists it, so that a later
+    // bake knows it even if this one is killed; a file that was changed in the meantime is kept.
+    bool prune() {
+        std::vector<Diagnostic> failures;
+        for (const RetiredFile& file : plan_.pruned) {
+            if (!is_as_written(bake_.folder, file)) continue;
+            std::error_code error;
+            if (fs::remove(bake_.folder / file.path, error)) {
+                result_.pruned.push_back(file);
+                std::erase_if(result_.retired, [&file](const RetiredFile& other) {
+                    return other.path == file.path;
+                });
+            } else if (error) {
+                const std::string path = (bake_.folder / file.path).string();
+                failures.push_back(file_error(
+                    "E0301", path, fmt::format("cannot remove `{}`: {}", path, error.message())));
+            }
+        }
+        if (!result_.pruned.empty()) {
+            manifest_.retired = result_.retired;
+            auto written =
+                write_file_atomically(bake_.folder / manifest_name, manifest_json(manifest_));
+            failures.insert(failures.end(), written.diagnostics.begin(), written.diagnostics.end());
+        }
+        return failures.empty() || stop(std::move(failures));
+    }
+
+    // The manifest states the recipe's values as they are now; what is not baked may be of others.
+    void warn_of_other_values() {
+        for (const config::Bake& section : bake_.recipe->parameters.bakes) {
+            const auto is_this = [&section](const auto& other) {
+                return other.name == section.name;
+            };
+            if (std::any_of(bake_.bakes.begin(), bake_.bakes.end(), is_this)) continue;
+            const auto& entries = plan_.folder.previous->assets;
+            const auto entry = std::find_if(entries.begin(), entries.end(), is_this);
+            if (entry == entries.end()) continue;
+            const auto identity = asset_identity(*bake_.recipe, section, bake_.certification);
+            if (!identity.value) continue;
+            const auto reasons = differences(*identity.value, *entry);
+            if (reasons.empty()) continue;
+            Diagnostic warning =
+                file_error("W0303", "",
+                           fmt::format("`bake.{}` was kept, although it is out of date: {}",
+                                       section.name, fmt::join(reasons, "; ")));
+            warning.severity = config::Severity::warning;
+            diagnostics_.push_back(std::move(warning));
+        }
+    }
+
+    bool commit() {
+        auto failures = files_.commit();
+        if (!failures.empty()) return stop(std::move(failures));
+        for (const FinishedAsset& finished : result_.assets) {
+            for (AssetSource* source : bake_.sources) source->offer({bake_.folder, finished.entry});
+        }
+        return true;
+    }
+
+    // Whatever was found until then is not what the user wants to read.
+    bool stop_for_interruption() {
+        diagnostics_.clear();
+        return false;
+    }
+
+    const FolderBake& bake_;
+    const FolderPlan& plan_;
+    BakeObserver& observer_;
+    BakedFolder result_;
+    Manifest manifest_;
+    AtomicFiles files_;
+    std::vector<std::optional<PreparedAsset>> prepared_;  // none: up to date, or copied
+    std::vector<Diagnostic> diagnostics_;
+};
+
+struct LockedFolder {
+    FolderLock lock;
+    std::vector<fs::path> made;  // by this process
+};
+
+// Another process may take away the folder that it made and this one waits for.
+Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer) {
+    bool told = false;
+    const auto waits = [&] {
+        if (!told) observer.waits();
+        told = true;
+    };
+    while (true) {
+        auto made = create_output_folder(folder);
+        if (!made.value) return {{}, std::move(made.diagnostics)};
+        auto lock = FolderLock::acquire(folder, waits, [&] { return observer.cancelled(); });
+        if (lock.value) return {LockedFolder{std::move(*lock.value), std::move(*made.value)}, {}};
+        std::error_code error;
+        if (lock.diagnostics.empty() || fs::exists(folder, error)) {
+            return {{}, std::move(lock.diagnostics)};
+        }
+    }
+}
+
+}  // namespace
+
+Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer) {
+    auto locked = lock_folder(bake.folder, observer);
+    if (!locked.value) return {{}, std::move(locked.diagnostics)};
+    auto plan = plan_folder(bake);
+    Outcome<BakedFolder> outcome;
+    if (plan.value) {
+        remove_stale_temporaries_in(bake.folder);
+        observer.planned(*plan.value);
+        outcome = FolderMaker(bake, *plan.value, observer).make();
+    } else {
+        outcome.diagnostics = std::move(plan.diagnostics);
+    }
+    if (!outcome.value) remove_empty_folders(locked.value->made);
+    return outcome;
+}
+
+}  // namespace skybake

@@ -1,0 +1,61 @@
+#include "bakers/workspace/copy_asset.h"
+
+#include <fmt/format.h>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/file_output.h"
+#include "bakers/math/hash.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Outcome;
+
+// Hashes what it copies: no second look at a file that may change in between.
+Outcome<bool> copy(const fs::path& from, const ManifestFile& expected, const fs::path& to,
+                   const Progress& progress) {
+    Outcome<FileInput> input = FileInput::open(from);
+    if (!input.value) return {{}, std::move(input.diagnostics)};
+    FileOutput output(to);
+    std::string piece(std::size_t{1} << 20, '\0');
+    std::uint64_t position = 0;
+    Hasher hasher;
+    while (output.error() == 0) {
+        if (progress.cancelled()) return {false, {}};
+        const auto count = input.value->read(position, piece.data(), piece.size());
+        if (!count) return {{}, {input.value->diagnostic()}};
+        if (*count == 0) break;
+        const auto bytes = std::string_view(piece).substr(0, *count);
+        hasher.update(bytes);
+        output.write(bytes);
+        position += *count;
+    }
+    if (!output.finish()) return {{}, {output.diagnostic()}};
+    if (hasher.hex() == expected.xxh3) return {true, {}};
+    return {{},
+            {file_error("E0304", from.string(),
+                        fmt::format("`{}` is not what its manifest says", from.string()))}};
+}
+
+}  // namespace
+
+Outcome<std::vector<WriteResult>> stage_copies(const ReadyAsset& asset, const fs::path& folder,
+                                               AtomicFiles& files, const Progress& progress) {
+    AtomicFiles copies;
+    std::vector<WriteResult> results;
+    for (const ManifestFile& file : asset.entry.files) {
+        const auto write = [&](const fs::path& temporary) {
+            return copy(asset.folder / file.path, file, temporary, progress);
+        };
+        const Outcome<WriteResult> staged = copies.stage(folder / file.path, write, &progress);
+        if (!staged.value) return {{}, staged.diagnostics};
+        results.push_back(*staged.value);
+        if (results.back() == WriteResult::interrupted) return {std::move(results), {}};
+    }
+    files.take(std::move(copies));
+    return {std::move(results), {}};
+}
+
+}  // namespace skybake

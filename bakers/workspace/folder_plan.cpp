@@ -1,0 +1,179 @@
+#include "bakers/workspace/folder_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bakers/assets/registry.h"
+#include "bakers/io/files/byte_size_text.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/file_names.h"
+#include "config/volume_files.h"
+
+namespace skybake {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Bake;
+using config::Diagnostic;
+using config::Outcome;
+
+constexpr double bytes_per_mib = 1024.0 * 1024.0;
+
+std::vector<std::string> output_files(const FolderBake& bake) {
+    std::vector<std::string> names;
+    for (const Bake& section : bake.bakes) {
+        for (std::string& name : file_names(section)) names.push_back(std::move(name));
+    }
+    names.emplace_back(manifest_name);
+    return names;
+}
+
+// Why the files of an entry are not those that it describes.
+std::vector<std::string> file_faults(const fs::path& folder, const ManifestAsset& entry,
+                                     const Bake& bake) {
+    std::vector<std::string> faults;
+    std::vector<std::string> listed;
+    for (const ManifestFile& file : entry.files) {
+        listed.push_back(file.path);
+        const auto print = fingerprint(folder / file.path);
+        if (!print.value) {
+            faults.push_back(fmt::format("{} cannot be read", file.path));
+        } else if (print.value->xxh3 != file.xxh3) {
+            faults.push_back(fmt::format("{} does not match manifest.json", file.path));
+        }
+    }
+    if (listed != file_names(bake)) faults.emplace_back("manifest.json lists other files");
+    return faults;
+}
+
+void compare_with_folder(const OutputFolder& folder, PlannedAsset& planned) {
+    const ManifestAsset* entry = nullptr;
+    if (folder.previous) {
+        for (const ManifestAsset& asset : folder.previous->assets) {
+            if (asset.name == planned.bake->name) entry = &asset;
+        }
+    }
+    if (!entry) {
+        planned.reasons = {folder.reason.empty() ? "not baked yet" : folder.reason};
+        return;
+    }
+    planned.reasons = differences(planned.identity, *entry);
+    if (!planned.reasons.empty()) return;
+    planned.reasons = file_faults(folder.path, *entry, *planned.bake);
+    if (planned.reasons.empty()) planned.up_to_date = *entry;
+}
+
+// Of what is to be made.
+const PlannedAsset* largest_asset(const FolderPlan& plan) {
+    const PlannedAsset* largest = nullptr;
+    for (const PlannedAsset& asset : plan.assets) {
+        if (!asset.stale()) continue;
+        if (!largest || asset.estimate.memory_mib > largest->estimate.memory_mib) largest = &asset;
+    }
+    return largest;
+}
+
+// The manifest's list of files as this bake will leave it. What a bake of a part does not name
+// stays.
+Manifest files_after(const FolderBake& bake, const Manifest& previous) {
+    Manifest manifest;
+    for (const Bake& section : bake.bakes) {
+        ManifestAsset& asset = manifest.assets.emplace_back();
+        asset.name = section.name;
+        for (std::string& name : file_names(section)) {
+            asset.files.emplace_back().path = std::move(name);
+        }
+    }
+    const bool partial = bake.bakes.size() < bake.recipe->parameters.bakes.size();
+    return partial ? merge_manifests(previous, std::move(manifest)) : manifest;
+}
+
+std::vector<RetiredFile> retired_files(const FolderBake& bake, const Manifest& previous) {
+    auto files = files_no_longer_made(previous, files_after(bake, previous));
+    std::erase_if(files, [&bake](const RetiredFile& file) {
+        std::error_code error;
+        return !fs::exists(fs::symlink_status(bake.folder / file.path, error));
+    });
+    return files;
+}
+
+void plan_retired(const FolderBake& bake, FolderPlan& plan) {
+    if (!plan.folder.previous) return;
+    plan.retired = retired_files(bake, *plan.folder.previous);
+    if (!bake.prune) return;
+    for (const RetiredFile& file : plan.retired) {
+        if (is_as_written(bake.folder, file)) plan.pruned.push_back(file);
+    }
+}
+
+std::vector<Diagnostic> memory_excess(const FolderPlan& plan, std::optional<double> limit_mib) {
+    if (!limit_mib || plan.memory_mib() <= *limit_mib) return {};
+    Diagnostic diagnostic;
+    diagnostic.code = "E0002";
+    diagnostic.message = fmt::format(
+        "baking may need {} of memory, most of it for `bake.{}`; --max-memory allows {}",
+        byte_size_text(plan.memory_mib() * bytes_per_mib), largest_asset(plan)->bake->name,
+        byte_size_text(*limit_mib * bytes_per_mib));
+    diagnostic.label = "raise --max-memory, or bake fewer assets at once with --only";
+    return {std::move(diagnostic)};
+}
+
+}  // namespace
+
+bool is_as_written(const fs::path& folder, const RetiredFile& file) {
+    const fs::path path = file.path;
+    std::error_code error;
+    const bool plain = !path.has_parent_path() && path != manifest_name &&
+                       fs::is_regular_file(fs::symlink_status(folder / path, error));
+    if (!plain) return false;
+    const auto print = fingerprint(folder / path);
+    return print.value && print.value->xxh3 == file.xxh3;
+}
+
+std::size_t FolderPlan::stale_count() const {
+    return static_cast<std::size_t>(std::count_if(
+        assets.begin(), assets.end(), [](const PlannedAsset& asset) { return asset.stale(); }));
+}
+
+// Assets are made one after the other; tables are held until all files are written, volumes are
+// made anew while they are.
+double FolderPlan::memory_mib() const {
+    const PlannedAsset* largest = largest_asset(*this);
+    if (!largest) return 0;
+    double held = 0;
+    for (const PlannedAsset& asset : assets) {
+        if (asset.stale() && &asset != largest && !config::volume_files(*asset.bake)) {
+            held += asset.estimate.disk_mib;
+        }
+    }
+    return largest->estimate.memory_mib + held;
+}
+
+Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
+    auto folder = inspect_output_folder(bake.folder, output_files(bake), bake.force, false);
+    if (!folder.value) return {{}, std::move(folder.diagnostics)};
+    FolderPlan plan;
+    plan.folder = std::move(*folder.value);
+    for (const Bake& section : bake.bakes) {
+        PlannedAsset planned;
+        planned.bake = &section;
+        auto identity = asset_identity(*bake.recipe, section, bake.certification);
+        if (!identity.value) return {{}, std::move(identity.diagnostics)};
+        planned.identity = std::move(*identity.value);
+        planned.estimate = baker_of(section).estimate(bake.recipe->parameters, section);
+        compare_with_folder(plan.folder, planned);
+        plan.assets.push_back(std::move(planned));
+    }
+    plan_retired(bake, plan);
+    if (plan.stale_count() > 0) {
+        auto writable = inspect_output_folder(bake.folder, {}, true);
+        if (!writable.value) return {{}, std::move(writable.diagnostics)};
+    }
+    auto excess = memory_excess(plan, bake.memory_limit_mib);
+    if (!excess.empty()) return {{}, std::move(excess)};
+    return {std::move(plan), {}};
+}
+
+}  // namespace skybake

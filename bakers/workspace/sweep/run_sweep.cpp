@@ -1,0 +1,346 @@
+#include "bakers/workspace/sweep/run_sweep.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "bakers/io/files/folder_lock.h"
+#include "bakers/io/files/temporary_file.h"
+#include "bakers/math/parallel.h"
+#include "bakers/workspace/asset_cache.h"
+#include "bakers/workspace/asset_identity.h"
+#include "bakers/workspace/bake_folder.h"
+#include "bakers/workspace/sweep/ready_assets.h"
+#include "bakers/workspace/sweep/variant_failure.h"
+#include "config/recipe.h"
+
+namespace skybake {
+namespace {
+
+using config::Diagnostic;
+
+Diagnostic internal_error(const std::exception& exception) {
+    Diagnostic diagnostic;
+    diagnostic.code = "E0500";
+    diagnostic.message = std::string("internal error: ") + exception.what();
+    return diagnostic;
+}
+
+// No error if the assets are those that were planned. Others would stand in one index with variants
+// of the recipe as it was.
+std::vector<Diagnostic> check_against_plan(const FolderBake& bake,
+                                           const std::vector<std::string>& planned_keys) {
+    std::vector<std::string> keys;
+    for (const config::Bake& section : bake.bakes) {
+        auto identity = asset_identity(*bake.recipe, section, bake.certification);
+        if (!identity.value) return std::move(identity.diagnostics);
+        keys.push_back(std::move(identity.value->key));
+    }
+    if (keys == planned_keys) return {};
+    return {{config::Severity::error,
+             "E0406",
+             "the recipe changed while the sweep was running",
+             {},
+             "run it again"}};
+}
+
+// Temporaries that a killed process has left beside files that are up to date. Not while another
+// process has the folder: it removes them itself.
+void remove_left_overs(const std::filesystem::path& folder) {
+    const auto lock = FolderLock::acquire(
+        folder, [] {}, [] { return true; });
+    if (lock.value) remove_stale_temporaries_in(folder);
+}
+
+// Passes what one bake tells on to the sweep's observer, one call at a time.
+class VariantObserver : public BakeObserver {
+  public:
+    VariantObserver(const VariantResult& variant, SweepObserver& observer, std::mutex& mutex)
+        : variant_(variant), observer_(observer), mutex_(mutex) {}
+
+    bool cancelled() const override { return observer_.cancelled(); }
+    void waits() override {
+        const std::lock_guard lock(mutex_);
+        observer_.waits(variant_);
+    }
+    void planned(const FolderPlan&) override {}
+    std::unique_ptr<Progress> begin(std::string_view asset) override {
+        return std::make_unique<Step>(*this, asset);
+    }
+
+  private:
+    class Step : public Progress {
+      public:
+        Step(VariantObserver& owner, std::string_view asset) : owner_(owner), asset_(asset) {}
+        void advance(std::string_view, double fraction) override {
+            const std::lock_guard lock(owner_.mutex_);
+            owner_.observer_.advance(owner_.variant_, asset_, fraction);
+        }
+        bool cancelled() const override { return owner_.cancelled(); }
+
+      private:
+        VariantObserver& owner_;
+        std::string asset_;
+    };
+
+    const VariantResult& variant_;
+    SweepObserver& observer_;
+    std::mutex& mutex_;
+};
+
+class SweepRunner {
+  public:
+    SweepRunner(const SweepJob& job, std::vector<PlannedVariant>& plan, SweepObserver& observer)
+        : job_(job), plan_(plan), observer_(observer) {
+        share_assets();
+        for (std::size_t i = 0; i < plan.size(); ++i) {
+            if (plan[i].to_be_made()) waiting_.push_back(i);
+        }
+    }
+
+    void run() {
+        for (PlannedVariant& variant : plan_) {
+            if (!variant.to_be_made()) settle(variant);
+        }
+        const int threads = thread_count(job_.threads);
+        const int workers = std::min(threads, static_cast<int>(waiting_.size()));
+        std::vector<std::thread> others;
+        for (int worker = 0; worker < workers; ++worker) {
+            // The threads that are too many for the workers go to the first ones.
+            const int own = threads / workers + (worker < threads % workers ? 1 : 0);
+            others.emplace_back([this, own] { work(own); });
+        }
+        for (std::thread& other : others) other.join();
+    }
+
+  private:
+    // Those wanted twice or more, and where up-to-date variants have them.
+    void share_assets() {
+        std::map<std::string, int> users;
+        for (const PlannedVariant& variant : plan_) {
+            for (const StaleAsset& asset : variant.stale) ++users[asset.key];
+            for (const VariantAsset& asset : variant.result.assets) ++users[asset.key];
+        }
+        for (const auto& [key, count] : users) {
+            if (count > 1) ready_.share(key);
+        }
+        for (const PlannedVariant& variant : plan_) {
+            for (const VariantAsset& asset : variant.result.assets) {
+                ready_.add(asset.key, job_.folder / variant.result.name);
+            }
+        }
+    }
+
+    // A variant that is up to date, or that cannot be planned.
+    void settle(PlannedVariant& variant) {
+        if (observer_.cancelled()) return;
+        const auto folder = job_.folder / variant.result.name;
+        keep_failure(folder, variant.result);
+        if (variant.result.status == VariantStatus::done) remove_left_overs(folder);
+        const std::lock_guard lock(observer_mutex_);
+        observer_.finished(variant.result, false, 0);
+    }
+
+    struct Task {
+        std::size_t variant = 0;
+        std::vector<std::string> made;  // shared keys that it makes
+    };
+
+    // The next variant that need not wait for another one's assets or memory. None once all are
+    // taken, or the user has interrupted.
+    std::optional<Task> next_task() {
+        std::unique_lock lock(mutex_);
+        while (!waiting_.empty() && !observer_.cancelled()) {
+            for (auto it = waiting_.begin(); it != waiting_.end(); ++it) {
+                Task task{*it, {}};
+                const PlannedVariant& variant = plan_[*it];
+                if (!has_memory_for(variant)) continue;
+                if (!ready_.claim(wanted_keys(variant), task.made)) continue;
+                waiting_.erase(it);
+                ++running_;
+                memory_mib_ += variant.memory_mib;
+                return task;
+            }
+            freed_.wait(lock);
+        }
+        return std::nullopt;
+    }
+
+    // One that alone is too large has failed when it was planned.
+    bool has_memory_for(const PlannedVariant& variant) const {
+        return running_ == 0 || !job_.memory_limit_mib ||
+               memory_mib_ + variant.memory_mib <= *job_.memory_limit_mib;
+    }
+
+    static std::vector<std::string> wanted_keys(const PlannedVariant& variant) {
+        std::vector<std::string> keys;
+        for (const StaleAsset& asset : variant.stale) keys.push_back(asset.key);
+        return keys;
+    }
+
+    void work(int threads) {
+        while (const std::optional<Task> task = next_task()) {
+            PlannedVariant& variant = plan_[task->variant];
+            make(variant, *task, threads);
+            ready_.release(task->made);
+            {
+                const std::lock_guard lock(mutex_);
+                --running_;
+                memory_mib_ -= variant.memory_mib;
+            }
+            freed_.notify_all();
+        }
+        wake_others();
+    }
+
+    // Under the lock, so that none misses it between looking for a task and beginning to wait.
+    void wake_others() {
+        const std::lock_guard lock(mutex_);
+        freed_.notify_all();
+    }
+
+    void make(PlannedVariant& variant, const Task& task, int threads) {
+        const auto start = std::chrono::steady_clock::now();
+        const auto folder = job_.folder / variant.result.name;
+        guard(variant.result, [&] { bake(variant, task, threads); });
+        if (variant.result.status == VariantStatus::missing) return;  // interrupted
+        guard(variant.result, [&] { keep_failure(folder, variant.result); });
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        const std::lock_guard lock(observer_mutex_);
+        observer_.finished(variant.result, true, elapsed.count());
+    }
+
+    // What is thrown, for lack of memory, fails the variant: a thread must not let it pass.
+    template <typename Step>
+    static void guard(VariantResult& result, const Step& step) {
+        try {
+            step();
+        } catch (const std::exception& exception) {
+            fail({internal_error(exception)}, result);
+        }
+    }
+
+    static void keep_failure(const std::filesystem::path& folder, VariantResult& result) {
+        if (result.status == VariantStatus::failed) {
+            append(write_failure(folder, result.diagnostics), result);
+        } else {
+            remove_failure(folder);
+        }
+    }
+
+    void bake(PlannedVariant& variant, const Task& task, int threads) {
+        VariantResult& result = variant.result;
+        auto recipe = config::load_variant(job_.recipe, job_.settings, job_.sweep, result.index);
+        if (!recipe.value) {  // changed since it was planned
+            fail(std::move(recipe.diagnostics), result);
+            return;
+        }
+        FolderBake bake = variant_bake(job_, *recipe.value, result.name);
+        bake.threads = threads;
+        if (auto errors = check_against_plan(bake, variant.keys); !errors.empty()) {
+            fail(std::move(errors), result);
+            return;
+        }
+        std::optional<AssetCache> cache;
+        bake.sources.push_back(&ready_);
+        if (!job_.cache.empty()) bake.sources.push_back(&cache.emplace(job_.cache));
+        VariantObserver observer(result, observer_, observer_mutex_);
+        if (!make_shared_first(bake, variant, task, observer)) return;
+        finish(bake_folder(bake, observer), result);
+        if (cache) append(cache->problems(), result);
+    }
+
+    // What others wait for, so that they need not wait for the rest of the variant.
+    bool make_shared_first(const FolderBake& whole, PlannedVariant& variant, const Task& task,
+                           VariantObserver& observer) {
+        if (task.made.empty() || task.made.size() == variant.stale.size()) return true;
+        FolderBake bake = whole;
+        std::erase_if(bake.bakes, [&](const config::Bake& section) {
+            const auto asset =
+                std::find_if(variant.stale.begin(), variant.stale.end(),
+                             [&](const StaleAsset& stale) { return stale.name == section.name; });
+            return asset == variant.stale.end() ||
+                   std::find(task.made.begin(), task.made.end(), asset->key) == task.made.end();
+        });
+        auto baked = bake_folder(bake, observer);
+        wake_others();
+        if (baked.value) return true;
+        finish(std::move(baked), variant.result);
+        return false;
+    }
+
+    // No value and no error means an interruption: the variant stays missing.
+    static void finish(config::Outcome<BakedFolder> baked, VariantResult& result) {
+        if (!baked.value) {
+            if (!baked.diagnostics.empty()) fail(std::move(baked.diagnostics), result);
+            return;
+        }
+        result.status = VariantStatus::done;
+        result.assets.clear();
+        for (const FinishedAsset& asset : baked.value->assets) {
+            result.assets.push_back(variant_asset(asset.entry));
+        }
+        append(std::move(baked.diagnostics), result);
+    }
+
+    static void fail(std::vector<Diagnostic> diagnostics, VariantResult& result) {
+        result.status = VariantStatus::failed;
+        result.assets.clear();
+        append(std::move(diagnostics), result);
+    }
+
+    static void append(std::vector<Diagnostic> diagnostics, VariantResult& result) {
+        for (Diagnostic& diagnostic : diagnostics) {
+            result.diagnostics.push_back(std::move(diagnostic));
+        }
+    }
+
+    const SweepJob& job_;
+    std::vector<PlannedVariant>& plan_;
+    SweepObserver& observer_;
+    std::mutex observer_mutex_;
+    ReadyAssets ready_;
+
+    std::mutex mutex_;  // of all below
+    std::condition_variable freed_;
+    std::vector<std::size_t> waiting_;  // variants in order
+    int running_ = 0;
+    double memory_mib_ = 0;  // of those running
+};
+
+std::vector<VariantResult> results_of(std::vector<PlannedVariant> plan) {
+    std::vector<VariantResult> results;
+    for (PlannedVariant& variant : plan) results.push_back(std::move(variant.result));
+    return results;
+}
+
+}  // namespace
+
+std::vector<VariantResult> run_sweep(const SweepJob& job, std::vector<PlannedVariant> plan,
+                                     SweepObserver& observer) {
+    SweepRunner(job, plan, observer).run();
+    remove_stale_temporaries_in(job.folder);  // those of an index
+    return results_of(std::move(plan));
+}
+
+std::vector<VariantResult> survey_sweep(const SweepJob& job, std::vector<PlannedVariant> plan) {
+    for (PlannedVariant& variant : plan) {
+        if (!variant.to_be_made()) continue;
+        VariantResult& result = variant.result;
+        result.assets.clear();
+        std::vector<Diagnostic> errors = read_failure(job.folder / result.name);
+        if (errors.empty()) continue;
+        result.status = VariantStatus::failed;
+        result.diagnostics = std::move(errors);
+    }
+    return results_of(std::move(plan));
+}
+
+}  // namespace skybake
