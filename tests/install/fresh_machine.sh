@@ -61,6 +61,7 @@ fi
 as_a_stranger() {
     echo "\$ $*" >&2
     unshare --mount bash -c '
+        mount --bind "$0" "$0"  # a root is the root of a file system
         mount -t proc proc "$0/proc"
         mount --rbind /dev "$0/dev"
         exec chroot "$0" /usr/bin/env -i HOME=/root TERM=dumb LANG=C.UTF-8 $1 \
