@@ -31,7 +31,7 @@ build() {
 examples/install_packages.sh
 cmake --preset quickstart >/dev/null
 [[ "${1:-}" != --configure ]] || exit 0
-echo "building skybake, which takes about three minutes on two cores" >&2
+echo "building skybake, which takes about four minutes on two cores" >&2
 SECONDS=0
 build
 $folder/cli/skybake bake examples/earth.toml -o out

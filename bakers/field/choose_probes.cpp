@@ -116,6 +116,15 @@ int places_that_show(const std::vector<ProbeCandidate>& candidates, std::size_t 
                       [wrong](const ProbeCandidate& at) { return at.off[wrong] > kShows; }));
 }
 
+ProbeCandidate candidate_at(const std::vector<ProbeSpace>& spaces, std::size_t space,
+                            const std::array<double, 3>& wanted) {
+    ProbeCandidate candidate;
+    candidate.space = space;
+    candidate.wanted = wanted;
+    candidate.place = spaces[space].place(wanted);
+    return candidate;
+}
+
 // More places about those where a wrong lookup shows that shows at few.
 std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& candidates,
                                          std::size_t wrongs, const std::vector<ProbeSpace>& spaces,
@@ -132,12 +141,9 @@ std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& cand
         if (!alone[i]) continue;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             for (const double by : {-0.5, -0.125, 0.125, 0.5}) {
-                ProbeCandidate near;
-                near.space = candidates[i].space;
-                near.wanted = candidates[i].wanted;
-                near.wanted[axis] = std::clamp(near.wanted[axis] + by / use.size[axis], 0.0, 1.0);
-                near.place = spaces[near.space].place(near.wanted);
-                more.push_back(std::move(near));
+                std::array<double, 3> near = candidates[i].wanted;
+                near[axis] = std::clamp(near[axis] + by / use.size[axis], 0.0, 1.0);
+                more.push_back(candidate_at(spaces, candidates[i].space, near));
             }
         }
     }
@@ -168,13 +174,11 @@ std::vector<ProbeCandidate> places_in_every_texel(const std::vector<ProbeSpace>&
         for (int i = 0; i < places[0] * places[1] * places[2]; ++i) {
             const std::array<int, 3> at = {i % places[0], i / places[0] % places[1],
                                            i / places[0] / places[1]};
-            ProbeCandidate candidate;
-            candidate.space = space;
+            std::array<double, 3> wanted{};
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                candidate.wanted[axis] = (at[axis] + 0.5) / places[axis];
+                wanted[axis] = (at[axis] + 0.5) / places[axis];
             }
-            candidate.place = spaces[space].place(candidate.wanted);
-            candidates.push_back(std::move(candidate));
+            candidates.push_back(candidate_at(spaces, space, wanted));
         }
     }
     return candidates;
@@ -292,11 +296,7 @@ std::vector<ProbeCandidate> candidates_of(const std::vector<ProbeSpace>& spaces)
     std::vector<ProbeCandidate> candidates;
     for (std::size_t space = 0; space < spaces.size(); ++space) {
         for (const std::array<double, 3>& wanted : spaces[space].wanted) {
-            ProbeCandidate candidate;
-            candidate.space = space;
-            candidate.wanted = wanted;
-            candidate.place = spaces[space].place(wanted);
-            candidates.push_back(std::move(candidate));
+            candidates.push_back(candidate_at(spaces, space, wanted));
         }
     }
     return candidates;

@@ -64,7 +64,7 @@ struct TakenProbe {
 struct ProbeSet {
     std::vector<TakenProbe> probes;
     std::vector<std::string> catches;  // names of wrong lookups
-    std::vector<std::string> missed;   // wrong lookups that show, at fewer than several known places
+    std::vector<std::string> missed;   // wrong lookups that show, but at too few known places
 };
 
 // Takes `count` probes or more, of several spaces a share of each.

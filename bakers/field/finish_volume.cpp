@@ -71,7 +71,7 @@ void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume) 
         const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
         if (floats <= kKeptFloats) {
             level.voxels =
-                std::make_shared<StoredSource>(*level.voxels, level.size, channels, options);
+                std::make_shared<StoredSource>(*level.voxels, level.size, channels, options, "mips");
         }
         volume.levels.push_back(std::move(level));
     }

@@ -161,7 +161,8 @@ VolumeLevel held_if_small(const VolumeLevel& level, const BakeOptions& options) 
     VolumeLevel held = level;
     const auto channels = static_cast<int>(level.statistics.size());
     if (VoxelBox{{}, level.size}.count() <= kSmall) {
-        held.voxels = std::make_shared<StoredSource>(*level.voxels, level.size, channels, options);
+        held.voxels =
+            std::make_shared<StoredSource>(*level.voxels, level.size, channels, options, "probes");
     }
     return held;
 }

@@ -9,13 +9,13 @@
 namespace skybake {
 
 StoredSource::StoredSource(const VoxelSource& source, const std::array<int, 3>& size, int channels,
-                           const BakeOptions& options)
+                           const BakeOptions& options, std::string_view step)
     : size_(size) {
     const auto slice = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
     values_.assign(static_cast<std::size_t>(channels),
                    std::vector<float>(slice * static_cast<std::size_t>(size[2])));
     constexpr int kDepth = 8;
-    for_each_tile((size[2] + kDepth - 1) / kDepth, options, "mips", [&](int tile) {
+    for_each_tile((size[2] + kDepth - 1) / kDepth, options, step, [&](int tile) {
         const int z = tile * kDepth;
         std::vector<float*> targets;
         for (auto& values : values_) {

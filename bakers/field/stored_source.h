@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "bakers/field/volume.h"
@@ -11,10 +12,10 @@ namespace skybake {
 
 class StoredSource : public VoxelSource {
   public:
-    // All voxels of `source`. Left unfinished, for whoever looks, once options.progress is
-    // cancelled.
+    // All voxels of `source`; `step` is what the making is called in progress. Left unfinished, for
+    // whoever looks, once options.progress is cancelled.
     StoredSource(const VoxelSource& source, const std::array<int, 3>& size, int channels,
-                 const BakeOptions& options);
+                 const BakeOptions& options, std::string_view step);
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
 
   private:

@@ -52,8 +52,8 @@ struct BakedFolder {
     std::vector<RetiredFile> pruned;   // of earlier recipes, and removed
 };
 
-// Diagnostics of plan_folder, of bakers (E0401 to E0405, E0407) and of writing (E0301), after which the
-// folder is as it was, but where a rename failed: then files that have their names keep them.
+// Diagnostics of plan_folder, of bakers (E0401 to E0405, E0407) and of writing (E0301), after which
+// the folder is as it was, but where a rename failed: then files that have their names keep them.
 // E0301: a file could not be removed, all others are as they should be. W0303: an entry that a bake
 // of a part leaves is of other values. Warnings may accompany a value. No value and no errors after
 // an interruption.

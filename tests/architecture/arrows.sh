@@ -74,8 +74,11 @@ forbid 'Imath' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
 forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/math/hash\.cpp'
 forbid '(thread|mutex|OpenEXR)' config "$none"
-# The console, and files by streams, are not a baker's business.
-forbid '(iostream|fstream)' 'bakers/math bakers/field bakers/air bakers/noise bakers/clouds' "$none"
+# The console, and the reading and writing of files, are not a baker's business.
+makers='bakers/math bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/assets'
+forbid '(iostream|fstream)' "$makers" "$none"
+forbid 'bakers/io/' bakers/assets \
+    'bakers/assets/([a-z_]+_check\.(h|cpp)|occupancy/skipping_check\.(h|cpp)|cloud_volume/cloud_inputs\.cpp)'
 
 # Sources are compiled in batches, where a namespace that one source opens is open in those after it.
 opened=$(grep -rnE '^using namespace ' --include='*.h' --include='*.cpp' config bakers cli |

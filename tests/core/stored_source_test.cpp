@@ -17,7 +17,7 @@ TEST(StoredSource, EqualsItsSourceInAnyBox) {
     for (const int threads : {1, 2}) {
         BakeOptions options;
         options.threads = threads;
-        const StoredSource stored(source, kSize, 3, options);
+        const StoredSource stored(source, kSize, 3, options, "voxels");
         for (const VoxelBox& box : {VoxelBox{{}, kSize}, VoxelBox{{12, 5, 20}, {1, 1, 1}},
                                     VoxelBox{{3, 2, 7}, {5, 4, 10}}}) {
             std::vector<std::vector<float>> wanted(3);
@@ -42,7 +42,7 @@ TEST(StoredSource, EqualsItsSourceInAnyBox) {
 }
 
 TEST(StoredSource, FillsOnlyWhatIsWanted) {
-    const StoredSource stored(FunctionVoxels(sample_voxel), kSize, 2, {});
+    const StoredSource stored(FunctionVoxels(sample_voxel), kSize, 2, {}, "voxels");
     float value = 0;
     stored.fill({{4, 5, 6}, {1, 1, 1}}, {nullptr, &value});
     EXPECT_EQ(value, sample_voxel(4, 5, 6, 1));
@@ -57,7 +57,7 @@ TEST(StoredSource, AsksForEachVoxelOnce) {
             ++asked[static_cast<std::size_t>((z * kSize[1] + y) * kSize[0] + x)];
             return 0.0f;
         }),
-        kSize, 1, options);
+        kSize, 1, options, "voxels");
     for (const int count : asked) EXPECT_EQ(count, 1);
 }
 

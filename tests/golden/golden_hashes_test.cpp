@@ -1,8 +1,8 @@
 // Every asset's bytes, held to those that were baked before: hashes.toml has, for each asset of the
 // recipes in this folder, the version of its baker, the hash of its content and the hash of what
 // each file stores. A failure means that equal parameters no longer give equal bytes. Mend what is
-// wrong, or raise the baker's version (bakers/assets/registry.cpp), so that no cache serves the old bytes,
-// and write the file anew:
+// wrong, or raise the baker's version (bakers/assets/registry.cpp), so that no cache serves the old
+// bytes, and write the file anew:
 //
 //   SKYBAKE_UPDATE_GOLDEN=1 build/dev/tests/golden/golden_tests
 //
@@ -88,6 +88,7 @@ std::string hash_of_stored(const fs::path& folder, const ManifestAsset& asset,
 
 GoldenAssets read_golden() {
     GoldenAssets assets;
+    if (!fs::exists(kHashes)) return assets;
     const toml::table file = toml::parse_file(kHashes.string());
     for (const auto& [recipe, sections] : file) {
         for (const auto& [name, values] : *sections.as_table()) {
@@ -169,7 +170,7 @@ std::string fault(const GoldenAsset& golden, const GoldenAsset& now) {
 
 // Those of one recipe.
 GoldenAssets golden_of(const std::string& recipe) {
-    GoldenAssets assets = fs::exists(kHashes) ? read_golden() : GoldenAssets{};
+    GoldenAssets assets = read_golden();
     std::erase_if(assets,
                   [&recipe](const auto& entry) { return !entry.first.starts_with(recipe + "."); });
     return assets;
@@ -177,7 +178,7 @@ GoldenAssets golden_of(const std::string& recipe) {
 
 // Writes the file anew with what `recipe` bakes now.
 void replace_golden(const std::string& recipe, const GoldenAssets& now) {
-    GoldenAssets assets = fs::exists(kHashes) ? read_golden() : GoldenAssets{};
+    GoldenAssets assets = read_golden();
     for (const auto& [name, asset] : golden_of(recipe)) assets.erase(name);
     assets.insert(now.begin(), now.end());
     write_golden(assets);

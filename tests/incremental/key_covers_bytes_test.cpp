@@ -16,6 +16,7 @@
 #include "bakers/workspace/asset_identity.h"
 #include "config/fields.h"
 #include "config/key_path.h"
+#include "tests/incremental/bakes.h"
 #include "tests/incremental/key_recipes.h"
 
 namespace skybake {
@@ -23,20 +24,10 @@ namespace {
 
 using config::Recipe;
 using config::ResolvedValue;
+using testing::recipe_of;
 namespace fs = std::filesystem;
 
-config::Outcome<Recipe> parsed(const std::string& text, const std::vector<std::string>& settings) {
-    return config::parse_recipe(text, "recipe.toml", fs::path(SKYBAKE_TEST_DATA) / "maps",
-                                settings);
-}
-
-Recipe valid(const std::string& text) {
-    const auto outcome = parsed(text, {});
-    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return outcome.value.value_or(Recipe{});
-}
+const fs::path kMaps = fs::path(SKYBAKE_TEST_DATA) / "maps";
 
 std::string content_of(const BakedAsset& asset) {
     if (const auto* table = std::get_if<BakedTable>(&asset)) {
@@ -110,7 +101,8 @@ struct KeyedContent {
 // One recipe, each value of which is changed.
 class ChangedRecipe {
   public:
-    explicit ChangedRecipe(std::string text) : text_(std::move(text)), recipe_(valid(text_)) {
+    explicit ChangedRecipe(std::string text)
+        : text_(std::move(text)), recipe_(recipe_of(text_, kMaps)) {
         for (const config::Bake& bake : recipe_.parameters.bakes) {
             known_[bake.name] = {key_of(recipe_, bake), content_of(recipe_, bake)};
         }
@@ -135,7 +127,8 @@ class ChangedRecipe {
     // False where the recipe refuses the value, or has it already.
     bool change(const std::string& path, const std::string& value) {
         const std::string setting = fmt::format("{}={}", path, value);
-        const auto made = parsed(text_, {setting});
+        const auto made =
+            config::parse_recipe(text_, "recipe.toml", kMaps, std::vector<std::string>{setting});
         if (!made.value || made.value->parameters.bakes.size() != known_.size()) return false;
         if (spelt(*made.value) == spelt(recipe_)) return false;
         compare(*made.value, path, setting);
@@ -179,7 +172,7 @@ class ChangedRecipe {
 // value.
 void change_every_value(const std::string& text, const std::set<std::string>& fixed) {
     const auto changed = ChangedRecipe(text).change_all();
-    for (const ResolvedValue& value : valid(text).values) {
+    for (const ResolvedValue& value : recipe_of(text, kMaps).values) {
         if (value.only_shown || fixed.count(last_part(value.path)) > 0) continue;
         EXPECT_EQ(changed.count(value.path), 1U) << value.path << " = " << value.canonical;
     }
@@ -209,7 +202,7 @@ TEST(KeyCoversBytes, WhateverElseChanges) {
 TEST(KeyCoversBytes, TriesEveryKey) {
     std::vector<ResolvedValue> values;
     for (const char* text : {kSky, kClouds, kParticles, kOthers}) {
-        const Recipe recipe = valid(text);
+        const Recipe recipe = recipe_of(text, kMaps);
         values.insert(values.end(), recipe.values.begin(), recipe.values.end());
     }
     std::set<std::string> untried;

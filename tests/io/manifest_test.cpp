@@ -286,6 +286,13 @@ TEST(Manifest, SurvivesDeepNesting) {
     EXPECT_EQ(testing::first_code(parse_manifest(deep, "deep").diagnostics), "E0304");
     const std::string closed = deep + std::string(200000, ']');
     EXPECT_EQ(testing::first_code(parse_manifest(closed, "deep").diagnostics), "E0304");
+    for (const std::size_t levels : {100U, 101U}) {
+        const std::string nested = std::string(levels, '[') + std::string(levels, ']');
+        const auto outcome = parse_manifest(nested, "nested");
+        ASSERT_EQ(outcome.diagnostics.size(), 1u);
+        EXPECT_EQ(outcome.diagnostics[0].message.find("nest more than") != std::string::npos,
+                  levels > 100);
+    }
     const std::string within = "\"parameters\": {\"a\": " + closed + "}";
     EXPECT_NE(message_with("\"parameters\": {}", within).find("nest more than 100 deep"),
               std::string::npos);

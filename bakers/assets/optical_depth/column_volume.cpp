@@ -405,7 +405,7 @@ std::shared_ptr<const VoxelSource> kept_if_small(std::shared_ptr<const VoxelSour
                                                  const std::array<int, 3>& size, int channels,
                                                  const BakeOptions& options) {
     if (VoxelBox{{}, size}.count() * channels > kKeptFloats) return texels;
-    return std::make_shared<StoredSource>(*texels, size, channels, options);
+    return std::make_shared<StoredSource>(*texels, size, channels, options, "mips");
 }
 
 }  // namespace

@@ -424,22 +424,6 @@ std::string place_in(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, before.size() - start + 1);
 }
 
-// How deep objects and arrays stand in each other.
-int nesting(std::string_view text) {
-    int depth = 0;
-    int deepest = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string && c == '\\') ++i;
-        if (c == '"') in_string = !in_string;
-        if (in_string) continue;
-        if (c == '{' || c == '[') deepest = std::max(deepest, ++depth);
-        if (c == '}' || c == ']') --depth;
-    }
-    return deepest;
-}
-
 // Of a key that stands twice in an object some readers take the first value and others the last, so
 // that no hash could tell what was read.
 class KeysOnce {
@@ -462,11 +446,13 @@ class KeysOnce {
 // manifest does could exhaust the stack.
 Json parse_json(std::string_view text) {
     constexpr int most = 100;
-    if (nesting(text) > most) {
-        throw Damage{fmt::format("its objects and arrays nest more than {} deep", most)};
-    }
     KeysOnce keys;
-    return Json::parse(text, [&keys](int, Json::parse_event_t event, const Json& parsed) {
+    return Json::parse(text, [&](int around, Json::parse_event_t event, const Json& parsed) {
+        const bool opens =
+            event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+        if (opens && around >= most) {
+            throw Damage{fmt::format("its objects and arrays nest more than {} deep", most)};
+        }
         keys.read(event, parsed);
         return true;
     });

@@ -9,8 +9,8 @@ namespace skybake {
 
 // Parses manifest.parameters again. All values are there, resolved, so that the outcome's
 // parameters equal those of the bake; but a bake of a part (`--only`) recorded the recipe of that
-// day alone, and maps are looked for in `folder`, where includes are not. `name` stands for the manifest in diagnostics.
-// E0304: the recorded values are none that this release would record.
+// day alone, and maps are looked for in `folder`, where includes are not. `name` stands for the
+// manifest in diagnostics. E0304: the recorded values are none that this release would record.
 config::Outcome<config::Recipe> recorded_recipe(const Manifest& manifest, const std::string& name,
                                                 const std::filesystem::path& folder);
 

@@ -147,7 +147,7 @@ class VolumeMeasurement {
     bool measure(const SharedVoxels& voxels) {
         const auto stored = std::make_shared<StoredSource>(
             *voxels.source, voxels.size, static_cast<int>(baked_.channel_names.size()),
-            BakeOptions{.threads = options_.threads});
+            BakeOptions{.threads = options_.threads}, "voxels");
         for (const PixelType type :
              {PixelType::float32, PixelType::half, PixelType::unorm16, PixelType::unorm8}) {
             std::vector<std::size_t> variants;
