@@ -11,7 +11,7 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "cli/parse_arguments.h"
 #include "cli/recipe_argument.h"
-#include "config/suggest.h"
+#include "config/text/suggest.h"
 
 namespace skybake::cli {
 namespace {

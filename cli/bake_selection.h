@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::cli {
 

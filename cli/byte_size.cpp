@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "cli/parse_arguments.h"
-#include "config/key_path.h"
+#include "config/text/key_path.h"
 
 namespace skybake::cli {
 namespace {

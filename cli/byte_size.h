@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

@@ -14,7 +14,7 @@
 #include "cli/diagnostic_json.h"
 #include "cli/event_line.h"
 #include "cli/recipe_argument.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::cli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "cli/event_line.h"
 #include "cli/interrupt.h"
-#include "config/diagnostic_codes.h"
+#include "config/diagnostics/diagnostic_codes.h"
 
 namespace skybake::cli {
 namespace {

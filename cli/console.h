@@ -10,7 +10,7 @@
 
 #include "cli/diagnostic_printer.h"
 #include "cli/exit_code.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

@@ -10,7 +10,7 @@
 #include "bakers/io/manifest/release.h"
 #include "cli/event_line.h"
 #include "cli/recipe_argument.h"
-#include "config/diagnostic_codes.h"
+#include "config/diagnostics/diagnostic_codes.h"
 
 namespace skybake::cli {
 namespace {

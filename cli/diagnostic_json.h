@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "cli/exit_code.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

@@ -11,9 +11,9 @@
 #include "cli/console.h"
 #include "cli/event_line.h"
 #include "cli/parse_arguments.h"
-#include "config/explain.h"
-#include "config/key_path.h"
-#include "config/suggest.h"
+#include "config/recipe/explain.h"
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
 
 namespace skybake::cli {
 namespace {

@@ -19,7 +19,7 @@
 #include "cli/console.h"
 #include "cli/event_line.h"
 #include "cli/table_printer.h"
-#include "config/key_path.h"
+#include "config/text/key_path.h"
 
 namespace skybake::cli {
 namespace {

@@ -17,7 +17,7 @@
 #include "cli/parse_arguments.h"
 #include "cli/preset_kinds.h"
 #include "cli/table_printer.h"
-#include "config/presets.h"
+#include "config/presets/presets.h"
 
 namespace skybake::cli {
 namespace {

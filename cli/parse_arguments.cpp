@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-#include "config/suggest.h"
+#include "config/text/suggest.h"
 
 namespace skybake::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

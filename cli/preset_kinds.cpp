@@ -6,8 +6,8 @@
 #include <array>
 
 #include "cli/parse_arguments.h"
-#include "config/init_text.h"
-#include "config/suggest.h"
+#include "config/recipe/init_text.h"
+#include "config/text/suggest.h"
 
 namespace skybake::cli {
 namespace {

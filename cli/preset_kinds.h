@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "config/diagnostic.h"
-#include "config/presets.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/presets/presets.h"
 
 namespace skybake::cli {
 

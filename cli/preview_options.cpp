@@ -12,8 +12,8 @@
 
 #include "cli/bake_selection.h"
 #include "cli/parse_arguments.h"
-#include "config/key_path.h"
-#include "config/units.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
 
 namespace skybake::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "bakers/preview/make_preview.h"
 #include "cli/command.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

@@ -11,7 +11,7 @@
 #include "cli/parse_arguments.h"
 #include "cli/preview_options.h"
 #include "cli/recipe_argument.h"
-#include "config/key_path.h"
+#include "config/text/key_path.h"
 
 namespace skybake::cli {
 namespace {

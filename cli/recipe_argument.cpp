@@ -7,7 +7,7 @@
 
 #include "bakers/io/files/file_diagnostic.h"
 #include "cli/preset_kinds.h"
-#include "config/text_file.h"
+#include "config/text/text_file.h"
 
 namespace skybake::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "cli/command.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::cli {
 

@@ -7,7 +7,7 @@
 
 #include "bakers/report/report_files.h"
 #include "cli/exit_code.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 

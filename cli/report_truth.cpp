@@ -32,7 +32,7 @@
 #include "cli/recipe_argument.h"
 #include "cli/report_output.h"
 #include "cli/sky_truth_table.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::cli {
 namespace {

@@ -1,5 +1,5 @@
 // skybake schema: the JSON Schemas of what people write and what skybake writes.
-#include "config/schema.h"
+#include "config/recipe/schema.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "cli/console.h"
 #include "cli/event_schema.h"
 #include "cli/parse_arguments.h"
-#include "config/suggest.h"
+#include "config/text/suggest.h"
 
 namespace skybake::cli {
 namespace {

@@ -17,11 +17,11 @@
 #include "cli/recipe_argument.h"
 #include "cli/table_printer.h"
 #include "cli/text_width.h"
-#include "config/key_path.h"
-#include "config/recipe.h"
-#include "config/suggest.h"
-#include "config/units.h"
-#include "config/zenith_optical_depth.h"
+#include "config/recipe/recipe.h"
+#include "config/sections/zenith_optical_depth.h"
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
+#include "config/text/units.h"
 
 namespace skybake::cli {
 namespace {

@@ -31,8 +31,8 @@
 #include "cli/recipe_argument.h"
 #include "cli/sweep_reporter.h"
 #include "cli/sweep_scripts.h"
-#include "config/diagnostic_codes.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic_codes.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <chrono>
 #include <mutex>
-#include <optional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +22,7 @@
 #include "cli/interrupt.h"
 #include "cli/preview_output.h"
 #include "cli/watched_files.h"
-#include "config/recipe_sources.h"
+#include "config/recipe/recipe_sources.h"
 
 namespace skybake::cli {
 namespace {

@@ -29,7 +29,7 @@ endfunction()
 file(WRITE "${OUTPUT}.new" "// Made from config/presets/**/*.toml by embed_presets.cmake.
 #include <array>
 
-#include \"config/presets.h\"
+#include \"config/presets/presets.h\"
 
 namespace skybake::config {
 ")

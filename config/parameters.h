@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "config/diagnostic.h"
-#include "config/quantity.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/text/quantity.h"
 
 namespace skybake::config {
 

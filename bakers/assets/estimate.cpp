@@ -9,7 +9,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/voxel_boxes.h"
 #include "bakers/light/solver/light_moments.h"
-#include "config/cloud_channels.h"
+#include "config/sections/cloud_channels.h"
 
 namespace skybake {
 

@@ -21,7 +21,7 @@
 #include "bakers/light/solver/light_moments.h"
 #include "bakers/light/sun_columns.h"
 #include "bakers/math/transcendental.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

@@ -24,8 +24,8 @@
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/strip_orders.h"
-#include "config/cloud_channels.h"
-#include "config/key_path.h"
+#include "config/sections/cloud_channels.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 

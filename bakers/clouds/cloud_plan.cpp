@@ -8,7 +8,7 @@
 
 #include "bakers/clouds/height_profile.h"
 #include "bakers/noise/noise_bounds.h"
-#include "config/cloud_channels.h"
+#include "config/sections/cloud_channels.h"
 
 namespace skybake::cloud {
 

@@ -18,7 +18,7 @@
 
 #include "bakers/field/wrong_lookups.h"
 #include "bakers/math/bake_options.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

@@ -10,7 +10,7 @@
 #include "bakers/field/make_probe.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -11,7 +11,7 @@
 #include "bakers/field/choose_probes.h"
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bakers/light/solver/energy_balance.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

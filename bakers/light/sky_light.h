@@ -10,7 +10,7 @@
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

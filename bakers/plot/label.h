@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "bakers/io/formats/png/image_codec.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bakers/plot/picture.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

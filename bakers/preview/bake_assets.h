@@ -8,8 +8,8 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/preview/preview_assets.h"
 #include "bakers/render/stage_progress.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

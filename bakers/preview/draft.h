@@ -1,7 +1,7 @@
 // A recipe made smaller, for pictures while one is writing it.
 #pragma once
 
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

@@ -12,7 +12,7 @@
 #include "bakers/io/files/spelling.h"
 #include "bakers/io/formats/exr/exr_rows.h"
 #include "bakers/io/formats/vdb/vdb_volume.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "bakers/io/manifest/manifest.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

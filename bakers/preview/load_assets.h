@@ -5,7 +5,7 @@
 #include <span>
 
 #include "bakers/preview/preview_assets.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

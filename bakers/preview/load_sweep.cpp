@@ -12,8 +12,8 @@
 #include "bakers/io/manifest/release.h"
 #include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/variant_names.h"
-#include "config/key_path.h"
-#include "config/units.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
 
 namespace skybake {
 namespace {

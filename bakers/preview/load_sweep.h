@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bakers/field/baked_table.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -10,7 +10,7 @@
 #include "bakers/preview/preview_assets.h"
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/stage_progress.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/render/preview_asset.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 
@@ -18,7 +18,7 @@ struct PreviewAssets {
     std::vector<PreviewAsset> assets;
     std::optional<config::Recipe> recipe;      // that made them: without, there is no sky to show
     std::map<std::string, std::string> plots;  // speed against error as SVG, by the asset's name
-    std::vector<std::string> notes;  // what is not shown, and why
+    std::vector<std::string> notes;            // what is not shown, and why
 
     // The first asset of that kind, or null.
     const PreviewAsset* of_kind(std::string_view kind) const;

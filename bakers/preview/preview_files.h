@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bakers/preview/page.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

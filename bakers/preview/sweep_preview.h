@@ -5,7 +5,7 @@
 
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/page.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

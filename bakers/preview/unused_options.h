@@ -6,7 +6,7 @@
 
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/preview_assets.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

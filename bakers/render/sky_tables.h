@@ -6,7 +6,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/field/image.h"
 #include "bakers/render/preview_asset.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

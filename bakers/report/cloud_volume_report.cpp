@@ -13,7 +13,7 @@
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/volume_report.h"
-#include "config/cloud_channels.h"
+#include "config/sections/cloud_channels.h"
 
 namespace skybake {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "bakers/report/report.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

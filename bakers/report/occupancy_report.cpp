@@ -25,7 +25,7 @@
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/sweeps/thread_time.h"
 #include "bakers/report/sweeps/volume_sweep.h"
-#include "config/cloud_extent.h"
+#include "config/sections/cloud_extent.h"
 
 namespace skybake {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "bakers/report/report.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bakers/report/report.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

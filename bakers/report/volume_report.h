@@ -7,8 +7,8 @@
 #include "bakers/report/report.h"
 #include "bakers/report/sweeps/measure_volume_sweep.h"
 #include "bakers/report/sweeps/volume_sweep.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "bakers/workspace/asset_source.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -9,7 +9,7 @@
 #include "bakers/io/files/file_input.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/math/hash.h"
-#include "config/parameter_changes.h"
+#include "config/recipe/parameter_changes.h"
 
 namespace skybake {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/bake_options.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

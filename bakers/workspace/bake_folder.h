@@ -13,7 +13,7 @@
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/math/progress.h"
 #include "bakers/workspace/folder_plan.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -7,7 +7,7 @@
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/math/progress.h"
 #include "bakers/workspace/asset_source.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

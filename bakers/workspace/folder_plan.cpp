@@ -9,7 +9,7 @@
 #include "bakers/io/files/byte_size_text.h"
 #include "bakers/io/files/file_input.h"
 #include "bakers/io/files/file_names.h"
-#include "config/volume_files.h"
+#include "config/assets/volume_files.h"
 
 namespace skybake {
 namespace {

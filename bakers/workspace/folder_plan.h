@@ -12,8 +12,8 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/workspace/asset_identity.h"
 #include "bakers/workspace/asset_source.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

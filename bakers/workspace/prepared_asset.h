@@ -10,7 +10,7 @@
 #include "bakers/io/formats/write_table.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/progress.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

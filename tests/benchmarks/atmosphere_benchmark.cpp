@@ -18,7 +18,7 @@
 #include "bakers/assets/transmittance/transmittance_as_in_paper.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/table_model.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -12,7 +12,7 @@
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/math/aligned_floats.h"
 #include "bakers/math/keep_memory.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::cloud {
 namespace {

@@ -13,7 +13,7 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/cloud_view.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -17,7 +17,7 @@
 #include "bakers/math/parallel.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/pointwise_kernel.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::noise {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/light/path_tracer/sky_truth.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -10,7 +10,7 @@
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_view.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -18,7 +18,7 @@
 #include "bakers/io/files/read_file.h"
 #include "bakers/report/truth/sky_truth_budget.h"
 #include "bakers/report/truth/sky_truth_report.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/presets.h"
-#include "config/recipe.h"
+#include "config/presets/presets.h"
+#include "config/recipe/recipe.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli::testing {

@@ -11,9 +11,9 @@
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_plan.h"
-#include "config/init_text.h"
-#include "config/presets.h"
-#include "config/recipe.h"
+#include "config/presets/presets.h"
+#include "config/recipe/init_text.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::cloud {
 namespace {

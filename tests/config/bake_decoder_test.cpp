@@ -1,4 +1,4 @@
-#include "config/bake_decoder.h"
+#include "config/assets/bake_decoder.h"
 
 #include <gtest/gtest.h>
 

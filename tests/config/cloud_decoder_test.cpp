@@ -1,4 +1,4 @@
-#include "config/cloud_decoder.h"
+#include "config/sections/cloud_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "config/presets.h"
+#include "config/presets/presets.h"
 #include "tests/config/clouds.h"
 
 namespace skybake::config {

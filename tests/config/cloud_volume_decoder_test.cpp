@@ -1,8 +1,8 @@
-#include "config/cloud_volume_decoder.h"
+#include "config/assets/cloud_volume_decoder.h"
 
 #include <gtest/gtest.h>
 
-#include "config/cloud_extent.h"
+#include "config/sections/cloud_extent.h"
 #include "tests/config/clouds.h"
 
 namespace skybake::config {

@@ -1,4 +1,4 @@
-#include "config/diagnostic_codes.h"
+#include "config/diagnostics/diagnostic_codes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "config/explain.h"
+#include "config/recipe/explain.h"
 
 #include <gtest/gtest.h>
 
-#include "config/diagnostic_codes.h"
-#include "config/fields.h"
+#include "config/diagnostics/diagnostic_codes.h"
+#include "config/fields/fields.h"
 #include "tests/support/odd_words.h"
 
 namespace skybake::config {

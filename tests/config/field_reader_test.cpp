@@ -1,8 +1,8 @@
-#include "config/field_reader.h"
+#include "config/fields/field_reader.h"
 
 #include <gtest/gtest.h>
 
-#include "config/toml_source.h"
+#include "config/diagnostics/toml_source.h"
 
 namespace skybake::config {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "config/field_reader.h"
-#include "config/fields.h"
+#include "config/fields/field_reader.h"
+#include "config/fields/fields.h"
 
 namespace skybake::config {
 namespace {

@@ -1,4 +1,4 @@
-#include "config/init_text.h"
+#include "config/recipe/init_text.h"
 
 #include <gtest/gtest.h>
 

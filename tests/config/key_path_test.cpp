@@ -1,4 +1,4 @@
-#include "config/key_path.h"
+#include "config/text/key_path.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

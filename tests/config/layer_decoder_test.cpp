@@ -1,4 +1,4 @@
-#include "config/layer_decoder.h"
+#include "config/sections/layer_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-#include "config/merge.h"
+#include "config/recipe/merge.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "config/toml_source.h"
+#include "config/diagnostics/toml_source.h"
 
 namespace skybake::config {
 namespace {

@@ -1,4 +1,4 @@
-#include "config/nesting.h"
+#include "config/text/nesting.h"
 
 #include <gtest/gtest.h>
 

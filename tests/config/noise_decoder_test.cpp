@@ -1,4 +1,4 @@
-#include "config/noise_decoder.h"
+#include "config/sections/noise_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The noise presets, number by number.
 #include <gtest/gtest.h>
 
-#include "config/octave_sampling.h"
-#include "config/presets.h"
+#include "config/presets/presets.h"
+#include "config/sections/octave_sampling.h"
 #include "tests/config/noises.h"
 
 namespace skybake::config {

@@ -1,4 +1,4 @@
-#include "config/noise_value_reader.h"
+#include "config/fields/noise_value_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/noise_volume_decoder.h"
+#include "config/assets/noise_volume_decoder.h"
 
 #include <gtest/gtest.h>
 

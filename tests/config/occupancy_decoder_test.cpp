@@ -1,4 +1,4 @@
-#include "config/occupancy_decoder.h"
+#include "config/assets/occupancy_decoder.h"
 
 #include <gtest/gtest.h>
 

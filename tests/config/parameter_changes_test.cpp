@@ -1,4 +1,4 @@
-#include "config/parameter_changes.h"
+#include "config/recipe/parameter_changes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "config/particle_decoder.h"
+#include "config/sections/particle_decoder.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "config/init_text.h"
-#include "config/presets.h"
+#include "config/presets/presets.h"
+#include "config/recipe/init_text.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {

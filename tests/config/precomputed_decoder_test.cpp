@@ -1,4 +1,4 @@
-#include "config/precomputed_decoder.h"
+#include "config/assets/precomputed_decoder.h"
 
 #include <gtest/gtest.h>
 

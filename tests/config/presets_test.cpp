@@ -1,11 +1,11 @@
-#include "config/presets.h"
+#include "config/presets/presets.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iterator>
 
-#include "config/zenith_optical_depth.h"
+#include "config/sections/zenith_optical_depth.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {

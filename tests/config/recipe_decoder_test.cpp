@@ -1,4 +1,4 @@
-#include "config/recipe_decoder.h"
+#include "config/recipe/recipe_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/recipe_sources.h"
+#include "config/recipe/recipe_sources.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Whole recipes: every diagnostic, the list of bad input, and what a pipeline relies on.
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -7,7 +7,7 @@
 #include <locale>
 #include <set>
 
-#include "config/diagnostic_codes.h"
+#include "config/diagnostics/diagnostic_codes.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
@@ -159,8 +159,8 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name :
-         {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134", "E0150",
-          "W0203", "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
+         {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134", "E0150", "W0203",
+          "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

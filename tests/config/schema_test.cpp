@@ -1,10 +1,10 @@
-#include "config/schema.h"
+#include "config/recipe/schema.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "config/fields.h"
+#include "config/fields/fields.h"
 
 namespace skybake::config {
 namespace {

@@ -1,4 +1,4 @@
-#include "config/section_decoder.h"
+#include "config/fields/section_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/section_preset_merge.h"
+#include "config/recipe/section_preset_merge.h"
 
 #include <gtest/gtest.h>
 

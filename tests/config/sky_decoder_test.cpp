@@ -1,5 +1,5 @@
 // [scene], the assets of the sky, and what belongs to a solved table of multiple scattering.
-#include "config/sky_decoder.h"
+#include "config/assets/sky_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/slice_sheet.h"
+#include "config/assets/slice_sheet.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

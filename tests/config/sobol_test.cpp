@@ -1,4 +1,4 @@
-#include "config/sobol.h"
+#include "config/sweep/sobol.h"
 
 #include <gtest/gtest.h>
 

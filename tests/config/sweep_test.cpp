@@ -1,5 +1,5 @@
 // [sweep] and --vary: what varies, in which order, how it is spelled, and what is refused.
-#include "config/sweep.h"
+#include "config/sweep/sweep.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

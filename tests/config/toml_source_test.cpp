@@ -1,4 +1,4 @@
-#include "config/toml_source.h"
+#include "config/diagnostics/toml_source.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "config/tower_list.h"
+#include "config/sections/tower_list.h"
 
 #include <gtest/gtest.h>
 

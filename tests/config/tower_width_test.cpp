@@ -1,4 +1,4 @@
-#include "config/tower_width.h"
+#include "config/sections/tower_width.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

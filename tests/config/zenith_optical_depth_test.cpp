@@ -1,4 +1,4 @@
-#include "config/zenith_optical_depth.h"
+#include "config/sections/zenith_optical_depth.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::config::fuzzing {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "config/units.h"
+#include "config/text/units.h"
 #include "tests/fuzz/properties.h"
 
 namespace {

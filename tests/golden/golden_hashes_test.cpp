@@ -26,8 +26,8 @@
 #include "bakers/io/formats/read_volume.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/hash.h"
-#include "config/fields.h"
-#include "config/recipe.h"
+#include "config/fields/fields.h"
+#include "config/recipe/recipe.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake::testing {

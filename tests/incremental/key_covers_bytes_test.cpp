@@ -14,8 +14,8 @@
 #include "bakers/io/formats/exr/exr.h"
 #include "bakers/math/hash.h"
 #include "bakers/workspace/asset_identity.h"
-#include "config/fields.h"
-#include "config/key_path.h"
+#include "config/fields/fields.h"
+#include "config/text/key_path.h"
 #include "tests/incremental/bakes.h"
 #include "tests/incremental/key_recipes.h"
 

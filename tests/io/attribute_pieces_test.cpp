@@ -7,7 +7,7 @@
 
 #include "bakers/io/formats/exr/exr_rows.h"
 #include "bakers/io/manifest/metadata.h"
-#include "config/utf8.h"
+#include "config/text/utf8.h"
 #include "tests/io/files.h"
 
 namespace skybake {

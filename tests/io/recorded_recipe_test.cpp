@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "config/presets.h"
+#include "config/presets/presets.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -7,7 +7,7 @@
 
 #include "bakers/report/report.h"
 #include "bakers/report/report_plot.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

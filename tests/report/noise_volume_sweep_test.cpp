@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bakers/report/report.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bakers/noise/noise_field.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 #include "tests/report/cancelled_at.h"
 
 namespace skybake {

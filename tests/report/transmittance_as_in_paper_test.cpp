@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "bakers/air/optical_depth.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake::test {
 

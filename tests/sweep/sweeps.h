@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/workspace/sweep/run_sweep.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 #include "tests/io/files.h"
 
 namespace skybake::testing {

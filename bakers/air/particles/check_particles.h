@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "bakers/air/particles/complex_number.h"
-#include "config/quantity.h"
+#include "config/text/quantity.h"
 
 namespace skybake {
 

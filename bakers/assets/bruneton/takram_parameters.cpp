@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/takram_layers.h"
+#include "config/assets/takram_layers.h"
 
 namespace skybake {
 

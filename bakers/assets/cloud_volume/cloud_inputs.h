@@ -3,7 +3,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

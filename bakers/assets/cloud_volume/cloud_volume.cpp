@@ -14,8 +14,8 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/low_discrepancy.h"
 #include "bakers/noise/noise_plan.h"
-#include "config/cloud_channels.h"
-#include "config/cloud_extent.h"
+#include "config/sections/cloud_channels.h"
+#include "config/sections/cloud_extent.h"
 
 namespace skybake {
 

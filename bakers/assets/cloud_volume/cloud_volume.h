@@ -4,7 +4,7 @@
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

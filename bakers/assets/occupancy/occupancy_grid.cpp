@@ -16,7 +16,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/occupancy/cell_source.h"
 #include "bakers/occupancy/pyramid.h"
-#include "config/fields.h"
+#include "config/fields/fields.h"
 
 namespace skybake {
 

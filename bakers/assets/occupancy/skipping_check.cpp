@@ -15,7 +15,7 @@
 #include "bakers/assets/named_parameters.h"
 #include "bakers/assets/occupancy/occupancy_check.h"
 #include "bakers/io/formats/read_volume.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

@@ -6,7 +6,7 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/bake_options.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

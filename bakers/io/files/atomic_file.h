@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "bakers/math/progress.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

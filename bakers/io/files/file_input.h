@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bakers/io/files/file_descriptor.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "bakers/io/files/spelling.h"
-#include "config/bruneton_companion.h"
-#include "config/volume_files.h"
+#include "config/assets/bruneton_companion.h"
+#include "config/assets/volume_files.h"
 
 namespace skybake {
 

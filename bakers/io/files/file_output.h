@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "bakers/io/files/file_descriptor.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "bakers/io/files/file_descriptor.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

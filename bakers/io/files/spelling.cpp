@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "config/fields.h"
+#include "config/fields/fields.h"
 
 namespace skybake {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "bakers/io/formats/exr/exr_volume.h"
 #include "bakers/io/manifest/manifest.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

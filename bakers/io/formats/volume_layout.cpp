@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "config/slice_sheet.h"
+#include "config/assets/slice_sheet.h"
 
 namespace skybake {
 SliceLayout volume_layout(const std::array<int, 3>& size, config::VolumeLayout kind, int columns) {

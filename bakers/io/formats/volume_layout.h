@@ -17,8 +17,8 @@ struct SliceLayout {
     bool flipped = false;  // then the image is upside down as a whole: its last row is stored first
 };
 
-// For a volume of `size` voxels. `columns` is an atlas' own, or 0: chosen as config/slice_sheet.h
-// says.
+// For a volume of `size` voxels. `columns` is an atlas' own, or 0: chosen as
+// config/assets/slice_sheet.h says.
 SliceLayout volume_layout(const std::array<int, 3>& size, config::VolumeLayout kind, int columns);
 
 // Width and height of the image.

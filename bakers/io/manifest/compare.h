@@ -9,7 +9,7 @@
 
 #include "bakers/io/formats/exr/exr.h"
 #include "bakers/io/formats/exr/exr_rows.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

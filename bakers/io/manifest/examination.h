@@ -11,7 +11,7 @@
 #include "bakers/field/wrong_lookups.h"
 #include "bakers/io/formats/exr/exr.h"
 #include "bakers/io/manifest/verify.h"
-#include "config/key_path.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 

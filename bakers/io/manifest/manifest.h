@@ -14,8 +14,8 @@
 #include "bakers/field/baked_table.h"
 #include "bakers/field/volume.h"
 #include "bakers/io/formats/volume_layout.h"
-#include "config/diagnostic.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

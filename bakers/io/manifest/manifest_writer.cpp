@@ -9,8 +9,8 @@
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/manifest_format.h"
 #include "bakers/io/manifest/manifest_hash.h"
-#include "config/key_path.h"
-#include "config/toml_source.h"
+#include "config/diagnostics/toml_source.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 namespace {

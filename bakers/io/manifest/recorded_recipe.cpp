@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bakers/io/files/file_diagnostic.h"
-#include "config/fields.h"
-#include "config/key_path.h"
-#include "config/toml_source.h"
+#include "config/diagnostics/toml_source.h"
+#include "config/fields/fields.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 namespace {

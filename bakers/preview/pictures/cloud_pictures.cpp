@@ -16,8 +16,8 @@
 #include "bakers/preview/pictures/cloud_slices.h"
 #include "bakers/render/stage_progress.h"
 #include "bakers/render/tone_curve.h"
-#include "config/cloud_extent.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
+#include "config/sections/cloud_extent.h"
 
 namespace skybake {
 
@@ -221,10 +221,9 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
                              input.draft);
     }
     const ManifestAsset& entry = input.volume->entry;
-    CloudMedium medium = cloud_medium(*cloud, input.volume->voxels.data(),
-                                      {entry.size[0], entry.size[1], entry.size[2]},
-                                      static_cast<int>(entry.channels.size()), threads,
-                                      !input.single);
+    CloudMedium medium = cloud_medium(
+        *cloud, input.volume->voxels.data(), {entry.size[0], entry.size[1], entry.size[2]},
+        static_cast<int>(entry.channels.size()), threads, !input.single);
     std::vector<PreviewPicture> pictures;
     if (const std::optional<Lighting> lighting = lighting_of(input, threads)) {
         Leaps leaps = leaps_of(input, medium, threads);

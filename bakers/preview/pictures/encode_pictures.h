@@ -10,7 +10,7 @@
 
 #include "bakers/plot/picture.h"
 #include "bakers/preview/page.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -5,7 +5,7 @@
 
 #include "bakers/math/progress.h"
 #include "bakers/preview/preview_assets.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

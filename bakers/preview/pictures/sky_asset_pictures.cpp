@@ -14,7 +14,7 @@
 #include "bakers/plot/field_scaling.h"
 #include "bakers/preview/pictures/caption_words.h"
 #include "bakers/render/tone_curve.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "bakers/air/transmittance_mapping.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

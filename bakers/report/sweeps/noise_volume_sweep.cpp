@@ -13,7 +13,7 @@
 #include "bakers/noise/noise_plan.h"
 #include "bakers/report/sweeps/pointwise_noise.h"
 #include "bakers/report/sweeps/sweep.h"
-#include "config/octave_sampling.h"
+#include "config/sections/octave_sampling.h"
 
 namespace skybake {
 

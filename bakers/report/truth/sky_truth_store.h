@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bakers/light/path_tracer/sky_truth.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 

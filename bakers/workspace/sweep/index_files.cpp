@@ -11,7 +11,7 @@
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/read_file.h"
 #include "bakers/io/manifest/release.h"
-#include "config/toml_source.h"
+#include "config/diagnostics/toml_source.h"
 
 namespace skybake {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bakers/workspace/sweep/variant_result.h"
-#include "config/diagnostic.h"
-#include "config/sweep.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sweep/sweep.h"
 
 namespace skybake {
 

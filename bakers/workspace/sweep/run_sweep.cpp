@@ -19,7 +19,7 @@
 #include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/sweep/ready_assets.h"
 #include "bakers/workspace/sweep/variant_failure.h"
-#include "config/recipe.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

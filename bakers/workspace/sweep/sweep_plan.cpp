@@ -10,8 +10,8 @@
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/sweep/variant_failure.h"
 #include "bakers/workspace/sweep/variant_names.h"
-#include "config/diagnostic_codes.h"
-#include "config/recipe.h"
+#include "config/diagnostics/diagnostic_codes.h"
+#include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {

@@ -10,8 +10,8 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/workspace/folder_plan.h"
 #include "bakers/workspace/sweep/variant_result.h"
-#include "config/diagnostic.h"
-#include "config/sweep.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sweep/sweep.h"
 
 namespace skybake {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "config/key_path.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "config/sweep.h"
+#include "config/sweep/sweep.h"
 
 namespace skybake {
 

@@ -8,7 +8,7 @@
 
 #include "bakers/field/baked_table.h"
 #include "bakers/io/manifest/manifest.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -8,7 +8,7 @@
 #include "bakers/field/volume.h"
 #include "bakers/io/formats/exr/exr_volume.h"
 #include "bakers/math/progress.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -9,7 +9,7 @@
 
 #include "bakers/field/image.h"
 #include "bakers/io/formats/exr/attribute_pieces.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

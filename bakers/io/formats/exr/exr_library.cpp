@@ -14,7 +14,7 @@
 #include <stdexcept>
 
 #include "bakers/io/files/file_diagnostic.h"
-#include "config/key_path.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bakers/io/formats/exr/exr.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -10,7 +10,7 @@
 #include "bakers/io/formats/exr/exr_rows.h"
 #include "bakers/io/formats/volume_layout.h"
 #include "bakers/math/progress.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

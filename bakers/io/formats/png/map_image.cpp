@@ -16,7 +16,7 @@
 #include "bakers/io/formats/png/image_module.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
-#include "config/suggest.h"
+#include "config/text/suggest.h"
 
 namespace skybake {
 namespace {

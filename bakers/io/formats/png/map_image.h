@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bakers/field/map_image.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

@@ -19,7 +19,7 @@
 #include "bakers/io/formats/exr/exr.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/io/formats/vdb/vdb_volume.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/parameters.h"
 
 namespace skybake {

@@ -12,7 +12,7 @@
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/aligned_floats.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

@@ -29,7 +29,7 @@
 #include "bakers/field/volume.h"
 #include "bakers/io/formats/exr/exr.h"
 #include "bakers/math/progress.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

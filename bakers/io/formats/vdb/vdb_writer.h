@@ -21,7 +21,7 @@
 #include "bakers/io/formats/vdb/vdb_strips.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/progress.h"
-#include "config/diagnostic.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 

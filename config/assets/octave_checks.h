@@ -1,0 +1,44 @@
+// What the octaves of a bake's noises become on its voxels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "config/fields/section_decoder.h"
+#include "config/parameters.h"
+
+namespace skybake::config {
+
+// How a bake samples a noise.
+struct OctaveGrid {
+    std::array<int, 3> scale{1, 1, 1};  // multiplies the noise's frequencies
+    NoiseSampling sampling = NoiseSampling::centers;
+};
+
+// Gathers over all noises of one bake what its warnings say, so that each is given once.
+class OctaveChecks {
+  public:
+    explicit OctaveChecks(const std::array<int, 3>& size) : size_(size) {}
+
+    // Octaves of gain 0 do not count, nor do those that alias by intention (Noise::aliases) at the
+    // size that the noise is made for.
+    void add(const Noise& noise, std::span<const NoiseChannel> channels, const OctaveGrid& grid);
+
+    // Octaves that add nothing (W0208) and octaves that are too fine for the voxels (W0203).
+    void report(const Place& size_place, Decoder& decoder) const;
+
+  private:
+    void add_vanishing(const Noise& noise, const NoiseChannel& channel, const OctaveGrid& grid);
+    void add_coarse(const Noise& noise, std::span<const NoiseChannel> channels,
+                    const OctaveGrid& grid);
+
+    std::array<int, 3> size_;
+    std::vector<std::string> vanishing_;  // "octave 3 of channel R of noise `shape`"
+    std::size_t coarse_ = 0;
+    std::vector<std::string> needs_;  // "`shape` needs 512x512x128", of each noise with coarse ones
+};
+
+}  // namespace skybake::config

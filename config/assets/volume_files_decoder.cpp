@@ -1,0 +1,240 @@
+#include "config/assets/volume_files_decoder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "config/assets/slice_sheet.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr std::int64_t most_voxels = std::int64_t{1} << 36;
+
+std::int64_t voxels_of(const VoxelCounts& size) {
+    return std::int64_t{size[0]} * size[1] * size[2];
+}
+
+// Which pixel types a format has, by their names in the field table.
+struct FormatTypes {
+    VolumeFormat format;
+    std::string_view name;
+    bool has_unorm;
+};
+constexpr std::array format_types = {
+    FormatTypes{VolumeFormat::exr, "exr", false},
+    FormatTypes{VolumeFormat::vdb, "vdb", false},
+    FormatTypes{VolumeFormat::bin, "bin", true},
+};
+
+int bytes_of(PixelType type) {
+    switch (type) {
+        case PixelType::float32:
+            return 4;
+        case PixelType::half:
+        case PixelType::unorm16:
+            return 2;
+        case PixelType::unorm8:
+            return 1;
+    }
+    return 0;
+}
+
+template <class T>
+const T* value_of(const DecodedField& decoded) {
+    return decoded.value ? std::get_if<T>(&*decoded.value) : nullptr;
+}
+
+std::optional<PixelType> pixel_type_of(const DecodedSection& bake) {
+    const auto* choice = value_of<ChoiceIndex>(bake.at("pixel_type"));
+    if (!choice) return std::nullopt;
+    return static_cast<PixelType>(choice->index);
+}
+
+std::string spell_bytes(std::int64_t bytes) {
+    constexpr std::array<std::string_view, 5> units = {"bytes", "KiB", "MiB", "GiB", "TiB"};
+    double number = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    while (number >= 1024 && unit + 1 < units.size()) {
+        number /= 1024;
+        ++unit;
+    }
+    return fmt::format("{:.3g} {}", number, units[unit]);
+}
+
+bool has_good_columns(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("columns");
+    const auto* columns = value_of<double>(decoded);
+    if (!columns) return true;
+    const bool wide = *columns * size[0] > static_cast<double>(widest_sheet);
+    if (*columns <= size[2] && !wide) return true;
+    decoder.diagnostics.error(
+        "E0110", decoded.source->place,
+        fmt::format("`{}` is out of range: {}", join_path(bake.path, "columns"),
+                    static_cast<int>(*columns)),
+        *columns > size[2] ? fmt::format("the volume has {} slices", size[2])
+                           : fmt::format("an atlas is at most {} voxels wide, which is {} columns",
+                                         widest_sheet, widest_sheet / size[0]));
+    return false;
+}
+
+bool has_format(const DecodedSection& bake, VolumeFormat format) {
+    const auto* formats = value_of<std::vector<ChoiceIndex>>(bake.at("formats"));
+    return formats && std::any_of(formats->begin(), formats->end(), [&](const ChoiceIndex choice) {
+               return static_cast<VolumeFormat>(choice.index) == format;
+           });
+}
+
+// The layout that the recipe names or, where it names none, one that engines can import.
+std::optional<VolumeLayout> resolve_layout(DecodedSection& bake, const VoxelCounts& size) {
+    DecodedField& decoded = bake.at("layout");
+    const auto* choice = value_of<ChoiceIndex>(decoded);
+    if (!choice) return std::nullopt;
+    const auto layout = static_cast<VolumeLayout>(choice->index);
+    const bool fits = std::int64_t{size[1]} * size[2] <= largest_image_edge;
+    if (decoded.source || layout == VolumeLayout::atlas || fits) return layout;
+    decoded.value = ChoiceIndex{static_cast<std::size_t>(VolumeLayout::atlas)};
+    decoded.derived = true;
+    return VolumeLayout::atlas;
+}
+
+// What decides the sheet, as far as the recipe says it.
+const Place& layout_place(const DecodedSection& bake) {
+    for (const std::string_view key : {"columns", "layout"}) {
+        if (bake.at(key).source) return bake.at(key).source->place;
+    }
+    return bake.place;
+}
+
+void warn_of_large_sheet(const DecodedSection& bake, const VoxelCounts& size,
+                         const SliceSheet& sheet, Decoder& decoder) {
+    const auto [width, height] = sheet_size(size, sheet);
+    if (std::max(width, height) <= largest_image_edge) return;
+    decoder.diagnostics.warning(
+        "W0212", layout_place(bake),
+        fmt::format("the EXR file of [{}] has {} columns and {} rows of texels, and engines import "
+                    "at most {}",
+                    bake.path, width, height, largest_image_edge),
+        sheet.columns == 1 ? "layout = \"atlas\" lays the slices side by side"
+                           : "programs other than engines may read it");
+}
+
+void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
+                         const SliceSheet& sheet, Decoder& decoder) {
+    const int cells = sheet.columns * sheet.rows;
+    if (cells == size[2]) return;
+    const SliceSheet full = slice_sheet(size, VolumeLayout::atlas, 0);
+    const bool has_full = full.columns * full.rows == size[2];
+    decoder.diagnostics.warning(
+        "W0213", layout_place(bake),
+        fmt::format(
+            "the atlas of [{}] has {} cells for {} slices, and engines read every cell as a slice",
+            bake.path, cells, size[2]),
+        has_full ? fmt::format("columns = {} leaves no cell empty", full.columns)
+                 : fmt::format("{} slices fill no atlas of at most {} by {} texels", size[2],
+                               largest_image_edge, largest_image_edge));
+}
+
+void resolve_sheet(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    if (!has_format(bake, VolumeFormat::exr)) return;
+    if (voxels_of(size) > most_voxels) return;  // an error of its own
+    const auto layout = resolve_layout(bake, size);
+    if (!layout) return;
+    const auto* columns = value_of<double>(bake.at("columns"));
+    const SliceSheet sheet = slice_sheet(size, *layout, columns ? static_cast<int>(*columns) : 0);
+    warn_of_large_sheet(bake, size, sheet, decoder);
+    warn_of_empty_cells(bake, size, sheet, decoder);
+}
+
+// Down to one voxel: log2(longest edge), rounded as sizes are, + 1.
+int levels_of(const VoxelCounts& size, Halving halving) {
+    int levels = 1;
+    int edge = *std::max_element(size.begin(), size.end());
+    while (edge > 1) {
+        edge = (edge + (halving == Halving::up ? 1 : 0)) / 2;
+        ++levels;
+    }
+    return levels;
+}
+
+void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halving,
+                    Decoder& decoder) {
+    DecodedField& decoded = bake.at("mips");
+    const auto* asked = value_of<double>(decoded);
+    if (!asked) return;
+    const double levels = levels_of(size, halving);
+    if (*asked > levels) {
+        decoder.diagnostics.error(
+            "E0110", decoded.source->place,
+            fmt::format("`{}` is out of range: {}", join_path(bake.path, "mips"),
+                        static_cast<int>(*asked)),
+            fmt::format("{} has {} levels down to one voxel", spell_voxels(size),
+                        static_cast<int>(levels)));
+    }
+    if (*asked == 0) decoded.value = levels;
+}
+
+}  // namespace
+
+std::string spell_voxels(const VoxelCounts& size) {
+    return fmt::format("{}x{}x{}", size[0], size[1], size[2]);
+}
+
+void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("pixel_type");
+    const auto type = pixel_type_of(bake);
+    const auto* formats = value_of<std::vector<ChoiceIndex>>(bake.at("formats"));
+    const bool is_unorm = type == PixelType::unorm8 || type == PixelType::unorm16;
+    if (!is_unorm || !formats) return;
+    std::vector<std::string_view> without;
+    for (const ChoiceIndex format : *formats) {
+        const FormatTypes& types = format_types[format.index];
+        if (!types.has_unorm) without.push_back(types.name);
+    }
+    if (without.empty()) return;
+    decoder.diagnostics.error(
+        "E0131", decoded.source ? decoded.source->place : bake.place,
+        fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
+                    fmt::join(without, " and "),
+                    decoded.field->choices[static_cast<std::size_t>(*type)].name),
+        "unorm8 and unorm16 need formats = [\"bin\"]; float and half go with every format");
+}
+
+void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
+                          Decoder& decoder) {
+    if (has_good_columns(bake, size, decoder)) resolve_sheet(bake, size, decoder);
+    resolve_levels(bake, size, halving, decoder);
+}
+
+// Edges are quotients of doubles, and those of equal voxels may differ by their rounding, some
+// 1e-16 of them. OpenVDB takes edges that differ by less than 5e-7 m for equal.
+void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
+                 const Place& size_place, Decoder& decoder) {
+    constexpr double rounding = 1e-12;
+    const auto [least, greatest] = std::minmax_element(edges.begin(), edges.end());
+    const bool are_cubes = *greatest - *least <= rounding * *greatest;
+    if (are_cubes || !has_format(bake, VolumeFormat::vdb)) return;
+    decoder.diagnostics.warning(
+        "W0211", size_place,
+        fmt::format("the voxels of [{}] are not cubes: {:.5g} x {:.5g} x {:.5g} m", bake.path,
+                    edges[0], edges[1], edges[2]),
+        "many programs assume that the voxels of a VDB file are cubes; `voxel_size` makes cubes");
+}
+
+void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,
+                       const Place& size_place, Decoder& decoder) {
+    const std::int64_t voxels = voxels_of(size);
+    const auto type = pixel_type_of(bake);
+    if (voxels <= most_voxels || !type) return;
+    const std::int64_t bytes = voxels * static_cast<std::int64_t>(channels) * bytes_of(*type);
+    decoder.diagnostics.error(
+        "E0126", size_place,
+        fmt::format("[{}] has {} voxels ({}) and would need {} bytes ({})", bake.path, voxels,
+                    spell_voxels(size), bytes, spell_bytes(bytes)),
+        fmt::format("at most {} (2^36) voxels are allowed", most_voxels));
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,126 @@
+#include "config/fields/field_value.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "config/text/key_path.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+template <class T, class Spell>
+std::string spell_list(const std::vector<T>& items, Spell spell) {
+    std::string text = "[";
+    for (const T& item : items) {
+        if (text.size() > 1) text += ", ";
+        text += spell(item);
+    }
+    return text + "]";
+}
+
+// The same on all axes, or one per axis.
+std::string spell_frequency(const std::array<int, 3>& frequency) {
+    const bool isotropic = frequency[0] == frequency[1] && frequency[1] == frequency[2];
+    return isotropic ? fmt::format("{}", frequency[0])
+                     : fmt::format("[{}, {}, {}]", frequency[0], frequency[1], frequency[2]);
+}
+
+// TOML's integers end at 2^63 - 1; what lies above is text.
+std::string spell_seed(std::uint64_t seed) {
+    const bool is_toml_integer = seed <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+    return is_toml_integer ? fmt::format("{}", seed) : fmt::format("\"{}\"", seed);
+}
+
+std::string quoted_length(double meters) { return toml_string(spell_length(meters)); }
+
+std::string spell_one(Kind kind, double value) {
+    switch (kind) {
+        case Kind::length:
+        case Kind::lengths:
+        case Kind::length_bounds:
+            return quoted_length(value);
+        case Kind::wavelengths:
+            return toml_string(spell_wavelength(value));
+        case Kind::coefficient:
+        case Kind::coefficients:
+            return toml_string(spell_inverse_length(value));
+        case Kind::levels:
+            return value > 0 ? spell_number(value) : toml_string("all");
+        case Kind::number_density:
+            return toml_string(spell_number_density(value));
+        case Kind::angle:
+        case Kind::angles:
+        case Kind::angle_bounds:
+            return toml_string(spell_angle(value));
+        default:
+            return spell_number(value);
+    }
+}
+
+// Spells each alternative of a FieldValue.
+struct Speller {
+    const Field& field;
+
+    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    std::string operator()(double number) const { return spell_one(field.kind, number); }
+    std::string operator()(const std::vector<double>& numbers) const {
+        return spell_list(numbers, [&](double number) { return spell_one(field.kind, number); });
+    }
+    std::string operator()(const std::string& text) const { return toml_string(text); }
+    std::string operator()(const std::vector<std::string>& texts) const {
+        return spell_list(texts, [](const std::string& text) { return toml_string(text); });
+    }
+    std::string operator()(const std::vector<std::vector<std::string>>& groups) const {
+        return spell_list(groups, *this);
+    }
+    std::string operator()(const std::array<int, 2>& size) const {
+        return fmt::format("[{}, {}]", size[0], size[1]);
+    }
+    std::string operator()(const std::array<int, 3>& numbers) const {
+        if (field.kind == Kind::frequency) return spell_frequency(numbers);
+        return fmt::format("[{}, {}, {}]", numbers[0], numbers[1], numbers[2]);
+    }
+    std::string operator()(const std::vector<std::array<int, 3>>& frequencies) const {
+        return spell_list(frequencies, spell_frequency);
+    }
+    template <std::size_t count>
+    std::string operator()(const std::array<double, count>& numbers) const {
+        if (field.kind == Kind::clamp && std::isinf(numbers[0])) return "false";
+        return (*this)(std::vector<double>(numbers.begin(), numbers.end()));
+    }
+    std::string operator()(std::uint64_t seed) const { return spell_seed(seed); }
+    std::string operator()(const ChoiceIndex& choice) const {
+        return toml_string(field.choices[choice.index].name);
+    }
+    std::string operator()(const std::vector<ChoiceIndex>& choices) const {
+        return spell_list(choices, *this);
+    }
+    std::string operator()(const std::vector<DensityPoint>& table) const {
+        return spell_list(table, [](const DensityPoint& point) {
+            return fmt::format("[{}, {}]", quoted_length(point.altitude.meters),
+                               spell_number(point.density));
+        });
+    }
+    std::string operator()(const std::vector<HeightPoint>& table) const {
+        return spell_list(table, [](const HeightPoint& point) {
+            return fmt::format("[{}, {}]", spell_number(point.height), spell_number(point.value));
+        });
+    }
+};
+
+}  // namespace
+
+std::string canonical_text(const Field& field, const FieldValue& value) {
+    return std::visit(Speller{field}, value);
+}
+
+std::string origin(const Place& place) {
+    if (!place.source) return "";
+    if (place.source->kind != Source::Kind::file) return place.source->name;
+    return fmt::format("{}:{}", place.source->name, place.line);
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,230 @@
+#include "config/fields/section_decoder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/diagnostics/toml_source.h"
+#include "config/fields/field_reader.h"
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
+
+namespace skybake::config {
+namespace {
+
+// One section while it is read.
+struct SectionReader {
+    const Section& section;
+    const Table& table;
+    Absent absent;
+    Decoder& decoder;
+    DecodedSection result;
+
+    // The name that the field's selector has chosen; none if that is missing or at fault.
+    std::optional<std::string_view> selected(const Field& field) const {
+        const DecodedField& selector = result.at(field.selector);
+        if (!selector.value) return std::nullopt;
+        return selector.field->choices[std::get<ChoiceIndex>(*selector.value).index].name;
+    }
+
+    bool is_excluded(const Field& field) const {
+        for (const Field& other : section.fields) {
+            if (exclude_each_other(field, other) && find_entry(table, other.key)) return true;
+        }
+        return false;
+    }
+
+    void report_misplaced(const Field& field, const Entry& entry, std::string_view found) const {
+        const DecodedField& selector = result.at(field.selector);
+        const std::string said =
+            selector.source ? origin(selector.source->place) : std::string("the default");
+        decoder.diagnostics.error(
+            "E0111", entry.key_place,
+            fmt::format("`{}` belongs to {} {}, but {} is {}", join_path(result.path, field.key),
+                        field.selector, fmt::join(field.selected_by, " or "), field.selector,
+                        found),
+            fmt::format("{} = \"{}\" comes from {}", field.selector, found, said));
+    }
+
+    // Whether the field's selector is a key that has itself no meaning here.
+    bool selects_nothing(const Field& field) const {
+        const Field& selector = *result.at(field.selector).field;
+        if (selector.selector.empty()) return false;
+        const std::optional<std::string_view> name = selected(selector);
+        return name ? !applies(selector, *name) : selects_nothing(selector);
+    }
+
+    void report_without_selector(const Field& field, const Entry& entry) const {
+        const Field& selector = *result.at(field.selector).field;
+        decoder.diagnostics.error(
+            "E0111", entry.key_place,
+            fmt::format("`{}` belongs to {} {}, and there is no {} here",
+                        join_path(result.path, field.key), field.selector,
+                        fmt::join(field.selected_by, " or "), field.selector),
+            fmt::format("{} goes with {} = \"{}\"", field.selector, selector.selector,
+                        fmt::join(selector.selected_by, "\" or \"")));
+    }
+
+    // Whether the text that the field needs is there; one at fault passes for it.
+    bool has_needed(const Field& field) const {
+        if (field.needs.empty()) return true;
+        const DecodedField& needed = result.at(field.needs);
+        if (!needed.value) return needed.source != nullptr;
+        return !std::get<std::string>(*needed.value).empty();
+    }
+
+    void report_without_needed(const Field& field, const Entry& entry) const {
+        decoder.diagnostics.error(
+            "E0111", entry.key_place,
+            fmt::format("`{}` belongs to {}, and there is none", join_path(result.path, field.key),
+                        join_path(result.path, field.needs)),
+            fmt::format("give {}, or leave {} out", field.needs, field.key));
+    }
+
+    void report_missing(const Field& field) const {
+        if (!decoder.complete) return;
+        Place place = result.place;
+        std::string message = fmt::format("`{}` is missing", join_path(result.path, field.key));
+        if (!field.selector.empty()) {
+            const DecodedField& selector = result.at(field.selector);
+            if (selector.source) place = selector.source->place;
+            message += fmt::format(": {} {} needs it", field.selector, *selected(field));
+        }
+        std::string label = field.kind == Kind::choice
+                                ? "give it " + describe_choices(field)
+                                : fmt::format("give {}", describe_kind(field.kind));
+        decoder.diagnostics.error("E0105", place, std::move(message), label);
+    }
+
+    void read(const Field& field, DecodedField& decoded) const {
+        const Entry* entry = find_entry(table, field.key);
+        if (!field.selector.empty()) {
+            const std::optional<std::string_view> name = selected(field);
+            if (name && !applies(field, *name)) {
+                if (entry) report_misplaced(field, *entry, *name);
+                return;
+            }
+            if (!name && !entry) return;
+            if (!name && selects_nothing(field)) return report_without_selector(field, *entry);
+        }
+        if (!has_needed(field)) {
+            if (entry && decoder.complete) report_without_needed(field, *entry);
+            return;
+        }
+        if (entry) {
+            decoded.source = &entry->value;
+            decoded.value = read_field(field, join_path(result.path, field.key), entry->value,
+                                       decoder.channels, decoder.diagnostics);
+        } else if (absent == Absent::filled_in && !is_excluded(field)) {
+            if (field.required) report_missing(field);
+            decoded.value = default_value(field, decoder.channels);
+        }
+    }
+
+    // Where else a key of this name exists, for one that stands in the wrong table.
+    std::string home_of(std::string_view key) const {
+        for (const Section& other : sections()) {
+            if (other.path == section.path && other.asset == section.asset) continue;
+            const bool is_field = find_field(other, key) != nullptr;
+            const std::vector<std::string_view> tables = subtables(other.path);
+            if (!is_field && std::find(tables.begin(), tables.end(), key) == tables.end()) continue;
+            if (other.path.empty()) return fmt::format("`{}` belongs at the top level", key);
+            if (!other.asset.empty())
+                return fmt::format("`{}` is a key of asset {}", key, other.asset);
+            return fmt::format("`{}` belongs in [{}]", key, other.path);
+        }
+        return "";
+    }
+
+    void report_unknown(const Entry& entry) const {
+        std::vector<std::string_view> known = field_keys(section);
+        for (const std::string_view name : subtables(section.path)) known.push_back(name);
+        const std::string where =
+            result.path.empty() ? "at the top level" : fmt::format("in [{}]", result.path);
+        std::string label = home_of(entry.key);
+        if (label.empty()) label = did_you_mean(entry.key, known);
+        if (label.empty()) label = "there is no such key";
+        decoder.diagnostics.error("E0102", entry.key_place,
+                                  fmt::format("unknown key `{}` {}", shorten(entry.key), where),
+                                  std::move(label));
+    }
+
+    void report_unknown_keys() const {
+        const std::vector<std::string_view> tables = subtables(section.path);
+        for (const Entry& entry : table) {
+            const bool is_table =
+                std::find(tables.begin(), tables.end(), entry.key) != tables.end();
+            if (!is_table && !find_field(section, entry.key)) report_unknown(entry);
+        }
+    }
+};
+
+}  // namespace
+
+DecodedField& DecodedSection::at(std::string_view key) {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const DecodedField& decoded) {
+        return decoded.field->key == key;
+    });
+    assert(found != fields.end());
+    return *found;
+}
+
+const DecodedField& DecodedSection::at(std::string_view key) const {
+    return const_cast<DecodedSection*>(this)->at(key);
+}
+
+DecodedSection decode_section(const Section& section, const std::string& path, const Place& place,
+                              const Table& table, Absent absent, Decoder& decoder) {
+    SectionReader reader{section, table, absent, decoder, {path, place, {}}};
+    for (const Field& field : section.fields) reader.result.fields.push_back({&field});
+    for (DecodedField& decoded : reader.result.fields) reader.read(*decoded.field, decoded);
+    reader.report_unknown_keys();
+    return std::move(reader.result);
+}
+
+const Table& subtable(const Table& table, std::string_view key, const std::string& path,
+                      Decoder& decoder) {
+    static const Table empty;
+    const Entry* entry = find_entry(table, key);
+    if (!entry) return empty;
+    if (const Table* found = as_table(entry->value)) return *found;
+    decoder.diagnostics.error("E0103", entry->value.place,
+                              fmt::format("`{}` must be a table, not {}", join_path(path, key),
+                                          shorten(spell_value(entry->value))),
+                              fmt::format("write [{}] and its keys below", join_path(path, key)));
+    return empty;
+}
+
+const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder) {
+    if (const Table* table = as_table(entry.value)) return table;
+    decoder.diagnostics.error(
+        "E0103", entry.value.place,
+        fmt::format("`{}` must be a table, not {}", join_path(path, entry.key),
+                    shorten(spell_value(entry.value))),
+        fmt::format("write [{}] and its keys below", join_path(path, entry.key)));
+    return nullptr;
+}
+
+void append_values(const DecodedSection& section, Decoder& decoder) {
+    for (const DecodedField& decoded : section.fields) {
+        if (!decoded.value) continue;
+        const Field& field = *decoded.field;
+        const bool says_nothing = field.only_shown && !decoded.source;
+        if (says_nothing) continue;
+        ResolvedValue resolved;
+        resolved.path = join_path(section.path, field.key);
+        resolved.canonical = canonical_text(field, *decoded.value);
+        resolved.only_shown = field.only_shown;
+        if (decoded.source) {
+            resolved.written = spell_value(*decoded.source);
+            resolved.origin = origin(decoded.source->place);
+        } else {
+            const bool spelled_in_table = !decoded.derived && !field.fallback.empty();
+            resolved.written = spelled_in_table ? std::string(field.fallback) : resolved.canonical;
+            resolved.origin = decoded.derived ? "derived" : "default";
+        }
+        decoder.values.push_back(std::move(resolved));
+    }
+}
+
+}  // namespace skybake::config

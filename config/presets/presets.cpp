@@ -1,0 +1,80 @@
+#include "config/presets/presets.h"
+
+#include <algorithm>
+#include <array>
+
+namespace skybake::config {
+namespace {
+
+constexpr std::array kinds = {
+    SectionPresets{"noise", "noise", noise_presets},
+    SectionPresets{"clouds", "cloud", cloud_presets},
+    SectionPresets{"particles", "particles", particle_presets},
+    SectionPresets{"atmosphere.layers", "layer", layer_presets},
+};
+
+// Clouds that are much wider than tall, whose cells are to be as tall as wide all the same.
+bool is_layer(std::string_view cloud) {
+    constexpr std::array<std::string_view, 3> layers = {"cumulus_humilis", "stratocumulus",
+                                                        "stratus"};
+    return std::find(layers.begin(), layers.end(), cloud) != layers.end();
+}
+
+}  // namespace
+
+std::span<const SectionPresets> section_presets() { return kinds; }
+
+const Preset* find_preset(std::span<const Preset> all, std::string_view name) {
+    for (const Preset& preset : all) {
+        if (preset.name == name) return &preset;
+    }
+    return nullptr;
+}
+
+const Preset* find_preset(std::string_view name) { return find_preset(presets(), name); }
+
+const Preset* find_noise_preset(std::string_view name) {
+    return find_preset(noise_presets(), name);
+}
+
+const Preset* find_cloud_preset(std::string_view name) {
+    return find_preset(cloud_presets(), name);
+}
+
+CloudNoisePreset noise_of_cloud_preset(std::string_view cloud, std::string_view noise) {
+    if (const Preset* own = find_noise_preset(cloud)) return {own, "none"};
+    if (noise == "shape" && is_layer(cloud)) return {find_noise_preset("nubis_layer"), "shape"};
+    return {find_noise_preset("nubis_" + std::string(noise)),
+            noise == "detail" ? "detail" : "shape"};
+}
+
+const SectionPresets* find_section_presets(std::string_view name) {
+    for (const SectionPresets& kind : kinds) {
+        if (find_preset(kind.all(), name)) return &kind;
+    }
+    return nullptr;
+}
+
+std::vector<std::string_view> preset_names(std::span<const Preset> all) {
+    std::vector<std::string_view> names;
+    for (const Preset& preset : all) names.push_back(preset.name);
+    return names;
+}
+
+std::vector<std::string_view> preset_names() { return preset_names(presets()); }
+
+std::vector<std::string_view> noise_preset_names() { return preset_names(noise_presets()); }
+
+std::vector<std::string_view> cloud_preset_names() { return preset_names(cloud_presets()); }
+
+std::vector<std::string_view> particle_preset_names() { return preset_names(particle_presets()); }
+
+std::vector<std::string_view> layer_preset_names() { return preset_names(layer_presets()); }
+
+std::string preset_title(const Preset& preset) {
+    std::string_view line = preset.text.substr(0, preset.text.find('\n'));
+    while (!line.empty() && (line.front() == '#' || line.front() == ' ')) line.remove_prefix(1);
+    return std::string(line);
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,173 @@
+#include "config/recipe/merge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "config/fields/field_value.h"
+#include "config/fields/fields.h"
+#include "config/recipe/layer_particles.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const std::string* text_at(const Table& table, std::string_view key) {
+    const Entry* entry = find_entry(table, key);
+    return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
+}
+
+// What a bake section bakes: its `asset`, else its name.
+std::string asset_of(const Table& table, const std::string& name) {
+    const std::string* asset = text_at(table, "asset");
+    return asset ? *asset : name;
+}
+
+bool names_fit(const Names& names, const Section& section) {
+    const std::vector<std::string_view> pattern = path_names(section);
+    return std::equal(names.begin(), names.end(), pattern.begin(), pattern.end(),
+                      [](const std::string& name, std::string_view wanted) {
+                          return wanted == "*" || name == wanted;
+                      });
+}
+
+// The section that a table at these names has; null if it has no fields or is unknown.
+const Section* section_of(const Names& names, const Table& table) {
+    for (const Section& section : sections()) {
+        if (!names_fit(names, section)) continue;
+        if (section.asset.empty()) return &section;
+        return find_section(section.path, asset_of(table, names.back()));
+    }
+    return nullptr;
+}
+
+// Whether `over`, by naming its keys, drops the earlier value of this field.
+bool is_dropped(const Field& field, const Section& section, const Table& over) {
+    for (const Field& other : section.fields) {
+        if (exclude_each_other(field, other) && find_entry(over, other.key)) return true;
+    }
+    const std::string* needed = field.needs.empty() ? nullptr : text_at(over, field.needs);
+    if (needed && needed->empty()) return true;
+    if (field.selector.empty()) return false;
+    const std::string* selected = text_at(over, field.selector);
+    return selected && !applies(field, *selected);
+}
+
+// What particles have in place of it.
+bool is_coefficient(std::string_view key) {
+    return key == "scattering" || key == "extinction" || key == "absorption" ||
+           key == "single_scattering_albedo";
+}
+
+void drop_alternatives(Table& base, const Table& over, const Section& section) {
+    const bool of_particles = section.path == "atmosphere.layers.*" && names_particles(over);
+    std::erase_if(base, [&](const Entry& entry) {
+        if (of_particles && is_coefficient(entry.key)) return true;
+        const Field* field = find_field(section, entry.key);
+        return field && is_dropped(*field, section, over);
+    });
+}
+
+bool names_another_asset(const Table& base, const Table& over, const Names& names) {
+    if (names.size() != 2 || names[0] != "bake") return false;
+    const std::string* asset = text_at(over, "asset");
+    return asset && *asset != asset_of(base, names[1]);
+}
+
+void merge_at(Table& base, const Table& over, Names& names);
+
+void merge_entry(Table& base, std::size_t known, const Entry& entry, Names& names) {
+    const auto end = base.begin() + static_cast<std::ptrdiff_t>(known);
+    const auto place =
+        std::lower_bound(base.begin(), end, entry.key,
+                         [](const Entry& a, const std::string& key) { return a.key < key; });
+    if (place == end || place->key != entry.key) {
+        base.push_back(entry);
+        return;
+    }
+    auto* below = std::get_if<Table>(&place->value.data);
+    const Table* above = as_table(entry.value);
+    if (below && above && !entry.value.replaces) {
+        names.push_back(entry.key);
+        merge_at(*below, *above, names);
+        names.pop_back();
+    } else {
+        *place = entry;
+    }
+}
+
+void merge_at(Table& base, const Table& over, Names& names) {
+    if (names_another_asset(base, over, names)) base.clear();
+    const Table& says_asset = text_at(over, "asset") ? over : base;
+    if (const Section* section = section_of(names, says_asset)) {
+        drop_alternatives(base, over, *section);
+    }
+    const std::size_t known = base.size();
+    for (const Entry& entry : over) merge_entry(base, known, entry, names);
+    std::inplace_merge(base.begin(), base.begin() + static_cast<std::ptrdiff_t>(known), base.end(),
+                       [](const Entry& a, const Entry& b) { return a.key < b.key; });
+}
+
+bool stands_before(const Place& a, const Place& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+}
+
+void report_pair(const Entry& first, const Entry& second, const std::string& path,
+                 DiagnosticList& diagnostics) {
+    const bool in_order = stands_before(first.key_place, second.key_place);
+    const Entry& earlier = in_order ? first : second;
+    const Entry& later = in_order ? second : first;
+    const std::string said =
+        later.key_place.line > 0 ? fmt::format(" (line {})", earlier.key_place.line) : "";
+    diagnostics.error("E0109", later.key_place,
+                      fmt::format("`{}` and `{}` exclude each other", join_path(path, later.key),
+                                  join_path(path, earlier.key)),
+                      fmt::format("`{}` is given already{}: keep one", earlier.key, said));
+}
+
+void check_section(const Table& table, const Section& section, const std::string& path,
+                   DiagnosticList& diagnostics) {
+    for (std::size_t i = 0; i < section.fields.size(); ++i) {
+        const Entry* first = find_entry(table, section.fields[i].key);
+        if (!first) continue;
+        for (std::size_t j = i + 1; j < section.fields.size(); ++j) {
+            const Entry* second = find_entry(table, section.fields[j].key);
+            if (second && exclude_each_other(section.fields[i], section.fields[j])) {
+                report_pair(*first, *second, path, diagnostics);
+            }
+        }
+    }
+}
+
+void check_at(const Table& table, Names& names, const std::string& path,
+              DiagnosticList& diagnostics) {
+    if (const Section* section = section_of(names, table)) {
+        check_section(table, *section, path, diagnostics);
+    }
+    constexpr std::size_t deepest_section = 4;
+    if (names.size() == deepest_section) return;
+    for (const Entry& entry : table) {
+        const Table* below = as_table(entry.value);
+        if (!below) continue;
+        names.push_back(entry.key);
+        check_at(*below, names, join_path(path, entry.key), diagnostics);
+        names.pop_back();
+    }
+}
+
+}  // namespace
+
+void merge(Table& base, const Table& over) {
+    Names names;
+    merge_at(base, over, names);
+}
+
+void check_exclusive_keys(const Table& root, DiagnosticList& diagnostics) {
+    Names names;
+    check_at(root, names, "", diagnostics);
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,58 @@
+// From recipe files to resolved parameters: presets, includes, --set, merging and every check.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/diagnostics/diagnostic.h"
+#include "config/parameters.h"
+#include "config/sweep/sweep.h"
+#include "config/sweep/sweep_options.h"
+
+namespace skybake::config {
+
+// One resolved value of a recipe, for `show` and for the parameters that files carry.
+struct ResolvedValue {
+    std::string path;       // "atmosphere.layers.mie.scattering"
+    std::string written;    // TOML as its source spells it: ["5.802e-6 /m", ...]
+    std::string canonical;  // TOML in base units, equal for equal values: "8000 m"
+    std::string origin;  // "earth.toml:14", "preset earth", "--set `a.b=c`", "default", "derived"
+    bool only_shown =
+        false;  // tells where others come from (`preset`, `absorption`); not for files
+};
+
+struct Recipe {
+    Parameters parameters;
+    std::vector<ResolvedValue> values;          // in the order of the field tables, layers by name
+    std::vector<std::filesystem::path> inputs;  // recipe, includes and maps, for dependency files
+    Sweep sweep;                                // what [sweep] varies
+    std::vector<ResolvedValue> sweep_values;    // of [sweep], for `show`
+};
+
+// Reads a recipe file. `settings` are the texts of --set, "a.b=c", in order.
+Outcome<Recipe> load_recipe(const std::filesystem::path& path,
+                            std::span<const std::string> settings = {});
+
+// The same for a text in memory; `name` stands for the file in diagnostics, `folder` is where its
+// includes are looked for.
+Outcome<Recipe> parse_recipe(std::string_view text, const std::string& name,
+                             const std::filesystem::path& folder = {},
+                             std::span<const std::string> settings = {});
+
+// What a recipe's [sweep] and the options of the command line vary. The recipe's other faults are
+// for the variants to find.
+Outcome<Sweep> load_sweep(const std::filesystem::path& path, std::span<const std::string> settings,
+                          const SweepOptions& options);
+
+// One variant of it: the recipe with its values laid over it. Has no `sweep` itself.
+Outcome<Recipe> load_variant(const std::filesystem::path& path,
+                             std::span<const std::string> settings, const Sweep& sweep, int index);
+
+// The resolved values whose path matches one of the patterns, as TOML text (one `path = canonical`
+// a line, grouped under table headers). A `*` in a pattern matches one path component.
+std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns);
+
+}  // namespace skybake::config

@@ -1,0 +1,161 @@
+#include "config/recipe/recipe_decoder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/assets/bake_decoder.h"
+#include "config/diagnostics/toml_source.h"
+#include "config/sections/cloud_decoder.h"
+#include "config/sections/layer_decoder.h"
+#include "config/sections/noise_decoder.h"
+#include "config/sections/particle_decoder.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+void check_radii(const DecodedSection& atmosphere, Decoder& decoder) {
+    const DecodedField& ground = atmosphere.at("ground_radius");
+    const DecodedField& top = atmosphere.at("top_radius");
+    if (!ground.value || !top.value) return;
+    const double low = std::get<double>(*ground.value);
+    const double high = std::get<double>(*top.value);
+    if (high > low) return;
+    decoder.diagnostics.error("E0113", top.source->place,
+                              fmt::format("`atmosphere.top_radius` is not above ground_radius: {}",
+                                          spell_value(*top.source)),
+                              fmt::format("must be above {}", spell_value(*ground.source)));
+}
+
+void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere& result,
+                   Decoder& decoder) {
+    for (const Entry& entry : subtable(atmosphere, "layers", "atmosphere", decoder)) {
+        const Table* table = named_table(entry, "atmosphere.layers", decoder);
+        if (!table) continue;
+        std::optional<Layer> layer =
+            decode_layer(entry.key, entry.key_place, *table, recipe, decoder);
+        if (!layer) continue;
+        if (!decoder.diagnostics.has_errors()) {
+            check_optical_depth(*layer, result, *table, decoder);
+        }
+        result.layers.push_back(std::move(*layer));
+    }
+}
+
+// A recipe without one has an atmosphere of no size.
+Atmosphere decode_atmosphere(const Table& root, const Parameters& recipe, Decoder& decoder) {
+    Atmosphere result;
+    const Entry* entry = find_entry(root, "atmosphere");
+    if (!entry) return result;
+    const Table& table = subtable(root, "atmosphere", "", decoder);
+    if (!as_table(entry->value)) return result;
+    const DecodedSection section =
+        decode_section(*find_section("atmosphere"), "atmosphere", entry->key_place, table,
+                       Absent::filled_in, decoder);
+    check_radii(section, decoder);
+    append_values(section, decoder);
+    bind_section(section, atmosphere_fields(), result);
+    decode_layers(table, recipe, result, decoder);
+    return result;
+}
+
+std::optional<Scene> decode_scene(const Table& root, Decoder& decoder) {
+    const Entry* entry = find_entry(root, "scene");
+    if (!entry) return std::nullopt;
+    const Table& table = subtable(root, "scene", "", decoder);
+    const DecodedSection section = decode_section(*find_section("scene"), "scene", entry->key_place,
+                                                  table, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    Scene scene;
+    bind_section(section, scene_fields(), scene);
+    return scene;
+}
+
+std::vector<Particles> decode_all_particles(const Table& root, std::span<const Length> wavelengths,
+                                            Decoder& decoder) {
+    std::vector<Particles> result;
+    for (const Entry& entry : subtable(root, "particles", "", decoder)) {
+        const Table* table = named_table(entry, "particles", decoder);
+        // Those that are no table are particles all the same, so that layers may name them.
+        Particles named;
+        named.name = entry.key;
+        result.push_back(
+            table ? decode_particles(entry.key, entry.key_place, *table, wavelengths, decoder)
+                  : named);
+    }
+    return result;
+}
+
+std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
+    std::vector<Noise> noises;
+    for (const Entry& entry : subtable(root, "noise", "", decoder)) {
+        const Table* table = named_table(entry, "noise", decoder);
+        // One that is no table is a noise all the same, so that bakes may name it.
+        Noise named;
+        named.name = entry.key;
+        noises.push_back(table ? decode_noise(entry.key, entry.key_place, *table, decoder) : named);
+    }
+    return noises;
+}
+
+std::vector<Cloud> decode_clouds(const Table& root, std::span<const Noise> noises,
+                                 Decoder& decoder) {
+    std::vector<Cloud> clouds;
+    for (const Entry& entry : subtable(root, "clouds", "", decoder)) {
+        const Table* table = named_table(entry, "clouds", decoder);
+        // One that is no table is a cloud all the same, so that bakes may name it.
+        Cloud named;
+        named.name = entry.key;
+        clouds.push_back(table ? decode_cloud(entry.key, entry.key_place, *table, noises, decoder)
+                               : named);
+    }
+    return clouds;
+}
+
+bool needs_atmosphere(const Bake& bake) {
+    return std::holds_alternative<TransmittanceBake>(bake.asset) ||
+           std::holds_alternative<MultipleScatteringBake>(bake.asset) ||
+           std::holds_alternative<SkyViewBake>(bake.asset) ||
+           std::holds_alternative<AerialPerspectiveBake>(bake.asset) ||
+           std::holds_alternative<IrradianceBake>(bake.asset) ||
+           std::holds_alternative<BrunetonBake>(bake.asset) ||
+           std::holds_alternative<OpticalDepthBake>(bake.asset);
+}
+
+// The sky's assets need an atmosphere; a recipe of nothing at all was to be one of a sky.
+void check_atmosphere(const Table& root, const Parameters& parameters, const Source& source,
+                      Decoder& decoder) {
+    if (find_entry(root, "atmosphere") || !decoder.complete) return;
+    const bool bakes_sky =
+        std::any_of(parameters.bakes.begin(), parameters.bakes.end(), needs_atmosphere);
+    const bool is_empty = parameters.bakes.empty() && parameters.noises.empty() &&
+                          parameters.clouds.empty() && parameters.particles.empty();
+    if (!bakes_sky && !is_empty) return;
+    decoder.diagnostics.error("E0105", {&source}, "the recipe has no [atmosphere]",
+                              "start from preset = \"earth\", or see `skybake init`");
+}
+
+}  // namespace
+
+Parameters decode_recipe(const Table& root, const Source& source, Decoder& decoder) {
+    Parameters parameters;
+    const DecodedSection section =
+        decode_section(*find_section(""), "", {&source}, root, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    bind_section(section, root_fields(), parameters);
+    if (!parameters.wavelengths.empty()) {
+        decoder.channels = static_cast<int>(parameters.wavelengths.size());
+    }
+    parameters.particles = decode_all_particles(root, parameters.wavelengths, decoder);
+    parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
+    parameters.scene = decode_scene(root, decoder);
+    parameters.noises = decode_noises(root, decoder);
+    parameters.clouds = decode_clouds(root, parameters.noises, decoder);
+    parameters.bakes = decode_bakes(root, parameters, decoder);
+    check_atmosphere(root, parameters, source, decoder);
+    return parameters;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,293 @@
+#include "config/recipe/recipe_sources.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "config/diagnostics/toml_source.h"
+#include "config/presets/presets.h"
+#include "config/recipe/layer_particles.h"
+#include "config/recipe/merge.h"
+#include "config/sections/tower_list.h"
+#include "config/text/key_path.h"
+#include "config/text/setting_text.h"
+#include "config/text/suggest.h"
+#include "config/text/text_file.h"
+
+namespace skybake::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_files = 256;
+
+// Gives every place of a tree that was parsed without a source the place of a --set.
+void assign_place(Value& value, const Place& place);
+
+void assign_place(Table& table, const Place& place) {
+    for (Entry& entry : table) {
+        entry.key_place = place;
+        assign_place(entry.value, place);
+    }
+}
+
+void assign_place(Value& value, const Place& place) {
+    value.place = place;
+    if (auto* table = std::get_if<Table>(&value.data)) assign_place(*table, place);
+    if (auto* array = std::get_if<Array>(&value.data)) {
+        for (Value& item : *array) assign_place(item, place);
+    }
+}
+
+// The tree a.b.c = value.
+Table wrap(const std::vector<std::string>& names, Value value) {
+    Table table;
+    for (auto name = names.rbegin(); name != names.rend(); ++name) {
+        Entry entry{*name, {}, std::move(value)};
+        table.clear();
+        table.push_back(std::move(entry));
+        value = Value{std::move(table), {}};
+        table = {};
+    }
+    return std::get<Table>(std::move(value.data));
+}
+
+// Whether two paths lead to the same file; a file that does not exist is like no other.
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    return fs::equivalent(a, b, error) && !error;
+}
+
+class Loader {
+  public:
+    Loader(RecipeSources& result, DiagnosticList& diagnostics)
+        : result_(result), diagnostics_(diagnostics) {}
+
+    // --set texts are read first, since they may name another preset or other includes.
+    void read_settings(std::span<const std::string> settings, std::string_view option) {
+        for (const std::string& setting : settings) read_setting(setting, option);
+    }
+
+    void load_file(const fs::path& path, const Place& asked_at) {
+        auto text = read_text_file(path, most_recipe_bytes);
+        result_.inputs.push_back(path);
+        if (const auto* error = std::get_if<FileError>(&text)) {
+            report_unreadable(path, *error, asked_at);
+            return;
+        }
+        chain_.push_back(path);
+        load_text(std::get<std::string>(std::move(text)), path.string(), path.parent_path());
+        chain_.pop_back();
+    }
+
+    void load_text(std::string text, const std::string& name, const fs::path& folder) {
+        const bool is_root = !root_loaded_;
+        root_loaded_ = true;
+        Source& source = add_source(Source::Kind::file, name, std::move(text));
+        source.folder = folder;
+        if (is_root) root_folder_ = folder;
+        std::optional<Table> root = parse_toml(source, diagnostics_);
+        if (!root) {
+            result_.complete = false;
+            if (!is_root) return;
+            root.emplace();
+        }
+        name_listed_towers(*root);
+        name_particles_of_layers(*root);
+        check_exclusive_keys(*root, diagnostics_);
+        load_preset(effective(*root, "preset", is_root));
+        load_includes(effective(*root, "include", is_root), folder);
+        // The order of overriding, which is not that of reading: a file comes after its includes.
+        source.order = next_order_++;
+        result_.trees.push_back({&source, std::move(*root)});
+    }
+
+    void add_settings() {
+        for (SourceTree& tree : settings_) {
+            auto* source = const_cast<Source*>(tree.source);
+            source->order = next_order_++;
+            source->folder = root_folder_;
+            result_.trees.push_back(std::move(tree));
+        }
+    }
+
+  private:
+    Source& add_source(Source::Kind kind, const std::string& name, std::string text) {
+        result_.sources.push_back({kind, 0, printable(name), std::move(text)});
+        return result_.sources.back();
+    }
+
+    void read_setting(const std::string& setting, std::string_view option) {
+        Source& source =
+            add_source(Source::Kind::setting, fmt::format("{} `{}`", option, shorten(setting)), "");
+        const Place place{&source};
+        const std::size_t equals = find_equals(setting);
+        const std::string_view text = setting;
+        const std::optional<std::string> key = equals == std::string_view::npos
+                                                   ? std::nullopt
+                                                   : parse_toml_key(trim(text.substr(0, equals)));
+        const auto names = key ? split_path(*key) : std::nullopt;
+        if (!names) {
+            diagnostics_.error("E0122", place, "--set takes KEY=VALUE with a dotted key",
+                               "for example --set atmosphere.ground_albedo=0.3");
+            return;
+        }
+        const std::string_view written = trim(text.substr(equals + 1));
+        std::optional<Value> value = parse_toml_value(written);
+        if (!value) value = Value{std::string(written), {}};
+        Table root = wrap(*names, std::move(*value));
+        assign_place(root, place);
+        name_listed_towers(root);
+        name_particles_of_layers(root);
+        check_exclusive_keys(root, diagnostics_);
+        settings_.push_back({&source, std::move(root)});
+    }
+
+    // What a file says under a key at the top level; for the recipe itself, what --set says
+    // instead.
+    const Value* effective(const Table& root, std::string_view key, bool is_root) const {
+        const Entry* entry = find_entry(root, key);
+        for (const SourceTree& tree : settings_) {
+            const Entry* set = is_root ? find_entry(tree.root, key) : nullptr;
+            if (set) entry = set;
+        }
+        return entry ? &entry->value : nullptr;
+    }
+
+    void load_preset(const Value* value) {
+        if (!value) return;
+        const auto* name = std::get_if<std::string>(&value->data);
+        const Preset* preset = name ? find_preset(*name) : nullptr;
+        if (!preset) {
+            result_.complete = false;
+            if (name) report_unknown_preset(*name, value->place);
+            return;  // the decoder reports a value that is no text
+        }
+        Source& source =
+            add_source(Source::Kind::preset, "preset " + *name, std::string(preset->text));
+        source.order = next_order_++;
+        std::optional<Table> root = parse_toml(source, diagnostics_);
+        if (!root) return;
+        // What to bake is for the recipe to say.
+        std::erase_if(*root, [](const Entry& entry) { return entry.key == "bake"; });
+        result_.trees.push_back({&source, std::move(*root)});
+    }
+
+    void load_includes(const Value* value, const fs::path& folder) {
+        if (!value) return;
+        if (std::holds_alternative<std::string>(value->data)) {
+            load_include(*value, folder);
+        } else if (const auto* array = std::get_if<Array>(&value->data)) {
+            for (const Value& item : *array) load_include(item, folder);
+        } else {
+            result_.complete = false;
+        }
+    }
+
+    void load_include(const Value& value, const fs::path& folder) {
+        const auto* name = std::get_if<std::string>(&value.data);
+        if (!name) {
+            result_.complete = false;  // the decoder reports it
+            return;
+        }
+        const fs::path path = (folder / *name).lexically_normal();
+        if (closes_cycle(path, value.place)) return;
+        if (result_.inputs.size() >= most_files) {
+            result_.complete = false;
+            if (!reported_most_files_) {
+                diagnostics_.error("E0125", value.place, "too many includes",
+                                   fmt::format("a recipe may read at most {} files", most_files));
+            }
+            reported_most_files_ = true;
+            return;
+        }
+        load_file(path, value.place);
+    }
+
+    bool closes_cycle(const fs::path& path, const Place& place) {
+        std::size_t first = 0;
+        while (first < chain_.size() && !is_same_file(chain_[first], path)) ++first;
+        if (first == chain_.size()) return false;
+        std::string names;
+        for (std::size_t i = first; i < chain_.size(); ++i) {
+            names += chain_[i].string() + " includes ";
+        }
+        result_.complete = false;
+        diagnostics_.error("E0116", place, "cyclic include: " + printable(names + path.string()),
+                           "a file cannot include itself");
+        return true;
+    }
+
+    void report_unknown_preset(const std::string& name, const Place& place) {
+        const std::vector<std::string_view> names = preset_names();
+        std::string label = did_you_mean(name, names);
+        if (const SectionPresets* kind = find_section_presets(name)) {
+            label = fmt::format("it is a preset of {}s: name it below [{}.NAME]", kind->noun,
+                                kind->section);
+        } else if (label.empty()) {
+            label = fmt::format("choose one of {}", fmt::join(names, ", "));
+        }
+        diagnostics_.error("E0115", place, fmt::format("unknown preset `{}`", shorten(name)),
+                           std::move(label));
+    }
+
+    void report_unreadable(const fs::path& path, const FileError& error, const Place& asked_at) {
+        result_.complete = false;
+        const std::string name = printable(path.string());
+        if (error.too_large) {
+            diagnostics_.error("E0120", asked_at,
+                               fmt::format("`{}` is too large for a recipe", name),
+                               fmt::format("at most {} MiB are read", most_recipe_bytes >> 20));
+        } else {
+            diagnostics_.error("E0300", asked_at,
+                               fmt::format("cannot read `{}`: {}", name, error.reason));
+        }
+    }
+
+    RecipeSources& result_;
+    DiagnosticList& diagnostics_;
+    std::vector<SourceTree> settings_;
+    std::vector<fs::path> chain_;  // the files that are being read, each included by the one before
+    fs::path root_folder_;         // the recipe's own
+    int next_order_ = 0;
+    bool root_loaded_ = false;
+    bool reported_most_files_ = false;
+};
+
+}  // namespace
+
+Source& add_setting(RecipeSources& sources, const std::string& name) {
+    int order = 0;
+    for (const Source& source : sources.sources) order = std::max(order, source.order + 1);
+    sources.sources.push_back({Source::Kind::setting, order, printable(name), ""});
+    return sources.sources.back();
+}
+
+void add_setting_tree(RecipeSources& sources, const Source& source, Table root) {
+    assign_place(root, {&source});
+    sources.trees.push_back({&source, std::move(root)});
+}
+
+RecipeSources read_sources(const fs::path& path, std::span<const std::string> settings,
+                           DiagnosticList& diagnostics, std::span<const std::string> varied) {
+    RecipeSources result;
+    Loader loader(result, diagnostics);
+    loader.read_settings(settings, "--set");
+    loader.read_settings(varied, "--vary");
+    loader.load_file(path, {});
+    loader.add_settings();
+    return result;
+}
+
+RecipeSources text_sources(std::string text, const std::string& name, const fs::path& folder,
+                           std::span<const std::string> settings, DiagnosticList& diagnostics) {
+    RecipeSources result;
+    Loader loader(result, diagnostics);
+    loader.read_settings(settings, "--set");
+    loader.load_text(without_byte_order_mark(std::move(text)), name, folder);
+    loader.add_settings();
+    return result;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,376 @@
+#include "config/recipe/schema.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "config/diagnostics/toml_source.h"
+#include "config/fields/fields.h"
+#include "config/fields/noise_value_reader.h"
+#include "config/presets/presets.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A number followed by one of a dimension's units, as units.h reads it.
+Json quantity_schema(Dimension dimension) {
+    std::string names;
+    for (const std::string_view name : unit_spellings(dimension)) {
+        if (!names.empty()) names += '|';
+        for (const char c : name) {
+            if (c == '^') names += '\\';
+            names += c;
+        }
+    }
+    const std::string number = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+    return {{"type", "string"},
+            {"pattern", fmt::format("^[ \t]*{}[ \t]*({})[ \t]*$", number, names)}};
+}
+
+Json number_schema(const Range& range) {
+    Json schema = {{"type", "number"}};
+    schema[range.open_minimum ? "exclusiveMinimum" : "minimum"] = range.minimum;
+    schema[range.open_maximum ? "exclusiveMaximum" : "maximum"] = range.maximum;
+    if (range.or_zero) return {{"anyOf", {{{"const", 0}}, schema}}};
+    return schema;
+}
+
+Json integer_schema(const Range& range) {
+    return {{"type", "integer"},
+            {"minimum", static_cast<int>(range.minimum)},
+            {"maximum", static_cast<int>(range.maximum)}};
+}
+
+Json fraction_schema(const Range& range) {
+    return {{"anyOf", {number_schema(range), quantity_schema(Dimension::fraction)}}};
+}
+
+// One item, or a list of one or three: the numbers of channels there are.
+Json per_channel(const Json& item) {
+    const Json list = {{"type", "array"}, {"items", item}, {"minItems", 1}, {"maxItems", 3}};
+    return {{"anyOf", {item, list}}};
+}
+
+Json text_schema() { return {{"type", "string"}}; }
+
+Json text_list_schema() {
+    const Json list = {{"type", "array"}, {"items", text_schema()}};
+    return {{"anyOf", {text_schema(), list}}};
+}
+
+Json choice_schema(const Field& field) {
+    Json names = Json::array();
+    for (const std::string_view name : choice_names(field)) names.push_back(name);
+    return {{"enum", names}};
+}
+
+Json list_schema(const Json& item, int fewest, int most) {
+    return {{"type", "array"}, {"items", item}, {"minItems", fewest}, {"maxItems", most}};
+}
+
+Json one_or_list(const Json& item, int fewest, int most) {
+    return {{"anyOf", {item, list_schema(item, fewest, most)}}};
+}
+
+Json choice_list_schema(const Field& field) {
+    const Json choice = choice_schema(field);
+    Json list = list_schema(choice, 1, static_cast<int>(field.choices.size()));
+    list["uniqueItems"] = true;
+    return {{"anyOf", {choice, list}}};
+}
+
+Json seed_schema() {
+    const Json integer = {{"type", "integer"}, {"minimum", 0}};
+    const Json text = {{"type", "string"}, {"pattern", "^(0[xX][0-9a-fA-F]+|[0-9]+)$"}};
+    return {{"anyOf", {integer, text}}};
+}
+
+Json levels_schema(const Range& range) {
+    return {{"anyOf", {integer_schema(range), {{"const", "all"}}}}};
+}
+
+Json pair_table_schema(const Json& first, const Json& second, int fewest) {
+    const Json pair = {
+        {"type", "array"}, {"items", {first, second}}, {"minItems", 2}, {"maxItems", 2}};
+    return {{"type", "array"}, {"items", pair}, {"minItems", fewest}};
+}
+
+Json power_of_two_schema(const Range& range) {
+    Json powers = Json::array();
+    for (int power = 1; power <= range.maximum; power *= 2) powers.push_back(power);
+    return {{"enum", powers}};
+}
+
+Json path_groups_schema() {
+    const Json group = {{"type", "array"}, {"items", text_schema()}};
+    return {{"anyOf", {group, {{"type", "array"}, {"items", group}}}}};
+}
+
+Json value_schema(const Field& field) {
+    switch (field.kind) {
+        case Kind::flag:
+            return {{"type", "boolean"}};
+        case Kind::integer:
+            return integer_schema(field.range);
+        case Kind::number:
+            return number_schema(field.range);
+        case Kind::fraction:
+            return fraction_schema(field.range);
+        case Kind::text:
+            return text_schema();
+        case Kind::text_list:
+            return text_list_schema();
+        case Kind::choice:
+            return choice_schema(field);
+        case Kind::length:
+            return quantity_schema(Dimension::length);
+        case Kind::wavelengths:
+            return per_channel(quantity_schema(Dimension::length));
+        case Kind::coefficients:
+            return per_channel(quantity_schema(Dimension::inverse_length));
+        case Kind::fractions:
+            return per_channel(fraction_schema(field.range));
+        case Kind::size:
+            return list_schema(integer_schema(field.range), 2, 2);
+        case Kind::density_table:
+            return pair_table_schema(quantity_schema(Dimension::length), number_schema(field.range),
+                                     2);
+        case Kind::choice_list:
+            return choice_list_schema(field);
+        case Kind::voxels:
+            return list_schema(integer_schema(field.range), 3, 3);
+        case Kind::seed:
+            return seed_schema();
+        case Kind::frequency:
+            return one_or_list(integer_schema(field.range), 3, 3);
+        case Kind::frequencies:
+            return list_schema(one_or_list(integer_schema(field.range), 3, 3), 1, most_octaves);
+        case Kind::gains:
+            return list_schema(number_schema(field.range), 1, most_octaves);
+        case Kind::remap:
+            return list_schema(number_schema(field.range), 4, 4);
+        case Kind::edges:
+            return list_schema(number_schema(field.range), 2, 2);
+        case Kind::clamp:
+            return {
+                {"anyOf", {{{"type", "boolean"}}, list_schema(number_schema(field.range), 2, 2)}}};
+        case Kind::levels:
+            return levels_schema(field.range);
+        case Kind::angle:
+            return quantity_schema(Dimension::angle);
+        case Kind::angles:
+            return one_or_list(quantity_schema(Dimension::angle), 1, most_angles);
+        case Kind::angle_bounds:
+            return list_schema(quantity_schema(Dimension::angle), 2, 2);
+        case Kind::length_bounds:
+            return list_schema(quantity_schema(Dimension::length), 2, 2);
+        case Kind::coefficient:
+            return quantity_schema(Dimension::inverse_length);
+        case Kind::number_density:
+            return quantity_schema(Dimension::number_density);
+        case Kind::lengths:
+            return list_schema(quantity_schema(Dimension::length), 3, 3);
+        case Kind::pair:
+        case Kind::bounds:
+            return list_schema(number_schema(field.range), 2, 2);
+        case Kind::height_table:
+            return pair_table_schema(number_schema({0, 1}), number_schema(field.range), 1);
+        case Kind::power_of_two:
+            return power_of_two_schema(field.range);
+        case Kind::path_groups:
+            return path_groups_schema();
+        case Kind::swept:
+            return {{"type", {"number", "string"}}};
+    }
+    return {};
+}
+
+// The default as JSON: those of the field tables are TOML that is JSON as well.
+Json default_json(const Field& field) { return Json::parse(field.fallback, nullptr, false); }
+
+Json field_schema(const Field& field) {
+    Json schema = value_schema(field);
+    schema["description"] = describe_field(field);
+    if (!field.fallback.empty()) schema["default"] = default_json(field);
+    return schema;
+}
+
+// At most one key of each exclusive group.
+void add_exclusions(const Section& section, Json& rules) {
+    for (std::size_t i = 0; i < section.fields.size(); ++i) {
+        const Field& a = section.fields[i];
+        for (std::size_t j = i + 1; j < section.fields.size(); ++j) {
+            const Field& b = section.fields[j];
+            if (!exclude_each_other(a, b)) continue;
+            rules.push_back({{"not", {{"required", {a.key, b.key}}}}});
+        }
+    }
+}
+
+// Where a selector names a value, the keys of its other values are not allowed.
+void add_variants(const Section& section, Json& rules) {
+    for (const Field& selector : section.fields) {
+        for (const Choice& choice : selector.choices) {
+            Json refused = Json::object();
+            for (const Field& field : section.fields) {
+                const bool elsewhere =
+                    field.selector == selector.key && !applies(field, choice.name);
+                if (elsewhere) refused[std::string(field.key)] = false;
+            }
+            if (refused.empty()) continue;
+            const Json condition = {
+                {"properties", {{std::string(selector.key), {{"const", choice.name}}}}},
+                {"required", {selector.key}}};
+            rules.push_back({{"if", condition}, {"then", {{"properties", refused}}}});
+        }
+    }
+}
+
+Json section_schema(const Section& section) {
+    Json properties = Json::object();
+    for (const Field& field : section.fields) {
+        properties[std::string(field.key)] = field_schema(field);
+    }
+    Json schema = {{"type", "object"},
+                   {"description", section.documentation},
+                   {"properties", properties},
+                   {"additionalProperties", false}};
+    if (!section.asset.empty()) schema["properties"]["asset"]["const"] = section.asset;
+    if (section.path.empty()) schema["properties"]["preset"]["examples"] = preset_names();
+    Json rules = Json::array();
+    add_exclusions(section, rules);
+    add_variants(section, rules);
+    if (!rules.empty()) schema["allOf"] = rules;
+    return schema;
+}
+
+Json reference(std::string_view name) { return {{"$ref", fmt::format("#/definitions/{}", name)}}; }
+
+// A bake section of any asset, which `asset` must name.
+Json named_bake_schema() {
+    Json alternatives = Json::array();
+    for (const std::string_view asset : asset_names()) {
+        alternatives.push_back({{"allOf", {reference(asset), {{"required", {"asset"}}}}}});
+    }
+    return {{"anyOf", alternatives}};
+}
+
+Json bakes_schema() {
+    Json properties = Json::object();
+    for (const std::string_view asset : asset_names()) {
+        properties[std::string(asset)] = {{"anyOf", {reference(asset), reference("named_bake")}}};
+    }
+    return {{"type", "object"},
+            {"description", "one section per file to bake; [bake.NAME] makes NAME.exr"},
+            {"properties", properties},
+            {"propertyNames", {{"pattern", "^[A-Za-z0-9_-]+$"}}},
+            {"additionalProperties", reference("named_bake")}};
+}
+
+Json noise_schema() {
+    Json channels = Json::object();
+    for (const char* name : {"R", "G", "B", "A", "Y"}) channels[name] = reference("noise_channel");
+    Json schema = section_schema(*find_section("noise.*"));
+    schema["properties"]["preset"]["examples"] = noise_preset_names();
+    schema["properties"]["channels"] = {
+        {"type", "object"},
+        {"description", "the channels R alone; R, G, B; R, G, B, A; or Y alone"},
+        {"properties", channels},
+        {"additionalProperties", false}};
+    return schema;
+}
+
+// A table of tables under any names.
+Json named_schema(std::string_view description, std::string_view definition) {
+    return {{"type", "object"},
+            {"description", description},
+            {"additionalProperties", reference(definition)}};
+}
+
+// Names that become those of files.
+Json with_bare_names(Json schema) {
+    schema["propertyNames"] = {{"pattern", "^[A-Za-z0-9_-]+$"}};
+    return schema;
+}
+
+// Towers are tables under any names, or a list.
+Json towers_schema() {
+    const Json list = {{"type", "array"}, {"items", reference("tower")}};
+    return {{"anyOf", {list, named_schema("towers, by name", "tower")}}};
+}
+
+Json cloud_schema() {
+    Json schema = section_schema(*find_section("clouds.*"));
+    Json& properties = schema["properties"];
+    properties["preset"]["examples"] = cloud_preset_names();
+    for (const std::string_view name : subtables("clouds.*")) {
+        if (name == "towers") continue;
+        properties[std::string(name)] =
+            section_schema(*find_section("clouds.*." + std::string(name)));
+    }
+    properties["towers"] = towers_schema();
+    return schema;
+}
+
+// Paths of keys, each with a list of values or a range.
+Json sweep_schema() {
+    const Json list = {{"type", "array"}, {"minItems", 1}};
+    Json schema = section_schema(*find_section("sweep"));
+    schema["additionalProperties"] = {{"anyOf", {list, section_schema(*find_section("sweep.*"))}}};
+    return schema;
+}
+
+// The phase function is a name, or { mie = "NAME" } of particles.
+Json layer_schema() {
+    Json schema = section_schema(*find_section("atmosphere.layers.*"));
+    schema["properties"]["preset"]["examples"] = layer_preset_names();
+    Json& phase = schema["properties"]["phase"];
+    const Json named = {{"type", "object"},
+                        {"properties", {{"mie", text_schema()}}},
+                        {"required", {"mie"}},
+                        {"additionalProperties", false}};
+    phase["anyOf"] = {{{"enum", phase["enum"]}}, named};
+    phase.erase("enum");
+    return schema;
+}
+
+Json definitions() {
+    Json result = Json::object();
+    result["cloud"] = cloud_schema();
+    result["tower"] = section_schema(*find_section("clouds.*.towers.*"));
+    result["noise"] = noise_schema();
+    result["noise_channel"] = section_schema(*find_section("noise.*.channels.*"));
+    result["particles"] = section_schema(*find_section("particles.*"));
+    result["particles"]["properties"]["preset"]["examples"] = particle_preset_names();
+    result["layer"] = layer_schema();
+    for (const std::string_view asset : asset_names()) {
+        result[std::string(asset)] = section_schema(*find_section("bake.*", asset));
+    }
+    result["named_bake"] = named_bake_schema();
+    return result;
+}
+
+}  // namespace
+
+std::string recipe_schema() {
+    Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+                   {"title", "skybake recipe"}};
+    schema.update(section_schema(*find_section("")));
+    Json atmosphere = section_schema(*find_section("atmosphere"));
+    atmosphere["properties"]["layers"] = named_schema("layers of the atmosphere, by name", "layer");
+    schema["properties"]["atmosphere"] = atmosphere;
+    schema["properties"]["scene"] = section_schema(*find_section("scene"));
+    schema["properties"]["particles"] =
+        with_bare_names(named_schema("particles, by name", "particles"));
+    schema["properties"]["noise"] = with_bare_names(named_schema("noises, by name", "noise"));
+    schema["properties"]["clouds"] = with_bare_names(named_schema("clouds, by name", "cloud"));
+    schema["properties"]["bake"] = bakes_schema();
+    schema["properties"]["sweep"] = sweep_schema();
+    schema["definitions"] = definitions();
+    return schema.dump(2) + '\n';
+}
+
+}  // namespace skybake::config

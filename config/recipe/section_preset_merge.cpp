@@ -1,0 +1,173 @@
+#include "config/recipe/section_preset_merge.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "config/diagnostics/toml_source.h"
+#include "config/presets/presets.h"
+#include "config/recipe/merge.h"
+#include "config/sections/tower_list.h"
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
+
+namespace skybake::config {
+namespace {
+
+// Where a preset of another kind belongs; empty if there is none of that name.
+std::string home_of(const std::string& name) {
+    if (find_preset(name)) {
+        return fmt::format(
+            "it is a preset of an atmosphere: write preset = \"{}\" at the top level", name);
+    }
+    const SectionPresets* kind = find_section_presets(name);
+    if (!kind) return "";
+    return fmt::format("it is a preset of a {}: name it below [{}.NAME]", kind->noun,
+                       kind->section);
+}
+
+void report_unknown_preset(const SectionPresets& kind, const std::string& name, const Place& place,
+                           DiagnosticList& diagnostics) {
+    const auto names = preset_names(kind.all());
+    std::string label = home_of(name);
+    if (label.empty()) label = did_you_mean(name, names);
+    if (label.empty()) label = fmt::format("choose one of {}", fmt::join(names, ", "));
+    diagnostics.error("E0115", place,
+                      fmt::format("unknown {} preset `{}`", kind.noun, shorten(name)),
+                      std::move(label));
+}
+
+// The keys of the preset that a section names. None if it names none, or there is none of that
+// name.
+std::optional<Table> preset_of(const SectionPresets& kind, const Value& name,
+                               std::deque<Source>& sources, DiagnosticList& diagnostics) {
+    const auto* text = std::get_if<std::string>(&name.data);
+    if (!text) return std::nullopt;  // the decoder reports a value that is no text
+    const Preset* preset = find_preset(kind.all(), *text);
+    if (!preset) {
+        report_unknown_preset(kind, *text, name.place, diagnostics);
+        return std::nullopt;
+    }
+    sources.push_back({Source::Kind::preset, -1, fmt::format("preset {}", preset->name),
+                       std::string(preset->text)});
+    std::optional<Table> keys = parse_toml(sources.back(), diagnostics);
+    if (keys) name_listed_towers_of_cloud(*keys);
+    return keys;
+}
+
+// The presets of the sections below `path`, under the tables that lead there:
+// [atmosphere.layers.*].
+std::optional<Entry> nested(const Table& root, std::string_view path,
+                            const std::function<Table(const Table& named)>& presets) {
+    const std::size_t dot = path.find('.');
+    const Entry* entry = find_entry(root, path.substr(0, dot));
+    const Table* table = entry ? as_table(entry->value) : nullptr;
+    if (!table) return std::nullopt;
+    if (dot == path.npos)
+        return Entry{entry->key, entry->key_place, {presets(*table), entry->value.place}};
+    std::optional<Entry> inner = nested(*table, path.substr(dot + 1), presets);
+    if (!inner) return std::nullopt;
+    return Entry{entry->key, entry->key_place, {Table{std::move(*inner)}, entry->value.place}};
+}
+
+bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source>& sources,
+                      DiagnosticList& diagnostics) {
+    bool complete = true;
+    std::optional<Entry> sections = nested(root, kind.section, [&](const Table& named) {
+        Table presets;
+        for (const Entry& entry : named) {
+            const Table* table = as_table(entry.value);
+            const Entry* preset = table ? find_entry(*table, "preset") : nullptr;
+            if (!preset) continue;
+            std::optional<Table> keys = preset_of(kind, preset->value, sources, diagnostics);
+            complete = complete && keys;
+            if (!keys) continue;
+            presets.push_back({entry.key, entry.key_place, {std::move(*keys), entry.value.place}});
+        }
+        return presets;
+    });
+    if (!sections) return true;
+    Table base = {std::move(*sections)};
+    merge(base, root);
+    root = std::move(base);
+    return complete;
+}
+
+const std::string* string_under(const Table& table, std::string_view key) {
+    const Entry* entry = find_entry(table, key);
+    return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
+}
+
+// Whether the recipe says by itself what the noise is made of.
+bool has_noise(const Table& root, const std::string& name) {
+    const Entry* noises = find_entry(root, "noise");
+    const Table* all = noises ? as_table(noises->value) : nullptr;
+    const Entry* entry = all ? find_entry(*all, name) : nullptr;
+    if (!entry) return false;
+    const Table* noise = as_table(entry->value);
+    return !noise || find_entry(*noise, "preset") || find_entry(*noise, "channels");
+}
+
+// The noise `name` of a cloud that starts from a preset, as a recipe's text; empty if the recipe
+// has one, or there is none that goes with the preset.
+std::string brought_noise(const Table& root, const std::string& cloud_preset,
+                          const std::string& name) {
+    if (has_noise(root, name) || !is_bare_key(name)) return "";
+    const CloudNoisePreset noise = noise_of_cloud_preset(cloud_preset, name);
+    if (!noise.preset) return "";
+    return fmt::format("[noise.{}]\npreset = \"{}\"\npack = \"{}\"\n", name, noise.preset->name,
+                       noise.pack);
+}
+
+// Lays the recipe over the noises that presets of its clouds name, where it has none of that name.
+void lay_over_noises_of_clouds(Table& root, std::deque<Source>& sources,
+                               DiagnosticList& diagnostics) {
+    const Entry* entry = find_entry(root, "clouds");
+    const Table* clouds = entry ? as_table(entry->value) : nullptr;
+    if (!clouds) return;
+    Table base;
+    for (const Entry& cloud : *clouds) {
+        const Table* table = as_table(cloud.value);
+        const std::string* preset = table ? string_under(*table, "preset") : nullptr;
+        if (!preset || !find_cloud_preset(*preset)) continue;
+        for (const std::string_view key : {"noise", "detail"}) {
+            const std::string* name = string_under(*table, key);
+            std::string text = name ? brought_noise(root, *preset, *name) : "";
+            if (text.empty()) continue;
+            sources.push_back(
+                {Source::Kind::preset, -1, fmt::format("preset {}", *preset), std::move(text)});
+            if (const std::optional<Table> noise = parse_toml(sources.back(), diagnostics)) {
+                merge(base, *noise);
+            }
+        }
+    }
+    merge(base, root);
+    root = std::move(base);
+}
+
+}  // namespace
+
+bool lay_sections_over_presets(Table& root, std::deque<Source>& sources,
+                               DiagnosticList& diagnostics) {
+    bool complete = true;
+    const auto lay = [&](const SectionPresets& kind) {
+        complete = lay_over_presets(kind, root, sources, diagnostics) && complete;
+    };
+    // Presets of clouds name noises, which start from presets in their turn.
+    const auto is_of_clouds = [](const SectionPresets& kind) { return kind.section == "clouds"; };
+    const auto all = section_presets();
+    const SectionPresets& clouds = *std::find_if(all.begin(), all.end(), is_of_clouds);
+    lay(clouds);
+    lay_over_noises_of_clouds(root, sources, diagnostics);
+    for (const SectionPresets& kind : all) {
+        if (!is_of_clouds(kind)) lay(kind);
+    }
+    return complete;
+}
+
+}  // namespace skybake::config

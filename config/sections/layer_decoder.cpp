@@ -1,0 +1,197 @@
+#include "config/sections/layer_decoder.h"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <utility>
+
+#include "config/fields/named_reference.h"
+#include "config/sections/zenith_optical_depth.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+const std::vector<double>* numbers_of(const DecodedField& decoded) {
+    return decoded.value ? std::get_if<std::vector<double>>(&*decoded.value) : nullptr;
+}
+
+// The place of a channel's value within its list.
+Place channel_place(const Value& value, std::size_t channel) {
+    const auto* array = std::get_if<Array>(&value.data);
+    if (!array || array->size() <= 1) return value.place;
+    return (*array)[channel].place;
+}
+
+std::string channel_name(std::size_t channel, std::size_t channels) {
+    constexpr std::string_view letters[] = {"R", "G", "B"};
+    return channels == 3 ? fmt::format(" in channel {}", letters[channel]) : std::string();
+}
+
+void check_extinction(const DecodedSection& layer, Decoder& decoder) {
+    const DecodedField& extinction = layer.at("extinction");
+    const std::vector<double>* lower = numbers_of(layer.at("scattering"));
+    const std::vector<double>* upper = numbers_of(extinction);
+    if (!lower || !upper || !extinction.source || lower->size() != upper->size()) return;
+    for (std::size_t channel = 0; channel < upper->size(); ++channel) {
+        if ((*upper)[channel] >= (*lower)[channel]) continue;
+        decoder.diagnostics.error(
+            "E0112", channel_place(*extinction.source, channel),
+            fmt::format("`{}` is below scattering{}: {} < {}", join_path(layer.path, "extinction"),
+                        channel_name(channel, upper->size()),
+                        spell_inverse_length((*upper)[channel]),
+                        spell_inverse_length((*lower)[channel])),
+            "extinction is scattering plus absorption; if this is absorption, name it "
+            "`absorption`");
+        return;
+    }
+}
+
+// Extinction from what was given in its place: absorption, the albedo, or nothing.
+void derive_extinction(DecodedSection& layer, Decoder& decoder) {
+    DecodedField& extinction = layer.at("extinction");
+    const DecodedField& absorption = layer.at("absorption");
+    const DecodedField& albedo = layer.at("single_scattering_albedo");
+    const std::vector<double>* scattering = numbers_of(layer.at("scattering"));
+    // A source without a value is one at fault, which has been reported.
+    const bool at_fault =
+        (absorption.source && !absorption.value) || (albedo.source && !albedo.value);
+    if (extinction.source || at_fault || !scattering) return;
+    std::vector<double> result = *scattering;
+    if (const std::vector<double>* added = numbers_of(absorption)) {
+        for (std::size_t i = 0; i < result.size() && i < added->size(); ++i)
+            result[i] += (*added)[i];
+    } else if (const std::vector<double>* share = numbers_of(albedo)) {
+        for (std::size_t i = 0; i < result.size() && i < share->size(); ++i)
+            result[i] /= (*share)[i];
+    }
+    const double most = extinction.field->range.maximum;
+    for (const double value : result) {
+        if (value <= most) continue;
+        const Value* source = albedo.source ? albedo.source : absorption.source;
+        decoder.diagnostics.error(
+            "E0110", source ? source->place : layer.place,
+            fmt::format("`{}` is out of range: {}", join_path(layer.path, "extinction"),
+                        spell_inverse_length(value)),
+            "must be " + describe_range(*extinction.field));
+        return;
+    }
+    extinction.value = std::move(result);
+    extinction.derived = true;
+}
+
+// The upper bound of a slab above its lower one.
+void check_slab(const DecodedSection& section, Decoder& decoder) {
+    const DecodedField& bottom = section.at("bottom_altitude");
+    const DecodedField& top = section.at("top_altitude");
+    if (!bottom.value || !top.value || !top.source) return;
+    const double low = std::get<double>(*bottom.value);
+    const double high = std::get<double>(*top.value);
+    if (high > low) return;
+    decoder.diagnostics.error(
+        "E0113", top.source->place,
+        fmt::format("`{}` is not above bottom_altitude: {}",
+                    join_path(section.path, "top_altitude"), spell_length(high)),
+        fmt::format("must be above {}", spell_length(low)));
+}
+
+bool is_switched_off(const Table& table) {
+    const Entry* entry = find_entry(table, "enabled");
+    const bool* enabled = entry ? std::get_if<bool>(&entry->value.data) : nullptr;
+    return enabled && !*enabled;
+}
+
+// A layer that is switched off is checked, so that a slip is not found only when it is wanted
+// again, but shown as no more than that.
+void decode_switched_off(DecodedSection& section, Decoder& decoder) {
+    check_extinction(section, decoder);
+    check_slab(section, decoder);
+    for (DecodedField& decoded : section.fields) {
+        if (decoded.field->key != "enabled") decoded.value.reset();
+    }
+    append_values(section, decoder);
+}
+
+bool is_of_particles(const DecodedSection& layer) {
+    const DecodedField& phase = layer.at("phase");
+    return phase.value &&
+           static_cast<Phase>(std::get<ChoiceIndex>(*phase.value).index) == Phase::mie;
+}
+
+// Coefficients follow from the particles: given besides, they would contradict them.
+void leave_coefficients_to_particles(DecodedSection& layer, Decoder& decoder) {
+    for (const std::string_view key :
+         {"scattering", "extinction", "absorption", "single_scattering_albedo"}) {
+        DecodedField& decoded = layer.at(key);
+        decoded.value.reset();
+        if (!decoded.source) continue;
+        decoder.diagnostics.error(
+            "E0139", decoded.source->place,
+            fmt::format("`{}` cannot be given for a layer of particles",
+                        join_path(layer.path, key)),
+            "phase = \"mie\" computes it from their number and size; leave it out");
+    }
+}
+
+// A section that is whole, with what it takes from the recipe.
+Layer bind_layer(const std::string& name, const DecodedSection& section, const Parameters& recipe,
+                 Decoder& decoder) {
+    Layer layer;
+    layer.name = name;
+    bind_section(section, layer_fields(), layer);
+    if (!is_of_particles(section)) return layer;
+    const Particles* particles =
+        find_named(section, "particles", std::span<const Particles>(recipe.particles),
+                   particles_reference, decoder);
+    const DecodedField& number = section.at("number_density");
+    if (particles && number.value) {
+        layer.particles = {*particles, {std::get<double>(*number.value)}, recipe.wavelengths};
+    }
+    return layer;
+}
+
+}  // namespace
+
+std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
+                                  const Parameters& recipe, Decoder& decoder) {
+    const bool off = is_switched_off(table);
+    DecodedSection section =
+        decode_section(*find_section("atmosphere.layers.*"), join_path("atmosphere.layers", name),
+                       place, table, off ? Absent::left_out : Absent::filled_in, decoder);
+    if (off) {
+        decode_switched_off(section, decoder);
+        return std::nullopt;
+    }
+    if (is_of_particles(section)) {
+        leave_coefficients_to_particles(section, decoder);
+    } else {
+        check_extinction(section, decoder);
+        derive_extinction(section, decoder);
+    }
+    check_slab(section, decoder);
+    append_values(section, decoder);
+    return bind_layer(name, section, recipe, decoder);
+}
+
+void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const Table& table,
+                         Decoder& decoder) {
+    constexpr double opaque = 100;
+    const std::vector<double> depths = zenith_optical_depth(layer, atmosphere);
+    for (std::size_t channel = 0; channel < depths.size(); ++channel) {
+        if (depths[channel] <= opaque) continue;
+        const std::string path = join_path("atmosphere.layers", layer.name);
+        const Entry* source = nullptr;
+        for (const std::string_view key : {"extinction", "absorption", "scattering"}) {
+            if (!source) source = find_entry(table, key);
+        }
+        decoder.diagnostics.warning(
+            "W0202", source ? source->value.place : Place{},
+            fmt::format("layer `{}` has a zenith optical depth of {:.3g}{}", path, depths[channel],
+                        channel_name(channel, depths.size())),
+            "is the unit right?");
+        return;
+    }
+}
+
+}  // namespace skybake::config

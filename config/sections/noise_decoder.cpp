@@ -1,0 +1,154 @@
+#include "config/sections/noise_decoder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "config/sections/noise_octaves.h"
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
+
+namespace skybake::config {
+namespace {
+
+// In the order of a noise's channels.
+constexpr std::array<std::string_view, 5> channel_names = {"R", "G", "B", "A", "Y"};
+
+// The sets that a picture's channels can be.
+constexpr std::array<std::string_view, 4> channel_sets = {"Y", "R", "RGB", "RGBA"};
+
+std::size_t channel_order(std::string_view name) {
+    const auto found = std::find(channel_names.begin(), channel_names.end(), name);
+    return static_cast<std::size_t>(found - channel_names.begin());
+}
+
+NoiseChannel decode_channel(const std::string& name, const std::string& path, const Place& place,
+                            const Table& table, Decoder& decoder) {
+    DecodedSection section = decode_section(*find_section("noise.*.channels.*"), path, place, table,
+                                            Absent::filled_in, decoder);
+    NoiseChannel channel;
+    channel.name = name;
+    channel.octaves = resolve_octaves(section, plain_octave_keys, decoder);
+    channel.worley_octaves = resolve_octaves(section, worley_octave_keys, decoder);
+    append_values(section, decoder);
+    bind_section(section, noise_channel_fields(), channel);
+    return channel;
+}
+
+void report_unknown_channel(const Entry& entry, const std::string& path, Decoder& decoder) {
+    decoder.diagnostics.error("E0102", entry.key_place,
+                              fmt::format("unknown channel `{}` in [{}]", shorten(entry.key), path),
+                              "a noise has the channels R, G, B and A, or Y alone");
+}
+
+// The entries of [noise.NAME.channels] that are channels, in the order R, G, B, A, Y.
+std::vector<const Entry*> channel_entries(const Table& channels, const std::string& path,
+                                          Decoder& decoder) {
+    std::vector<const Entry*> entries;
+    for (const Entry& entry : channels) {
+        if (channel_order(entry.key) < channel_names.size()) {
+            entries.push_back(&entry);
+        } else {
+            report_unknown_channel(entry, path, decoder);
+        }
+    }
+    std::sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) {
+        return channel_order(a->key) < channel_order(b->key);
+    });
+    return entries;
+}
+
+std::string set_of(const std::vector<const Entry*>& entries) {
+    std::string letters;
+    for (const Entry* entry : entries) letters += entry->key;
+    return letters;
+}
+
+// Where the channel stands that was added last, which is no preset's if it can be helped.
+Place latest_place(const std::vector<const Entry*>& entries) {
+    const auto order = [](const Entry* entry) {
+        const Place& place = entry->key_place;
+        return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
+    };
+    const auto earlier = [&](const Entry* a, const Entry* b) { return order(a) < order(b); };
+    return (*std::max_element(entries.begin(), entries.end(), earlier))->key_place;
+}
+
+void report_set(const std::string& set, const std::string& path, const Place& place,
+                Decoder& decoder) {
+    const bool is_pair = set.size() == 2 && set.find('Y') == std::string::npos;
+    decoder.diagnostics.error(
+        "E0129", place,
+        set.empty() ? fmt::format("[{}] has no channels", path)
+                    : fmt::format("[{}] has channels {}", path, fmt::join(set, ", ")),
+        is_pair
+            ? "expected R, G, B; type = \"constant\" and value = 0 can stand in for the missing one"
+            : "expected Y alone, R alone, R, G, B, or R, G, B, A");
+}
+
+// A packing takes the channels that its formula names.
+void check_packing(const DecodedSection& section, const std::string& set, Decoder& decoder) {
+    const DecodedField& pack = section.at("pack");
+    if (!pack.value || !pack.source) return;
+    const auto packing = static_cast<NoisePacking>(std::get<ChoiceIndex>(*pack.value).index);
+    if (packing == NoisePacking::none) return;
+    const std::string wanted = packing == NoisePacking::shape ? "RGBA" : "RGB";
+    if (set == wanted) return;
+    decoder.diagnostics.error(
+        "E0129", pack.source->place,
+        fmt::format("`{}` packs channels {}, but the noise has {}", join_path(section.path, "pack"),
+                    fmt::join(wanted, ", "), fmt::join(set, ", ")),
+        fmt::format("expected {}", fmt::join(wanted, ", ")));
+}
+
+std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const Table& table,
+                                          Decoder& decoder) {
+    const std::string path = join_path(section.path, "channels");
+    const Table& channels = subtable(table, "channels", section.path, decoder);
+    const auto entries = channel_entries(channels, path, decoder);
+    std::vector<NoiseChannel> result;
+    for (const Entry* entry : entries) {
+        const Table* keys = named_table(*entry, path, decoder);
+        if (!keys) continue;
+        result.push_back(decode_channel(entry->key, join_path(path, entry->key), entry->key_place,
+                                        *keys, decoder));
+    }
+    const std::string set = set_of(entries);
+    const bool is_known =
+        std::find(channel_sets.begin(), channel_sets.end(), set) != channel_sets.end();
+    // Channels at fault or of an unknown preset would have made up the set: one error is enough.
+    const Entry* given = find_entry(table, "channels");
+    const bool at_fault = entries.size() != channels.size() || (given && !as_table(given->value));
+    if (is_known) {
+        check_packing(section, set, decoder);
+    } else if (!at_fault && decoder.complete) {
+        report_set(set, section.path, entries.empty() ? section.place : latest_place(entries),
+                   decoder);
+    }
+    return result;
+}
+
+}  // namespace
+
+Noise decode_noise(const std::string& name, const Place& place, const Table& table,
+                   Decoder& decoder) {
+    const std::string path = join_path("noise", name);
+    if (!is_bare_key(name)) {
+        decoder.diagnostics.error("E0117", place,
+                                  fmt::format("[{}] cannot be the name of a noise", shorten(path)),
+                                  "use only letters, digits, `_` and `-`");
+    }
+    const DecodedSection section =
+        decode_section(*find_section("noise.*"), path, place, table, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    Noise noise;
+    noise.name = name;
+    bind_section(section, noise_fields(), noise);
+    noise.channels = decode_channels(section, table, decoder);
+    return noise;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,23 @@
+// What the command line of `skybake sweep` says of what varies.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/recipe/recipe_sources.h"
+
+namespace skybake::config {
+
+struct SweepOptions {
+    std::vector<std::string> vary;     // "a.b=0.2:0.8:4", "a.b=1:100:3:log", "a.b=1,2,3"
+    std::vector<std::string> zip;      // "a.b,c.d"
+    std::optional<std::string> sobol;  // "64"
+};
+
+// Lays the options over a recipe's own [sweep], each as a source of its own; an entry replaces that
+// of the same path. E0122 for what is malformed.
+void add_sweep_options(const SweepOptions& options, RecipeSources& sources,
+                       DiagnosticList& diagnostics);
+
+}  // namespace skybake::config

@@ -1,0 +1,138 @@
+#include "config/sweep/sweep_path.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
+
+namespace skybake::config {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool is_of_sweep(const Section& section) { return section.path.starts_with("sweep"); }
+
+bool names_fit(const Names& names, const std::vector<std::string_view>& pattern) {
+    return std::equal(names.begin(), names.end(), pattern.begin(), pattern.end(),
+                      [](const std::string& name, std::string_view wanted) {
+                          return wanted == "*" || name == wanted;
+                      });
+}
+
+// The table at these names; null if there is none.
+const Table* table_at(const Table& root, const Names& names, std::size_t count) {
+    const Table* table = &root;
+    for (std::size_t i = 0; table && i < count; ++i) {
+        const Entry* entry = find_entry(*table, names[i]);
+        table = entry ? as_table(entry->value) : nullptr;
+    }
+    return table;
+}
+
+// What a bake section bakes: its `asset`, else its name.
+std::string asset_of(const Table* table, const std::string& name) {
+    const Entry* entry = table ? find_entry(*table, "asset") : nullptr;
+    const auto* asset = entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
+    return asset ? *asset : name;
+}
+
+// The section of a table of the recipe at these names; null if no table can be there.
+const Section* section_at(const Table& root, const Names& names) {
+    for (const Section& section : sections()) {
+        if (is_of_sweep(section) || !names_fit(names, path_names(section))) continue;
+        if (section.asset.empty()) return &section;
+        return find_section(section.path,
+                            asset_of(table_at(root, names, names.size()), names.back()));
+    }
+    return nullptr;
+}
+
+struct PathReader {
+    const Table& root;
+    const std::string& path;
+    const Place& place;
+    Decoder& decoder;
+
+    void error(std::string message, std::string label) const {
+        decoder.diagnostics.error("E0102", place, std::move(message), std::move(label));
+    }
+
+    void report_no_path() const {
+        error(fmt::format("`{}` in [sweep] is not the path of a key", shorten(path)),
+              "for example \"clouds.cumulus.coverage\", in quotes");
+    }
+
+    void report_no_section() const {
+        error(fmt::format("no table of a recipe has a key `{}`", shorten(path)),
+              "`skybake explain` lists all keys");
+    }
+
+    void report_no_key(const Section& section, const std::string& table,
+                       const std::string& key) const {
+        std::string label = did_you_mean(key, field_keys(section));
+        if (label.empty()) label = "there is no such key";
+        const std::string where =
+            table.empty() ? "at the top level" : fmt::format("in [{}]", shorten(table));
+        error(fmt::format("unknown key `{}` {}", shorten(key), where), std::move(label));
+    }
+
+    // Whether each table that the user names is one of the recipe's.
+    bool has_named_tables(const Names& names, const Section& section) const {
+        const std::vector<std::string_view> pattern = path_names(section);
+        std::string known;
+        for (std::size_t i = 0; i < pattern.size(); ++i) {
+            const Table* parent = table_at(root, names, i);
+            const bool is_missing = !parent || !find_entry(*parent, names[i]);
+            known = join_path(known, names[i]);
+            if (pattern[i] != "*" || !is_missing || !decoder.complete) continue;
+            report_no_table(known, names[i], parent);
+            return false;
+        }
+        return true;
+    }
+
+    void report_no_table(const std::string& missing, const std::string& name,
+                         const Table* parent) const {
+        std::vector<std::string_view> others;
+        if (parent) {
+            for (const Entry& entry : *parent) others.push_back(entry.key);
+        }
+        std::string label = did_you_mean(name, others);
+        if (label.empty()) label = "`skybake show` lists what the recipe has";
+        error(fmt::format("the recipe has no [{}] to vary", shorten(missing)), std::move(label));
+    }
+};
+
+}  // namespace
+
+std::optional<SweptKey> find_swept_key(const Table& root, const std::string& path,
+                                       const Place& place, Decoder& decoder) {
+    const PathReader reader{root, path, place, decoder};
+    auto names = split_path(path);
+    if (!names) {
+        reader.report_no_path();
+        return std::nullopt;
+    }
+    const std::string key = names->back();
+    names->pop_back();
+    SweptKey result;
+    for (const std::string& name : *names) result.table = join_path(result.table, name);
+    result.path = join_path(result.table, key);
+    result.section = section_at(root, *names);
+    if (!result.section) {
+        reader.report_no_section();
+        return std::nullopt;
+    }
+    if (!reader.has_named_tables(*names, *result.section)) return std::nullopt;
+    result.field = find_field(*result.section, key);
+    if (!result.field) {
+        reader.report_no_key(*result.section, result.table, key);
+        return std::nullopt;
+    }
+    return result;
+}
+
+}  // namespace skybake::config

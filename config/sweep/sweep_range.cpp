@@ -1,0 +1,294 @@
+#include "config/sweep/sweep_range.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "config/diagnostics/toml_source.h"
+#include "config/fields/field_reader.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr int digits = 12;
+
+// Ends that are wilder than any key's range, so that nothing below overflows.
+constexpr double largest_end = 1e100;
+constexpr double smallest_log_end = 1e-100;
+constexpr double largest_whole_end =
+    9007199254740992.0;  // 2^53: doubles have all integers up to it
+
+bool takes_whole_numbers(Kind kind) {
+    switch (kind) {
+        case Kind::integer:
+        case Kind::seed:
+        case Kind::frequency:
+        case Kind::levels:
+        case Kind::power_of_two:
+            return true;
+        default:
+            return false;
+    }
+}
+
+// Kinds of which one number, or one for all channels, is a value.
+bool takes_one_number(Kind kind) {
+    switch (kind) {
+        case Kind::number:
+        case Kind::fraction:
+        case Kind::length:
+        case Kind::wavelengths:
+        case Kind::coefficients:
+        case Kind::fractions:
+        case Kind::angle:
+        case Kind::coefficient:
+        case Kind::number_density:
+            return true;
+        default:
+            return takes_whole_numbers(kind);
+    }
+}
+
+std::string_view base_unit(Dimension dimension) {
+    switch (dimension) {
+        case Dimension::length:
+            return "m";
+        case Dimension::inverse_length:
+            return "/m";
+        case Dimension::number_density:
+            return "/m3";
+        case Dimension::angle:
+            return "rad";
+        case Dimension::number:
+        case Dimension::fraction:
+            return "";
+    }
+    return "";
+}
+
+double as_number(const Value& value) {
+    if (const auto* integer = std::get_if<std::int64_t>(&value.data)) {
+        return static_cast<double>(*integer);
+    }
+    const auto* number = std::get_if<double>(&value.data);
+    return number ? *number : 0;
+}
+
+WrittenQuantity as_written(const Value& value) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    const auto quantity = text ? split_quantity(*text) : std::nullopt;
+    return quantity.value_or(WrittenQuantity{as_number(value), ""});
+}
+
+Quantity in_base_units(const Value& value) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    if (text) {
+        const auto parsed = parse_quantity(*text);
+        if (const auto* quantity = std::get_if<Quantity>(&parsed)) return *quantity;
+    }
+    return {as_number(value), Dimension::number};
+}
+
+// Both ends in the unit that they share, else in the base unit.
+void set_ends(const Value& from, const Value& to, SweptRange& range) {
+    range.first = sweep_value(from);
+    range.last = sweep_value(to);
+    const WrittenQuantity first = as_written(from);
+    const WrittenQuantity last = as_written(to);
+    range.from = first.number;
+    range.to = last.number;
+    range.unit = first.unit;
+    if (first.unit == last.unit) return;
+    range.from = in_base_units(from).value;
+    range.to = in_base_units(to).value;
+    range.unit = base_unit(in_base_units(from).dimension);
+}
+
+// The power of ten of a number's first digit.
+int leading_power(double value) {
+    const std::string text = fmt::format("{:.{}e}", std::fabs(value), digits - 1);
+    std::string_view exponent = std::string_view(text).substr(text.find('e') + 1);
+    if (exponent.front() == '+') exponent.remove_prefix(1);
+    int power = 0;
+    std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
+    return power;
+}
+
+// Rounded to `digits` significant digits of `scale`.
+double round_to_digits(double value, double scale) {
+    const int decimals = std::max(0, digits - 1 - leading_power(scale));
+    const std::string text = fmt::format("{:.{}f}", value, decimals);
+    double rounded = 0;
+    std::from_chars(text.data(), text.data() + text.size(), rounded);
+    return rounded + 0.0;  // -0 becomes 0
+}
+
+// base^exponent for an exponent in [0, 1], by the exponent's binary digits and repeated square
+// roots: within some 80 units in the last place, and the same bits everywhere.
+double root_power(double base, double exponent) {
+    double power = 1;
+    double root = base;
+    for (int bit = 0; bit < 53 && exponent > 0; ++bit) {
+        if (exponent >= 1) {
+            power *= root;
+            exponent -= 1;
+        }
+        root = std::sqrt(root);
+        exponent *= 2;
+    }
+    return power;
+}
+
+double value_between(const SweptRange& range, double share) {
+    if (range.log) {
+        const double value = range.from * root_power(range.to / range.from, share);
+        return round_to_digits(value, value);
+    }
+    const double value = range.from * (1 - share) + range.to * share;
+    return round_to_digits(value, std::max(std::fabs(range.from), std::fabs(range.to)));
+}
+
+double evenly_spaced(const SweptRange& range, int index, int count) {
+    const int last = count - 1;
+    if (range.log) return value_between(range, double(index) / last);
+    // Not by shares: the products are exact for short decimals more often.
+    const double value = (range.from * (last - index) + range.to * index) / last;
+    return round_to_digits(value, std::max(std::fabs(range.from), std::fabs(range.to)));
+}
+
+SweepValue spelled(const SweptRange& range, double number) {
+    if (range.whole) {
+        const std::string text = fmt::format("{:.0f}", number);
+        return {text, text};
+    }
+    const std::string text = spell_number(number);
+    if (range.unit.empty()) return {text, text};
+    const std::string quantity = text + ' ' + range.unit;
+    return {toml_string(quantity), quantity};
+}
+
+struct RangeReader {
+    const Field& field;
+    const std::string& path;
+    const Entry& entry;
+    Decoder& decoder;
+
+    void error(const Place& place, std::string message, std::string label) const {
+        decoder.diagnostics.error("E0135", place, std::move(message), std::move(label));
+    }
+
+    bool check_ends(const SweptRange& range, const Value& from, const Value& to) const {
+        const double largest = std::max(std::fabs(range.from), std::fabs(range.to));
+        const double most = range.whole ? largest_whole_end : largest_end;
+        if (!std::isfinite(range.from) || !std::isfinite(range.to) || largest > most) {
+            error(
+                to.place, fmt::format("the range of `{}` goes too far", path),
+                fmt::format("at most {} are allowed; list the values instead", spell_number(most)));
+            return false;
+        }
+        if (range.from == range.to) {
+            error(to.place, fmt::format("the range of `{}` ends where it begins", path),
+                  "give `to` another value, or list the one value: [...]");
+            return false;
+        }
+        if (range.log && !(std::min(range.from, range.to) >= smallest_log_end)) {
+            error(from.place, fmt::format("the log range of `{}` is not above 0", path),
+                  "from and to must be above 0 where scale = \"log\"");
+            return false;
+        }
+        return true;
+    }
+};
+
+}  // namespace
+
+SweepValue sweep_value(const Value& value) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    return {spell_value(value), text ? *text : spell_value(value)};
+}
+
+bool check_form(const Field& field, const std::string& path, const Value& value, Decoder& decoder) {
+    constexpr std::array form_codes = {"E0103", "E0104", "E0106", "E0107", "E0108"};
+    DiagnosticList found;
+    read_field(field, path, value, decoder.channels, found);
+    const std::vector<Diagnostic> diagnostics = found.take();
+    const bool at_fault = std::any_of(diagnostics.begin(), diagnostics.end(), [&](const auto& one) {
+        return std::find(form_codes.begin(), form_codes.end(), one.code) != form_codes.end();
+    });
+    if (at_fault) read_field(field, path, value, decoder.channels, decoder.diagnostics);
+    return !at_fault;
+}
+
+std::optional<SweptRange> read_range(const Field& field, const std::string& path,
+                                     const Entry& entry, Decoder& decoder) {
+    const RangeReader reader{field, path, entry, decoder};
+    if (!takes_one_number(field.kind)) {
+        reader.error(entry.key_place, fmt::format("`{}` cannot vary over a range", path),
+                     fmt::format("list its values, each {}", describe_kind(field.kind)));
+        return std::nullopt;
+    }
+    const DecodedSection section =
+        decode_section(*find_section("sweep.*"), join_path("sweep", path), entry.key_place,
+                       *as_table(entry.value), Absent::filled_in, decoder);
+    const Table& keys = *as_table(entry.value);
+    const bool has_unknown_keys = std::any_of(keys.begin(), keys.end(), [&](const Entry& key) {
+        return !find_field(*find_section("sweep.*"), key.key);
+    });
+    const DecodedField& from = section.at("from");
+    const DecodedField& to = section.at("to");
+    const DecodedField& count = section.at("count");
+    const DecodedField& scale = section.at("scale");
+    const bool count_at_fault = count.source && !count.value;
+    if (!from.value || !to.value || !scale.value || count_at_fault || has_unknown_keys) {
+        return std::nullopt;
+    }
+    const bool from_fits = check_form(field, path, *from.source, decoder);
+    const bool to_fits = check_form(field, path, *to.source, decoder);
+    if (!from_fits || !to_fits) return std::nullopt;
+    SweptRange range;
+    set_ends(*from.source, *to.source, range);
+    range.whole = takes_whole_numbers(field.kind);
+    range.log = std::get<ChoiceIndex>(*scale.value).index == 1;
+    if (count.value) range.count = static_cast<int>(std::get<double>(*count.value));
+    if (!reader.check_ends(range, *from.source, *to.source)) return std::nullopt;
+    return range;
+}
+
+std::optional<std::vector<SweepValue>> range_values(const SweptRange& range,
+                                                    const std::string& path, const Entry& entry,
+                                                    Decoder& decoder) {
+    std::vector<SweepValue> values = {range.first};
+    for (int i = 1; i + 1 < *range.count; ++i) {
+        const double number = evenly_spaced(range, i, *range.count);
+        if (range.whole && number != std::floor(number)) {
+            decoder.diagnostics.error("E0135", entry.value.place,
+                                      fmt::format("`{}` takes whole numbers, and {} is not one",
+                                                  path, spell_number(number)),
+                                      fmt::format("choose a count that divides the range from {} "
+                                                  "to {} into whole steps, or list the values",
+                                                  range.first.plain, range.last.plain));
+            return std::nullopt;
+        }
+        values.push_back(spelled(range, number));
+    }
+    values.push_back(range.last);
+    return values;
+}
+
+SweepValue value_at_share(const SweptRange& range, double share) {
+    if (!range.whole) return share == 0 ? range.first : spelled(range, value_between(range, share));
+    // One more than the greatest, for its share of the way.
+    const double low = std::min(range.from, range.to);
+    const double high = std::max(range.from, range.to);
+    const double upward = range.from < range.to ? share : 1 - share;
+    const double number =
+        range.log ? low * root_power((high + 1) / low, upward) : low + upward * (high + 1 - low);
+    return spelled(range, std::min(std::floor(number), high));
+}
+
+}  // namespace skybake::config

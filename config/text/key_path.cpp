@@ -1,0 +1,159 @@
+#include "config/text/key_path.h"
+
+#include <algorithm>
+
+#include "config/text/utf8.h"
+
+namespace skybake::config {
+namespace {
+
+bool is_bare_character(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+}
+
+bool is_control(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 || byte == 0x7f;
+}
+
+constexpr std::string_view hexadecimal_digits = "0123456789abcdef";
+
+std::string hexadecimal(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return {hexadecimal_digits[byte >> 4], hexadecimal_digits[byte & 15]};
+}
+
+std::string escape_byte(char c) { return "\\x" + hexadecimal(c); }
+
+std::string escape_control(char c) {
+    if (c == '\n') return "\\n";
+    if (c == '\t') return "\\t";
+    if (c == '\r') return "\\r";
+    return "\\u00" + hexadecimal(c);
+}
+
+int hexadecimal_digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    return -1;
+}
+
+// Reads the escape after a backslash at `at`, as toml_string writes them.
+std::optional<char> read_escape(std::string_view path, std::size_t& at) {
+    if (at >= path.size()) return std::nullopt;
+    const char c = path[at++];
+    if (c == '"' || c == '\\') return c;
+    if (c == 'n') return '\n';
+    if (c == 't') return '\t';
+    if (c == 'r') return '\r';
+    if (c != 'u' || path.size() - at < 4 || path.substr(at, 2) != "00") return std::nullopt;
+    const int high = hexadecimal_digit(path[at + 2]);
+    const int low = hexadecimal_digit(path[at + 3]);
+    if (high < 0 || high > 7 || low < 0) return std::nullopt;
+    at += 4;
+    return static_cast<char>(high * 16 + low);
+}
+
+// Reads a quoted name whose opening quote stands before `at`; leaves `at` behind the closing one.
+std::optional<std::string> read_quoted(std::string_view path, std::size_t& at) {
+    std::string name;
+    while (at < path.size()) {
+        const char c = path[at++];
+        if (c == '"') return name;
+        if (c != '\\') {
+            name += c;
+            continue;
+        }
+        const std::optional<char> escaped = read_escape(path, at);
+        if (!escaped) return std::nullopt;
+        name += *escaped;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> read_name(std::string_view path, std::size_t& at) {
+    if (at < path.size() && path[at] == '"') return read_quoted(path, ++at);
+    const std::size_t start = at;
+    while (at < path.size() && (is_bare_character(path[at]) || path[at] == '*')) ++at;
+    if (at == start) return std::nullopt;
+    return std::string(path.substr(start, at - start));
+}
+
+}  // namespace
+
+bool is_bare_key(std::string_view name) {
+    for (const char c : name) {
+        if (!is_bare_character(c)) return false;
+    }
+    return !name.empty();
+}
+
+std::string toml_string(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += c;
+        } else if (is_control(c)) {
+            result += escape_control(c);
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
+std::string spell_key(std::string_view name) {
+    return is_bare_key(name) ? std::string(name) : toml_string(name);
+}
+
+std::string join_path(std::string_view path, std::string_view name) {
+    return path.empty() ? spell_key(name) : std::string(path) + '.' + spell_key(name);
+}
+
+std::optional<std::vector<std::string>> split_path(std::string_view path) {
+    std::vector<std::string> names;
+    std::size_t at = 0;
+    while (true) {
+        const std::optional<std::string> name = read_name(path, at);
+        if (!name) return std::nullopt;
+        names.push_back(*name);
+        if (at == path.size()) return names;
+        if (path[at++] != '.') return std::nullopt;
+    }
+}
+
+bool path_matches(std::string_view path, std::string_view pattern) {
+    const auto names = split_path(path);
+    const auto wanted = split_path(pattern);
+    if (!names || !wanted || names->size() != wanted->size()) return false;
+    for (std::size_t i = 0; i < names->size(); ++i) {
+        if ((*wanted)[i] != "*" && (*wanted)[i] != (*names)[i]) return false;
+    }
+    return true;
+}
+
+std::string printable(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t valid =
+            std::min(find_invalid_utf8(text).value_or(text.size()), text.size());
+        for (const char c : text.substr(0, valid)) {
+            result += is_control(c) ? escape_control(c) : std::string(1, c);
+        }
+        if (valid < text.size()) result += escape_byte(text[valid]);
+        text.remove_prefix(std::min(valid + 1, text.size()));
+    }
+    return result;
+}
+
+std::string shorten(std::string_view text) {
+    constexpr std::size_t longest = 60;
+    if (text.size() <= longest) return printable(text);
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+    return printable(text.substr(0, end)) + "...";
+}
+
+}  // namespace skybake::config
