@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bakers/air/particles/layer_phase.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

@@ -15,7 +15,6 @@
 #pragma once
 
 #include "bakers/air/ray.h"
-#include "config/parameters.h"
 
 namespace skybake {
 

@@ -1,9 +1,13 @@
 // What a bake will take, before it is made.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
-#include "config/parameters.h"
+#include "config/sections/files.h"
+#include "config/sections/noise.h"
+#include "config/sections/sky_choices.h"
 
 namespace skybake {
 
@@ -15,21 +19,30 @@ struct Estimate {
     double disk_mib = 0;
 };
 
-Estimate estimate_transmittance(const config::Parameters& parameters, const config::Bake& bake);
-Estimate estimate_multiple_scattering(const config::Parameters& parameters,
-                                      const config::Bake& bake);
-Estimate estimate_sky_view(const config::Parameters& parameters, const config::Bake& bake);
-Estimate estimate_aerial_perspective(const config::Parameters& parameters,
-                                     const config::Bake& bake);
-Estimate estimate_phase(const config::Parameters& parameters, const config::Bake& bake);
-Estimate estimate_bruneton(const config::Parameters& parameters, const config::Bake& bake);
-Estimate estimate_columns(const config::Parameters& parameters, const config::Bake& bake);
-Estimate estimate_irradiance(const config::Parameters& parameters, const config::Bake& bake);
-Estimate estimate_noise_volume(const config::Parameters& parameters, const config::Bake& bake);
+inline constexpr double kMebibyte = 1024.0 * 1024.0;
 
-// As if the cloud filled its box: what of it is empty takes less.
-Estimate estimate_cloud_volume(const config::Parameters& parameters, const config::Bake& bake);
+// To solve for the light of all orders, where more than single scattering is asked for.
+inline constexpr double kSecondsToSolve = 2;
+double seconds_to_solve(config::SkyOrders orders);
 
-Estimate estimate_occupancy(const config::Parameters& parameters, const config::Bake& bake);
+inline constexpr double kSecondsPerOctave = 1e-9;  // and voxel
+double octaves_of(const config::Noise& noise);
+
+// Of all levels.
+double voxels_of(const std::array<int, 3>& size, int levels);
+
+// `certification` is what measuring takes, in seconds.
+Estimate estimate_texels(const std::array<int, 2>& size, config::PixelType type,
+                         double seconds_per_texel, double certification);
+
+// Of an asset with `size`, or `max_error` in its place.
+template <class Asset>
+Estimate estimate_table(const Asset& asset, double seconds_per_texel, double certification) {
+    const std::array<int, 2> size = asset.max_error ? std::array<int, 2>{} : asset.size;
+    return estimate_texels(size, asset.pixel_type, seconds_per_texel, certification);
+}
+
+Estimate estimate_volume(const config::VolumeFiles& files, const std::array<int, 3>& size,
+                         std::size_t channels, double seconds_per_voxel);
 
 }  // namespace skybake

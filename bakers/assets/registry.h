@@ -1,58 +1,36 @@
-// Which baker makes which asset: one table for planning, baking and metadata.
+// The bakers of all assets, for those who need not know which: planning, baking, reports, pictures.
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <variant>
 #include <vector>
 
-#include "bakers/assets/estimate.h"
-#include "bakers/field/baked_table.h"
-#include "bakers/field/volume.h"
-#include "bakers/math/bake_options.h"
-#include "config/diagnostics/diagnostic.h"
+#include "bakers/assets/baker.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
 
-// A table holds its texels, a volume can make its voxels.
-using BakedAsset = std::variant<BakedTable, BakedVolume>;
-
-// What files say of an asset whatever it is.
-struct AssetLabel {
-    std::string name;
-    std::string parameters;  // TOML
-    Facts details;
-};
-
-// A file besides the recipe that an asset is made from.
-struct InputFile {
-    std::string name;  // as the recipe has it
-    std::filesystem::path path;
-};
-
-struct Baker {
+// Baker of some asset; its functions take bakes of that asset alone.
+struct AnyBaker {
     std::string_view asset;  // "transmittance"
-    int version = 0;         // raised when its bytes change for equal parameters
-    // Patterns of the parameters that an asset depends on, besides those of its own section.
-    std::vector<std::string> (*parameters)(const config::Parameters& parameters,
-                                           const config::Bake& bake);
-    std::vector<InputFile> (*inputs)(const config::Parameters& parameters,
-                                     const config::Bake& bake);
-    Estimate (*estimate)(const config::Parameters& parameters, const config::Bake& bake);
-    // `label` has what all assets say of themselves: name, parameters, details.
-    config::Outcome<BakedAsset> (*bake)(const config::Parameters& parameters,
-                                        const config::Bake& bake, const BakeOptions& options,
-                                        AssetLabel label);
+    int version = 0;
+    std::function<std::vector<InputFile>(const config::Parameters&, const config::Bake&)> inputs;
+    std::function<Estimate(const config::Parameters&, const config::Bake&)> estimate;
+    std::function<AssetPlaces(const config::Parameters&, const config::Bake&, const StoredTexels&)>
+        places;
+    std::function<void(config::Bake&, int most_voxels)> draft;
+    std::function<config::Outcome<BakedAsset>(const config::Parameters&, const config::Bake&,
+                                              const BakeOptions&, AssetLabel)>
+        bake;
 };
 
-std::span<const Baker> bakers();
+// In the order of config/assets/assets.h.
+std::span<const AnyBaker> bakers();
 
 // The baker of a [bake.NAME] section.
-const Baker& baker_of(const config::Bake& bake);
+const AnyBaker& baker_of(const config::Bake& bake);
 
 // The resolved parameters that an asset depends on, as TOML: what its files carry.
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);

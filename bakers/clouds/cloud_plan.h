@@ -29,7 +29,8 @@
 #include "bakers/clouds/map_lookup.h"
 #include "bakers/clouds/tower_field.h"
 #include "bakers/noise/noise_field.h"
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 
 namespace skybake::cloud {
 

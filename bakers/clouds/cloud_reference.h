@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "bakers/clouds/cloud_plan.h"
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 
 namespace skybake::cloud {
 

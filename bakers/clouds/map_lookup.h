@@ -9,7 +9,7 @@
 #pragma once
 
 #include "bakers/field/map_image.h"
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
 
 namespace skybake::cloud {
 

@@ -21,7 +21,7 @@
 #include <span>
 #include <vector>
 
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
 
 namespace skybake::cloud {
 

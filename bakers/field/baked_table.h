@@ -10,7 +10,7 @@
 #include "bakers/field/image.h"
 #include "bakers/field/texel_axis.h"
 #include "bakers/math/facts.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

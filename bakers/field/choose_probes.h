@@ -19,7 +19,7 @@
 #include "bakers/field/wrong_lookups.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/field/baked_table.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bakers/field/baked_table.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/air/ray.h"
-#include "config/parameters.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 

@@ -11,7 +11,8 @@
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
+#include "config/sections/sky_choices.h"
 
 namespace skybake {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::noise {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::noise {
 

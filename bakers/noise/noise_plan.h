@@ -9,7 +9,7 @@
 
 #include "bakers/math/aligned_floats.h"
 #include "bakers/noise/tile_axis.h"
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::noise {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::noise {
 

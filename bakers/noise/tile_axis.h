@@ -9,7 +9,7 @@
 #include <array>
 #include <cstdint>
 
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::noise {
 

@@ -8,6 +8,7 @@
 #include "bakers/occupancy/exact_extremes.h"
 #include "bakers/occupancy/filter_taps.h"
 #include "bakers/occupancy/outward_rounding.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

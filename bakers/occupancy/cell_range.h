@@ -29,7 +29,8 @@
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/parameters.h"
+#include "config/assets/occupancy.h"
+#include "config/sections/files.h"
 
 namespace skybake::occupancy {
 

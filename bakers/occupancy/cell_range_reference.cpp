@@ -5,6 +5,7 @@
 
 #include "bakers/occupancy/filter_taps.h"
 #include "bakers/occupancy/outward_rounding.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

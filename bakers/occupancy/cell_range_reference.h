@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bakers/occupancy/cell_range.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

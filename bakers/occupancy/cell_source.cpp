@@ -8,6 +8,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/half_conversion.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

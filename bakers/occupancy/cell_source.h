@@ -7,7 +7,8 @@
 #include "bakers/field/volume.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/parameters.h"
+#include "config/assets/occupancy.h"
+#include "config/sections/files.h"
 
 namespace skybake::occupancy {
 

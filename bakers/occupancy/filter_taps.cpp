@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "bakers/occupancy/cell_grid.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "config/parameters.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bakers/occupancy/filter_taps.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

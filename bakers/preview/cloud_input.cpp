@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <variant>
 
+#include "config/assets/cloud_volume.h"
+#include "config/assets/occupancy.h"
+
 namespace skybake {
 namespace {
 
@@ -12,7 +15,7 @@ using config::OccupancyBake;
 template <class Section>
 const Section* section_named(const config::Parameters& parameters, const std::string& name) {
     for (const config::Bake& bake : parameters.bakes) {
-        if (bake.name == name) return std::get_if<Section>(&bake.asset);
+        if (bake.name == name) return bake.find<Section>();
     }
     return nullptr;
 }

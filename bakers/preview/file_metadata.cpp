@@ -12,6 +12,8 @@
 #include "bakers/io/files/spelling.h"
 #include "bakers/io/formats/exr/exr_rows.h"
 #include "bakers/io/formats/vdb/vdb_volume.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -121,10 +123,10 @@ bool fits_parameters(const ManifestAsset& table) {
     const auto asked = [](const auto& bake) -> std::vector<int> {
         return {bake.size.begin(), bake.size.end()};
     };
-    const auto& asset = recipe.value->parameters.bakes.front().asset;
+    const config::Bake& asset = recipe.value->parameters.bakes.front();
     std::vector<int> size;
-    if (const auto* bake = std::get_if<config::TransmittanceBake>(&asset)) size = asked(*bake);
-    if (const auto* bake = std::get_if<config::MultipleScatteringBake>(&asset)) size = asked(*bake);
+    if (const auto* bake = asset.find<config::TransmittanceBake>()) size = asked(*bake);
+    if (const auto* bake = asset.find<config::MultipleScatteringBake>()) size = asked(*bake);
     return size.empty() || size[0] <= 0 || size[1] <= 0 || size == table.size;
 }
 

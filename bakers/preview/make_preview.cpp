@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <utility>
 
 #include "bakers/preview/camera_altitude.h"
 #include "bakers/preview/cloud_input.h"
-#include "bakers/preview/pictures/bruneton_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
-#include "bakers/preview/pictures/noise_pictures.h"
-#include "bakers/preview/pictures/phase_pictures.h"
-#include "bakers/preview/pictures/sky_asset_pictures.h"
 #include "bakers/preview/pictures/sky_pictures.h"
-#include "bakers/preview/pictures/table_pictures.h"
 #include "bakers/preview/unused_options.h"
+#include "config/assets/reads.h"
 
 namespace skybake {
 namespace {
@@ -29,9 +25,8 @@ std::string key_of(const PreviewAsset& asset) {
 }
 
 std::string atmosphere_key(const config::Recipe& recipe) {
-    const std::array<std::string, 3> patterns = {"wavelengths", "atmosphere.*",
-                                                 "atmosphere.layers.*.*"};
-    return config::parameters_toml(recipe, patterns);
+    return config::parameters_toml(recipe,
+                                   config::reads_of_air(recipe.parameters, config::Roles::all()));
 }
 
 class Preview {
@@ -109,12 +104,7 @@ class Preview {
             return encoder_.encode(cloud_key(cloud),
                                    [&] { return cloud_pictures(cloud, options_.threads); });
         }
-        return encoder_.encode(key_of(asset), [&] {
-            if (asset.entry.kind == "aerial_perspective") return aerial_pictures(asset);
-            if (asset.entry.kind == "phase") return phase_pictures(asset);
-            if (asset.entry.kind == "bruneton") return bruneton_pictures(asset);
-            return asset.entry.is_volume() ? noise_pictures(asset) : table_pictures(asset);
-        });
+        return encoder_.encode(key_of(asset), [&] { return asset_pictures(asset); });
     }
 
     std::string cloud_key(const CloudPreviewInput& input) const {

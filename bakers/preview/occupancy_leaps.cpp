@@ -5,6 +5,7 @@
 
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake {
 

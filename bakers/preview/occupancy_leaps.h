@@ -5,7 +5,7 @@
 
 #include "bakers/render/cloud_medium.h"
 #include "bakers/render/preview_asset.h"
-#include "config/parameters.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake {
 

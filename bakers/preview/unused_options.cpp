@@ -6,15 +6,18 @@
 #include <string_view>
 #include <variant>
 
+#include "config/assets/cloud_volume.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/transmittance.h"
+
 namespace skybake {
 
 namespace {
 
 template <class Section>
 bool has_section(std::span<const config::Bake> bakes) {
-    return std::any_of(bakes.begin(), bakes.end(), [](const config::Bake& bake) {
-        return std::holds_alternative<Section>(bake.asset);
-    });
+    return std::any_of(bakes.begin(), bakes.end(),
+                       [](const config::Bake& bake) { return bake.is<Section>(); });
 }
 
 // An option, whether it was given, and whether a picture uses it.

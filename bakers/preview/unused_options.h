@@ -7,7 +7,7 @@
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/preview_assets.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

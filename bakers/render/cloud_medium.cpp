@@ -6,6 +6,7 @@
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake {
 

@@ -12,7 +12,7 @@
 
 #include "bakers/math/aligned_floats.h"
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
 
 namespace skybake {
 

@@ -5,14 +5,15 @@
 
 #include "bakers/occupancy/filter_taps.h"
 #include "bakers/render/cloud_camera.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake {
 
 namespace {
 
-using Place = std::array<double, 3>;  // voxels
+using VoxelPlace = std::array<double, 3>;  // voxels
 
-double lookup(const PaddedVolume& volume, const Place& at) {
+double lookup(const PaddedVolume& volume, const VoxelPlace& at) {
     std::array<occupancy::AxisTaps, 3> taps;
     for (std::size_t a = 0; a < 3; ++a) {
         taps[a] = occupancy::filter_taps(config::OccupancyFilter::trilinear, at[a], volume.size[a],
@@ -24,28 +25,29 @@ double lookup(const PaddedVolume& volume, const Place& at) {
     });
 }
 
-double extinction(const CloudMedium& medium, const Place& at) {
+double extinction(const CloudMedium& medium, const VoxelPlace& at) {
     if (at[2] < 0 || at[2] > medium.volume.size[2]) return 0;
     return medium.optics.extinction_per_m * density(medium.optics, lookup(medium.volume, at));
 }
 
-double share(const CloudMedium& medium, const PaddedVolume& shares, const Place& at) {
-    Place scaled;
+double share(const CloudMedium& medium, const PaddedVolume& shares, const VoxelPlace& at) {
+    VoxelPlace scaled;
     for (std::size_t a = 0; a < 3; ++a) {
         scaled[a] = at[a] * shares.size[a] / medium.volume.size[a];
     }
     return lookup(shares, scaled);
 }
 
-Place moved(const CloudMedium& medium, const Place& from, const Direction& direction, double t) {
-    Place to;
+VoxelPlace moved(const CloudMedium& medium, const VoxelPlace& from, const Direction& direction,
+                 double t) {
+    VoxelPlace to;
     for (std::size_t a = 0; a < 3; ++a) {
         to[a] = from[a] + t * direction[a] / medium.meters_per_voxel(a);
     }
     return to;
 }
 
-double depth_towards_sun(const CloudMedium& medium, const Place& from, const Direction& sun,
+double depth_towards_sun(const CloudMedium& medium, const VoxelPlace& from, const Direction& sun,
                          double length_m, int steps) {
     // Up or down to the layer's face, if that is nearer.
     const double z = from[2] * medium.meters_per_voxel(2);
@@ -70,7 +72,7 @@ ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffus
     const Direction sun =
         direction_of(settings.sun.elevation_degrees, settings.sun.azimuth_degrees);
     const double offset = one_minus_cosine(direction, sun);
-    Place origin;
+    VoxelPlace origin;
     for (std::size_t a = 0; a < 3; ++a) {
         origin[a] = (settings.camera.position_m[a] - (a == 2 ? medium.base_m : 0)) /
                     medium.meters_per_voxel(a);
@@ -78,7 +80,7 @@ ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffus
     const double step = (span.last_m - span.first_m) / steps;
     for (int i = 0; i < steps; ++i) {
         const double t = span.first_m + (i + 0.5) * step;
-        const Place at = moved(medium, origin, direction, t);
+        const VoxelPlace at = moved(medium, origin, direction, t);
         const double sigma = extinction(medium, at);
         if (sigma == 0) continue;
         const double through = exponential(-sigma * step);

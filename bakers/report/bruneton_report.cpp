@@ -5,6 +5,7 @@
 #include "bakers/report/sweeps/bruneton_flat_sweep.h"
 #include "bakers/report/sweeps/bruneton_scattering_sweep.h"
 #include "bakers/report/volume_report.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 
@@ -13,7 +14,7 @@ using config::BrunetonTable;
 
 config::Outcome<AssetReport> report_bruneton(const config::Recipe& recipe, const config::Bake& bake,
                                              const ReportOptions& options) {
-    const auto& asked = std::get<BrunetonBake>(bake.asset);
+    const auto& asked = bake.as<BrunetonBake>();
     const bool is_flat =
         asked.table == BrunetonTable::transmittance || asked.table == BrunetonTable::irradiance;
     const config::Atmosphere& atmosphere = recipe.parameters.atmosphere;
@@ -21,7 +22,7 @@ config::Outcome<AssetReport> report_bruneton(const config::Recipe& recipe, const
                               : bruneton_scattering_sweep(atmosphere, asked, options);
     if (!made) return {};
     config::Bake subject = bake;
-    auto& asset = std::get<BrunetonBake>(subject.asset);
+    auto& asset = subject.as<BrunetonBake>();
     asset.size = made->size;
     asset.mips = 1;
     // What the other method is measured against.

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
-#include "bakers/assets/named_parameters.h"
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/volume_report.h"
+#include "config/assets/cloud_volume.h"
 #include "config/sections/cloud_channels.h"
+#include "config/sections/named_sections.h"
 
 namespace skybake {
 
@@ -55,7 +56,7 @@ VolumeSweep sweep_of(const config::Cloud& cloud, const CloudVolumeBake& asked,
 
 Outcome<AssetReport> report_cloud_volume(const config::Recipe& recipe, const config::Bake& bake,
                                          const ReportOptions& options) {
-    const auto& asked = std::get<CloudVolumeBake>(bake.asset);
+    const auto& asked = bake.as<CloudVolumeBake>();
     const config::Cloud& cloud = cloud_named(recipe.parameters, asked.cloud);
     Facts details;
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, asked, details);
@@ -63,7 +64,7 @@ Outcome<AssetReport> report_cloud_volume(const config::Recipe& recipe, const con
     const std::size_t channels =
         config::cloud_channel_names(*inputs.value->base, cloud.channels).size();
     config::Bake subject = bake;
-    auto& asset = std::get<CloudVolumeBake>(subject.asset);
+    auto& asset = subject.as<CloudVolumeBake>();
     asset.size =
         size_within(asked.size, max_report_values(options.quick) / static_cast<int>(channels));
     asset.mips = 1;

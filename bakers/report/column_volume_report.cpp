@@ -12,6 +12,7 @@
 #include "bakers/assets/optical_depth/column_volume.h"
 #include "bakers/report/sweeps/volume_sweep.h"
 #include "bakers/report/volume_report.h"
+#include "config/assets/optical_depth.h"
 
 namespace skybake {
 
@@ -60,19 +61,16 @@ VolumeSweep column_sweep(const config::Atmosphere& atmosphere, const OpticalDept
 
 }  // namespace
 
-bool is_of_columns(const config::Bake& bake) {
-    const auto* asset = std::get_if<OpticalDepthBake>(&bake.asset);
-    return asset != nullptr && (asset->table == config::OpticalDepthTable::to_top ||
-                                asset->table == config::OpticalDepthTable::between);
-}
-
 config::Outcome<AssetReport> report_column_volume(const config::Recipe& recipe,
                                                   const config::Bake& bake,
                                                   const ReportOptions& options) {
-    const auto& asked = std::get<OpticalDepthBake>(bake.asset);
+    const auto& asked = bake.as<OpticalDepthBake>();
+    const bool sums = asked.table == config::OpticalDepthTable::to_top ||
+                      asked.table == config::OpticalDepthTable::between;
+    if (!sums) return nothing_to_compare(bake);
     const config::Atmosphere& atmosphere = recipe.parameters.atmosphere;
     config::Bake subject = bake;
-    auto& asset = std::get<OpticalDepthBake>(subject.asset);
+    auto& asset = subject.as<OpticalDepthBake>();
     asset.mips = 1;
     if (asset.table == config::OpticalDepthTable::between) {
         for (int& texels : asset.size) texels = std::min(texels, kMostColumnTexels);

@@ -8,10 +8,7 @@
 
 namespace skybake {
 
-// Whether a section bakes columns of paths: densities and phase functions have nothing to sum.
-bool is_of_columns(const config::Bake& bake);
-
-// As report_asset.
+// As report_asset. Densities and phase functions have nothing to sum, and nothing to compare.
 config::Outcome<AssetReport> report_column_volume(const config::Recipe& recipe,
                                                   const config::Bake& bake,
                                                   const ReportOptions& options);

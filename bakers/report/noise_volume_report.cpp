@@ -3,11 +3,12 @@
 #include <memory>
 #include <variant>
 
-#include "bakers/assets/named_parameters.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/tile_axis.h"
 #include "bakers/report/sweeps/noise_volume_sweep.h"
 #include "bakers/report/volume_report.h"
+#include "config/assets/noise_volume.h"
+#include "config/sections/named_sections.h"
 
 namespace skybake {
 
@@ -40,10 +41,10 @@ ReferenceOfSize reference_of(const Noise& noise) {
 
 Outcome<AssetReport> report_noise_volume(const config::Recipe& recipe, const config::Bake& bake,
                                          const ReportOptions& options) {
-    const auto& asked = std::get<NoiseVolumeBake>(bake.asset);
+    const auto& asked = bake.as<NoiseVolumeBake>();
     const Noise& noise = noise_named(recipe.parameters, asked.noise);
     config::Bake subject = bake;
-    auto& asset = std::get<NoiseVolumeBake>(subject.asset);
+    auto& asset = subject.as<NoiseVolumeBake>();
     asset.size = report_size(noise, asked, options.quick);
     asset.mips = 1;
     const VolumeSweep sweep = noise_volume_sweep(noise, asked, asset.size, options.quick);

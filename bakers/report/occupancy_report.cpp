@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
-#include "bakers/assets/named_parameters.h"
 #include "bakers/assets/occupancy/occupancy_check.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/field/voxel_boxes.h"
@@ -25,7 +24,10 @@
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/sweeps/thread_time.h"
 #include "bakers/report/sweeps/volume_sweep.h"
-#include "config/sections/cloud_extent.h"
+#include "config/assets/cloud_extent.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/occupancy.h"
+#include "config/sections/named_sections.h"
 
 namespace skybake {
 
@@ -209,8 +211,8 @@ MarchedVolume marched(const config::Cloud& cloud, const std::vector<float>& voxe
 
 Outcome<AssetReport> report_occupancy(const config::Recipe& recipe, const config::Bake& bake,
                                       const ReportOptions& options) {
-    const auto& asset = std::get<OccupancyBake>(bake.asset);
-    auto of = std::get<CloudVolumeBake>(bake_named(recipe.parameters, asset.of).asset);
+    const auto& asset = bake.as<OccupancyBake>();
+    auto of = bake_named(recipe.parameters, asset.of).as<CloudVolumeBake>();
     const config::Cloud cloud = config::stretched(cloud_named(recipe.parameters, of.cloud), of);
     Facts details;
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, of, details);

@@ -20,6 +20,13 @@
 #include "bakers/report/sweeps/multiple_scattering_sweep.h"
 #include "bakers/report/sweeps/phase_sweep.h"
 #include "bakers/report/sweeps/transmittance_sweep.h"
+#include "config/assets/bruneton.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/noise_volume.h"
+#include "config/assets/occupancy.h"
+#include "config/assets/phase.h"
+#include "config/assets/transmittance.h"
 
 namespace skybake {
 
@@ -46,7 +53,7 @@ int chosen_level(const BakedTable& table) {
 // variant of.
 Bake subject(const Bake& bake) {
     Bake result = bake;
-    if (auto* asset = std::get_if<MultipleScatteringBake>(&result.asset)) {
+    if (auto* asset = result.find<MultipleScatteringBake>()) {
         asset->method = MultipleScatteringMethod::converged;
     }
     return result;
@@ -55,7 +62,7 @@ Bake subject(const Bake& bake) {
 // The same whatever its quadrature reaches.
 Bake without_texel_bound(const Bake& bake) {
     Bake result = bake;
-    if (auto* asset = std::get_if<MultipleScatteringBake>(&result.asset)) {
+    if (auto* asset = result.find<MultipleScatteringBake>()) {
         asset->max_texel_error = std::numeric_limits<double>::infinity();
     }
     return result;
@@ -69,11 +76,11 @@ bool misses_texel_bound(const Outcome<BakedTable>& baked) {
 Sweep sweep_of(const Bake& bake, const Medium& medium, const BakedTable& baked,
                std::optional<int> level, const ReportOptions& options) {
     const std::array<int, 2> size = {baked.image.width, baked.image.height};
-    if (const auto* asset = std::get_if<TransmittanceBake>(&bake.asset)) {
+    if (const auto* asset = bake.find<TransmittanceBake>()) {
         return transmittance_sweep(medium, *asset, size, options.quick);
     }
-    return multiple_scattering_sweep(medium, std::get<MultipleScatteringBake>(bake.asset), size,
-                                     level, options.quick, options.threads);
+    return multiple_scattering_sweep(medium, bake.as<MultipleScatteringBake>(), size, level,
+                                     options.quick, options.threads);
 }
 
 Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake& bake,
@@ -100,12 +107,12 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     const std::optional<int> level =
         holds ? std::optional(chosen_level(*baked.value)) : std::nullopt;
     std::optional<PhaseSource> phases;
-    if (const auto* phase = std::get_if<config::PhaseBake>(&bake.asset)) {
+    if (const auto* phase = bake.find<config::PhaseBake>()) {
         phases = phase_source(recipe.parameters, *phase, options.threads);
     }
-    const Sweep sweep = phases ? phase_sweep(*phases, std::get<config::PhaseBake>(bake.asset),
-                                             *baked.value, options.quick)
-                               : sweep_of(bake, medium, *baked.value, level, options);
+    const Sweep sweep =
+        phases ? phase_sweep(*phases, bake.as<config::PhaseBake>(), *baked.value, options.quick)
+               : sweep_of(bake, medium, *baked.value, level, options);
     report.timing = sweep.timing;
     report.texel_points = sweep.texels.rows * sweep.texels.per_row;
     report.lookup_points = sweep.lookups.rows * sweep.lookups.per_row;
@@ -117,7 +124,22 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     return outcome;
 }
 
-// Assets that have no variants to compare: their certificates say what they reach.
+// Assets whose variants are compared; of the others certificates say what they reach.
+struct AssetReporter {
+    std::string_view asset;
+    Outcome<AssetReport> (*report)(const config::Recipe& recipe, const Bake& bake,
+                                   const ReportOptions& options);
+};
+
+constexpr AssetReporter kReporters[] = {
+    {"transmittance", report_table_asset},   {"multiple_scattering", report_table_asset},
+    {"phase", report_table_asset},           {"bruneton", report_bruneton},
+    {"optical_depth", report_column_volume}, {"noise_volume", report_noise_volume},
+    {"cloud_volume", report_cloud_volume},   {"occupancy", report_occupancy},
+};
+
+}  // namespace
+
 Outcome<AssetReport> nothing_to_compare(const Bake& bake) {
     AssetReport report;
     report.name = bake.name;
@@ -127,27 +149,11 @@ Outcome<AssetReport> nothing_to_compare(const Bake& bake) {
     return {std::move(report), {}};
 }
 
-}  // namespace
-
 Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake,
                                   const ReportOptions& options) {
-    if (std::holds_alternative<config::NoiseVolumeBake>(bake.asset)) {
-        return report_noise_volume(recipe, bake, options);
-    }
-    if (std::holds_alternative<config::CloudVolumeBake>(bake.asset)) {
-        return report_cloud_volume(recipe, bake, options);
-    }
-    if (std::holds_alternative<config::OccupancyBake>(bake.asset)) {
-        return report_occupancy(recipe, bake, options);
-    }
-    if (std::holds_alternative<config::BrunetonBake>(bake.asset)) {
-        return report_bruneton(recipe, bake, options);
-    }
-    if (is_of_columns(bake)) return report_column_volume(recipe, bake, options);
-    if (std::holds_alternative<TransmittanceBake>(bake.asset) ||
-        std::holds_alternative<MultipleScatteringBake>(bake.asset) ||
-        std::holds_alternative<config::PhaseBake>(bake.asset)) {
-        return report_table_asset(recipe, bake, options);
+    const std::string_view asset = baker_of(bake).asset;
+    for (const AssetReporter& reporter : kReporters) {
+        if (reporter.asset == asset) return reporter.report(recipe, bake, options);
     }
     return nothing_to_compare(bake);
 }

@@ -100,4 +100,7 @@ struct ReportOptions {
 config::Outcome<AssetReport> report_asset(const config::Recipe& recipe, const config::Bake& bake,
                                           const ReportOptions& options);
 
+// The report of an asset that has no variants: its certificate says what it reaches.
+config::Outcome<AssetReport> nothing_to_compare(const config::Bake& bake);
+
 }  // namespace skybake

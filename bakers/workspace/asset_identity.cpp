@@ -63,7 +63,7 @@ config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,
                                               const config::Bake& bake,
                                               Certification certification) {
     config::Outcome<AssetIdentity> outcome;
-    const Baker& baker = baker_of(bake);
+    const AnyBaker& baker = baker_of(bake);
     AssetIdentity identity;
     identity.kind = baker.asset;
     identity.release = release();

@@ -1,75 +1,37 @@
 #include "config/assets/bake_decoder.h"
-
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <map>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
-#include "config/assets/cloud_volume_decoder.h"
-#include "config/assets/noise_volume_decoder.h"
-#include "config/assets/occupancy_decoder.h"
-#include "config/assets/phase_decoder.h"
-#include "config/assets/precomputed_decoder.h"
-#include "config/assets/sky_decoder.h"
+#include "config/assets/asset_kind.h"
 #include "config/text/key_path.h"
 #include "config/text/suggest.h"
 
 namespace skybake::config {
 namespace {
 
-template <class Asset, auto fields>
-Bake bind_as(const std::string& name, const DecodedSection& section) {
-    Asset asset;
-    bind_section(section, fields(), asset);
-    return {name, asset};
-}
-
-constexpr std::string_view aerial_perspective = "aerial_perspective";
-constexpr std::string_view noise_volume = "noise_volume";
-constexpr std::string_view cloud_volume = "cloud_volume";
-constexpr std::string_view occupancy = "occupancy";
-constexpr std::string_view phase = "phase";
-constexpr std::string_view bruneton = "bruneton";
-constexpr std::string_view optical_depth = "optical_depth";
-
-// Which struct each bake section of the field tables fills.
-struct Binder {
-    std::string_view asset;
-    Bake (*bind)(const std::string& name, const DecodedSection& section);
-};
-
-constexpr std::array binders = {
-    Binder{"transmittance", bind_as<TransmittanceBake, transmittance_fields>},
-    Binder{"multiple_scattering", bind_as<MultipleScatteringBake, multiple_scattering_fields>},
-    Binder{"sky_view", bind_as<SkyViewBake, sky_view_fields>},
-    Binder{aerial_perspective, bind_as<AerialPerspectiveBake, aerial_perspective_fields>},
-    Binder{"irradiance", bind_as<IrradianceBake, irradiance_fields>},
-    Binder{phase, bind_as<PhaseBake, phase_fields>},
-    Binder{bruneton, bind_as<BrunetonBake, bruneton_fields>},
-    Binder{optical_depth, bind_as<OpticalDepthBake, optical_depth_fields>},
-    Binder{noise_volume, bind_as<NoiseVolumeBake, noise_volume_fields>},
-    Binder{cloud_volume, bind_as<CloudVolumeBake, cloud_volume_fields>},
-    Binder{occupancy, bind_as<OccupancyBake, occupancy_fields>},
-};
-
 // A bake whose keys are read, and that has yet to take what it takes from others.
 struct OpenBake {
     std::string name;
-    std::string asset;
+    const AssetKind* kind = nullptr;
     DecodedSection section;
+
+    Bake bind() const { return kind->bind(name, section); }
 };
 
-Bake bind_bake(const OpenBake& open) {
-    const auto* binder = std::find_if(binders.begin(), binders.end(), [&](const Binder& entry) {
-        return entry.asset == open.asset;
+// Null if there is none of this name.
+const AssetKind* find_kind(std::string_view name) {
+    const auto kinds = asset_kinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [name](const AssetKind* kind) {
+        return kind->facts.name == name;
     });
-    assert(binder != binders.end());
-    return binder->bind(open.name, open.section);
+    return found == kinds.end() ? nullptr : *found;
 }
 
 // The asset's name and where it is said; none if it is no text.
@@ -113,13 +75,13 @@ std::optional<OpenBake> read_bake(const std::string& name, const Place& place, c
                                   fmt::format("use one of {}", fmt::join(asset_names(), ", ")));
         return std::nullopt;
     }
-    const Section* section = find_section("bake.*", asset->name);
-    if (!section || asset->name.empty()) {
+    const AssetKind* kind = find_kind(asset->name);
+    if (!kind) {
         report_unknown_asset(*asset, path, decoder);
         return std::nullopt;
     }
-    OpenBake open{name, asset->name,
-                  decode_section(*section, path, place, table, Absent::filled_in, decoder)};
+    OpenBake open{name, kind,
+                  decode_section(kind->section, path, place, table, Absent::filled_in, decoder)};
     // The default of `asset` is the section's name, which the field table cannot know.
     DecodedField& asset_field = open.section.at("asset");
     if (!asset_field.source) asset_field.value = asset->name;
@@ -158,11 +120,60 @@ void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& deco
     }
 }
 
+using Names = std::vector<std::string>;
+
+const DecodedField* find_decoded(const DecodedSection& section, std::string_view key) {
+    const auto found =
+        std::find_if(section.fields.begin(), section.fields.end(),
+                     [&](const DecodedField& decoded) { return decoded.field->key == key; });
+    return found == section.fields.end() ? nullptr : &*found;
+}
+
+// Whether the recipe has a layer of that name, at fault or switched off though it may be.
+bool is_in_recipe(const Table& root, const std::string& name) {
+    const Entry* atmosphere = find_entry(root, "atmosphere");
+    const Table* table = atmosphere ? as_table(atmosphere->value) : nullptr;
+    const Entry* layers = table ? find_entry(*table, "layers") : nullptr;
+    const Table* named = layers ? as_table(layers->value) : nullptr;
+    return named && find_entry(*named, name);
+}
+
+std::string what_there_is(const std::string& name, const Atmosphere& atmosphere) {
+    std::vector<std::string_view> names;
+    for (const Layer& layer : atmosphere.layers) names.push_back(layer.name);
+    if (names.empty()) return "the atmosphere has no layers";
+    std::string label = did_you_mean(name, names);
+    return label.empty() ? fmt::format("this recipe has {}", fmt::join(names, ", ")) : label;
+}
+
+// Names in the list `key` that are none of the atmosphere's layers (E0138). Sections without such a
+// key pass.
+void check_layer_names(const DecodedSection& bake, std::string_view key, const Table& root,
+                       const Atmosphere& atmosphere, Decoder& decoder) {
+    const DecodedField* decoded = find_decoded(bake, key);
+    if (!decoded || !decoded->value || !decoded->source || !decoder.complete) return;
+    const auto& names = std::get<Names>(*decoded->value);
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        const bool known = std::any_of(atmosphere.layers.begin(), atmosphere.layers.end(),
+                                       [&](const Layer& layer) { return layer.name == *name; });
+        const bool again = std::find(names.begin(), name, *name) != name;
+        // A layer that is there and could not be read has been reported.
+        const bool is_off = !known && is_in_recipe(root, *name);
+        if ((known && !again) || (is_off && decoder.diagnostics.has_errors())) continue;
+        const std::string path = join_path(bake.path, key);
+        const std::string_view problem = again ? "names a layer twice"
+                                         : is_off
+                                             ? "names a layer that is switched off"
+                                             : "names a layer that the atmosphere does not have";
+        decoder.diagnostics.error("E0138", decoded->source->place,
+                                  fmt::format("`{}` {}: `{}`", path, problem, shorten(*name)),
+                                  again ? "name it once" : what_there_is(*name, atmosphere));
+    }
+}
+
 }  // namespace
 
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
-    const std::vector<Noise>& noises = recipe.noises;
-    const std::vector<Cloud>& clouds = recipe.clouds;
     std::vector<OpenBake> open;
     std::vector<std::string_view> unreadable;
     const std::vector<const Entry*> entries =
@@ -180,26 +191,19 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
     }
     std::vector<Bake> bakes;
     for (OpenBake& bake : open) {
-        if (bake.asset == aerial_perspective) {
-            resolve_aerial_perspective(bake.section, recipe.scene, decoder);
-        }
-        if (bake.asset == phase) check_phase(bake.section, recipe, decoder);
-        if (bake.asset == bruneton) resolve_bruneton(bake.section, recipe, decoder);
-        if (bake.asset == optical_depth) {
-            resolve_optical_depth(bake.section, recipe.atmosphere, decoder);
+        if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
+            bake.kind->resolve(bake.section, {recipe}, decoder);
         }
         for (const std::string_view key : {"layers", "mie_layers", "kinds"}) {
             check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
         }
-        if (bake.asset == noise_volume) resolve_noise_volume(bake.section, noises, decoder);
-        if (bake.asset == cloud_volume) resolve_cloud_volume(bake.section, clouds, noises, decoder);
-        bakes.push_back(bind_bake(bake));
+        bakes.push_back(bake.bind());
     }
-    // An occupancy takes from a cloud volume, which may stand behind it.
+    // What an asset is made of may stand behind it.
     for (std::size_t i = 0; i < open.size(); ++i) {
-        if (open[i].asset == occupancy) {
-            resolve_occupancy(open[i].section, {bakes, unreadable, clouds, noises}, decoder);
-            bakes[i] = bind_bake(open[i]);
+        if (open[i].kind->facts.of_another_bake) {
+            open[i].kind->resolve(open[i].section, {recipe, bakes, unreadable}, decoder);
+            bakes[i] = open[i].bind();
         }
         append_values(open[i].section, decoder);
     }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "config/fields/section_decoder.h"
-#include "config/parameters.h"
+#include "config/sections/parameters.h"
 
 namespace skybake::config {
 

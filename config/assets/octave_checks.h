@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/fields/section_decoder.h"
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::config {
 

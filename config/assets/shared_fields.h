@@ -4,6 +4,7 @@
 #include <array>
 
 #include "config/fields/fields.h"
+#include "config/fields/shared_ranges.h"
 
 namespace skybake::config {
 
@@ -24,6 +25,55 @@ inline constexpr Field compression_field{
     .kind = Kind::choice,
     .choices = compression_choices,
     .fallback = R"("zip")",
-    .documentation = "compression of the EXR file, always lossless"};
+    .documentation = "compression of the EXR file, always lossless",
+    .role = Role::files};
+
+inline constexpr std::array table_pixel_type_choices = {
+    Choice{"float", "32 bits per channel"},
+    Choice{"half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
+};
+inline constexpr Field table_pixel_type_field{.key = "pixel_type",
+                                              .kind = Kind::choice,
+                                              .choices = table_pixel_type_choices,
+                                              .fallback = R"("float")",
+                                              .documentation = "type of the numbers in the file"};
+
+inline constexpr std::array orders_choices = {
+    Choice{"all", "all light"},
+    Choice{"single", "sunlight scattered once, in the air"},
+    Choice{"multiple", "the rest: scattered more than once, or reflected by the ground"},
+};
+inline constexpr Field orders_field{
+    .key = "orders",
+    .kind = Kind::choice,
+    .choices = orders_choices,
+    .fallback = R"("all")",
+    .documentation = "which orders of scattering; single and multiple add up to all"};
+
+inline constexpr std::string_view single_orders[] = {"single"};
+inline constexpr Field layers_field{.key = "layers",
+                                    .kind = Kind::text_list,
+                                    .documentation =
+                                        "layers of the atmosphere that scatter; by default every "
+                                        "one, and all of them always attenuate",
+                                    .hint = "[\"mie\"]",
+                                    .selector = "orders",
+                                    .selected_by = single_orders};
+
+inline constexpr Field camera_altitude_field{
+    .key = "altitude",
+    .kind = Kind::length,
+    .range = camera_altitude_range,
+    .fallback = R"("0 km")",
+    .documentation = "altitude of the camera, which may be in space"};
+
+inline constexpr Field max_error_field{
+    .key = "max_error",
+    .kind = Kind::fraction,
+    .range = lookup_error_range,
+    .documentation =
+        "in place of size, asks for the smallest table whose lookups are within this error",
+    .hint = "errors below 0.01 are invisible",
+    .exclusive_group = "size"};
 
 }  // namespace skybake::config

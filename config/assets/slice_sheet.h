@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake::config {
 

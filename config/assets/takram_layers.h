@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake::config {
 

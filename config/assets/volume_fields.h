@@ -8,8 +8,14 @@
 
 #include "config/assets/shared_fields.h"
 #include "config/fields/fields.h"
+#include "config/sections/files.h"
 
 namespace skybake::config {
+
+// Rows of bakes that have the keys of VolumeFiles besides their own.
+template <class S, class... Choices>
+using VolumeBakeField = BoundField<S, std::vector<VolumeFormat>, PixelType, VolumeLayout,
+                                   Compression, VdbCompression, Choices...>;
 
 inline constexpr Range voxel_range{1, 16384};
 inline constexpr Range level_range{1, 15};
@@ -53,7 +59,8 @@ std::vector<Row> with_file_fields(const std::array<Row, count>& own, const FileW
           .kind = Kind::choice_list,
           .choices = format_choices,
           .fallback = words.formats,
-          .documentation = "files to write, NAME.exr and so on"},
+          .documentation = "files to write, NAME.exr and so on",
+          .role = Role::files},
          &VolumeFiles::formats},
         {{.key = "pixel_type",
           .kind = Kind::choice,
@@ -66,7 +73,8 @@ std::vector<Row> with_file_fields(const std::array<Row, count>& own, const FileW
           .choices = layout_choices,
           .fallback = R"("stack")",
           .documentation = "where the slices lie in the EXR file; by default an atlas where a "
-                           "stack would have more than 16384 rows"},
+                           "stack would have more than 16384 rows",
+          .role = Role::files},
          &VolumeFiles::layout},
         {{.key = "columns",
           .kind = Kind::integer,
@@ -74,21 +82,24 @@ std::vector<Row> with_file_fields(const std::array<Row, count>& own, const FileW
           .documentation =
               "slices in a row of the atlas; by default a divisor of the slices, near to a square",
           .selector = "layout",
-          .selected_by = atlas},
+          .selected_by = atlas,
+          .role = Role::files},
          &VolumeFiles::columns},
         {{.key = "mips",
           .kind = Kind::levels,
           .range = level_range,
           .fallback = "1",
           .documentation = words.mips,
-          .hint = "\"all\" goes down to one voxel"},
+          .hint = "\"all\" goes down to one voxel",
+          .role = Role::files},
          &VolumeFiles::mips},
         {compression_field, &VolumeFiles::compression},
         {{.key = "vdb_compression",
           .kind = Kind::choice,
           .choices = vdb_compression_choices,
           .fallback = R"("blosc")",
-          .documentation = "compression of the VDB file, always lossless"},
+          .documentation = "compression of the VDB file, always lossless",
+          .role = Role::files},
          &VolumeFiles::vdb_compression},
     };
     rows.insert(rows.end(), std::begin(file_rows), std::end(file_rows));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "config/assets/slice_sheet.h"
 #include "config/text/key_path.h"
@@ -177,6 +178,21 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
     if (*asked == 0) decoded.value = levels;
 }
 
+// Axes that the table does not have, and those that need two ends.
+void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, Decoder& decoder) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int count = size[static_cast<std::size_t>(axis)];
+        const bool is_axis = axis < axes;
+        if (is_axis ? count >= 2 : count == 1) continue;
+        report_size(bake,
+                    fmt::format("`{}` is {}: its table has {} ax{}", join_path(bake.path, "size"),
+                                spell_voxels(size), axes, axes == 1 ? "is" : "es"),
+                    is_axis ? "each of them needs two texels or more" : "give 1 along the others",
+                    decoder);
+        return;
+    }
+}
+
 }  // namespace
 
 std::string spell_voxels(const VoxelCounts& size) {
@@ -235,6 +251,24 @@ void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std:
         fmt::format("[{}] has {} voxels ({}) and would need {} bytes ({})", bake.path, voxels,
                     spell_voxels(size), bytes, spell_bytes(bytes)),
         fmt::format("at most {} (2^36) voxels are allowed", most_voxels));
+}
+
+void report_size(const DecodedSection& bake, std::string message, std::string label,
+                 Decoder& decoder) {
+    const DecodedField& size = bake.at("size");
+    decoder.diagnostics.error("E0142", size.source ? size.source->place : bake.place,
+                              std::move(message), std::move(label));
+}
+
+void resolve_table_files(DecodedSection& bake, int axes, std::size_t channels, Decoder& decoder) {
+    check_pixel_type(bake, decoder);
+    const DecodedField& size = bake.at("size");
+    if (!size.value) return;
+    const auto texels = std::get<VoxelCounts>(*size.value);
+    check_axes(bake, texels, axes, decoder);
+    resolve_volume_files(bake, texels, Halving::down, decoder);
+    check_voxel_count(bake, texels, channels, size.source ? size.source->place : bake.place,
+                      decoder);
 }
 
 }  // namespace skybake::config

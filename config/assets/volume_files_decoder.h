@@ -26,6 +26,14 @@ enum class Halving { down, up };
 void resolve_volume_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
                           Decoder& decoder);
 
+// What a table of this many axes needs once its size is known: texels along each, and all of the
+// above and below. E0142: a size that the table cannot have.
+void resolve_table_files(DecodedSection& bake, int axes, std::size_t channels, Decoder& decoder);
+
+// E0142 at the place of the size.
+void report_size(const DecodedSection& bake, std::string message, std::string label,
+                 Decoder& decoder);
+
 // Warns (W0211) if a VDB file is among the formats and voxels of these edges, in metres along x, y
 // and z, are not cubes. `size` is said at `size_place`.
 void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,

@@ -10,77 +10,6 @@
 namespace skybake::config {
 namespace {
 
-template <class Bound>
-Section make_section(std::string_view path, std::string_view asset, std::string_view documentation,
-                     std::span<const Bound> table) {
-    Section section{path, asset, documentation, {}};
-    for (const Bound& bound : table) section.fields.push_back(bound.field);
-    return section;
-}
-
-// Of keys that fill no struct's members.
-Section make_section(std::string_view path, std::string_view documentation,
-                     std::span<const Field> table) {
-    return {path, "", documentation, {table.begin(), table.end()}};
-}
-
-std::vector<Section> make_sections() {
-    return {
-        make_section("", "", "the recipe as a whole", root_fields()),
-        make_section("atmosphere", "", "the planet and its air", atmosphere_fields()),
-        make_section("atmosphere.layers.*", "", "one kind of gas or particle, under any name",
-                     layer_fields()),
-        make_section("scene", "", "the cameras and suns that the sky's tables are for",
-                     scene_fields()),
-        make_section("particles.*", "", "spheres of given sizes, under any name",
-                     particles_fields()),
-        make_section("noise.*", "", "a tileable noise, under any name", noise_fields()),
-        make_section("noise.*.channels.*", "", "one channel of a noise: R, G, B, A, or Y alone",
-                     noise_channel_fields()),
-        make_section("clouds.*", "", "a cloud or a layer of clouds, under any name",
-                     cloud_fields()),
-        make_section("clouds.*.height_profile", "", "how full the cloud is, by height",
-                     height_profile_fields()),
-        make_section("clouds.*.coverage_map", "", "a picture over the cloud that thins it out",
-                     coverage_map_fields()),
-        make_section("clouds.*.type_map", "", "a picture over the cloud of its cloud_type",
-                     type_map_fields()),
-        make_section("clouds.*.scatter", "", "towers at random places", tower_scatter_fields()),
-        make_section("clouds.*.towers.*", "", "a tower that is added to the height profile",
-                     tower_fields()),
-        make_section("bake.*", "transmittance",
-                     "the share of light that arrives from the top of the atmosphere",
-                     transmittance_fields()),
-        make_section("bake.*", "multiple_scattering",
-                     "the light scattered twice or more, per unit of scattering",
-                     multiple_scattering_fields()),
-        make_section("bake.*", "sky_view", "the sky as a camera sees it, under given suns",
-                     sky_view_fields()),
-        make_section("bake.*", "aerial_perspective",
-                     "the air between a camera and what it looks at", aerial_perspective_fields()),
-        make_section("bake.*", "irradiance", "the light that falls on level surfaces",
-                     irradiance_fields()),
-        make_section("bake.*", "phase", "how particles or a layer scatter, by angle",
-                     phase_fields()),
-        make_section("bake.*", "bruneton", "a table of Bruneton's precomputed scattering",
-                     bruneton_fields()),
-        make_section("bake.*", "optical_depth",
-                     "columns, densities or phase functions of up to four kinds of particles",
-                     optical_depth_fields()),
-        make_section("bake.*", "noise_volume", "the voxels of a noise", noise_volume_fields()),
-        make_section("bake.*", "cloud_volume", "the voxels of a cloud", cloud_volume_fields()),
-        make_section(
-            "bake.*", "occupancy",
-            "which cells of a cloud volume are empty, and how far a ray may leap from them",
-            occupancy_fields()),
-        make_section("sweep", "what `skybake sweep` varies: other keys are paths, in quotes",
-                     sweep_fields()),
-        make_section("sweep.*",
-                     "a range of values for the key at a path, or a list of them: [1, 2]",
-                     sweep_range_fields()),
-    };
-}
-
 std::string spell_bound(const Field& field, double value) {
     switch (field.kind) {
         case Kind::length:
@@ -121,18 +50,6 @@ bool has_range(Kind kind) {
 
 }  // namespace
 
-std::span<const Section> sections() {
-    static const std::vector<Section> all = make_sections();
-    return all;
-}
-
-const Section* find_section(std::string_view path, std::string_view asset) {
-    for (const Section& section : sections()) {
-        if (section.path == path && section.asset == asset) return &section;
-    }
-    return nullptr;
-}
-
 const Field* find_field(const Section& section, std::string_view key) {
     for (const Field& field : section.fields) {
         if (field.key == key) return &field;
@@ -149,28 +66,6 @@ std::vector<std::string_view> field_keys(const Section& section) {
 std::vector<std::string_view> choice_names(const Field& field) {
     std::vector<std::string_view> names;
     for (const Choice& choice : field.choices) names.push_back(choice.name);
-    return names;
-}
-
-std::vector<std::string_view> asset_names() {
-    std::vector<std::string_view> names;
-    for (const Section& section : sections()) {
-        if (!section.asset.empty()) names.push_back(section.asset);
-    }
-    return names;
-}
-
-std::vector<std::string_view> subtables(std::string_view path) {
-    const std::string prefix = path.empty() ? "" : std::string(path) + '.';
-    std::vector<std::string_view> names;
-    for (const Section& section : sections()) {
-        if (section.path.empty() || section.path.substr(0, prefix.size()) != prefix) continue;
-        const std::string_view rest = section.path.substr(prefix.size());
-        const std::string_view name = rest.substr(0, rest.find('.'));
-        if (!name.empty() && name != "*" && (names.empty() || names.back() != name)) {
-            names.push_back(name);
-        }
-    }
     return names;
 }
 

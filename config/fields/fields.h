@@ -1,6 +1,7 @@
-// The field tables: for every key of a recipe its kind, range, default, documentation and source,
-// and the struct member it fills. The decoder and its checks, explain, init, the JSON Schema, show
-// and the metadata in baked files are all generated from these tables; no key is listed elsewhere.
+// The rows that describe every key of a recipe: its kind, range, default, documentation, source and
+// role, and the struct member that it fills. The decoder and its checks, explain, init, the JSON
+// Schema, show, the keys of caches and the metadata in baked files are all generated from these
+// rows; no key is listed elsewhere.
 #pragma once
 
 #include <array>
@@ -12,7 +13,9 @@
 #include <variant>
 #include <vector>
 
-#include "config/parameters.h"
+#include "config/fields/point_tables.h"
+#include "config/fields/roles.h"
+#include "config/text/quantity.h"
 
 namespace skybake::config {
 
@@ -90,6 +93,7 @@ struct Field {
     std::string_view needs = {};  // the key applies only where this text of the table is not empty
     std::string_view range_code = "E0110";  // the diagnostic for a value out of range
     bool only_shown = false;  // says where values come from; not among the parameters of files
+    Role role = Role::content;
 };
 
 // A table of a recipe. In the path a `*` stands for a name that the user gives.
@@ -119,72 +123,7 @@ struct BoundField {
     Member<S, Choices...> member;
 };
 
-using RootField = BoundField<Parameters>;
-using AtmosphereField = BoundField<Atmosphere>;
-using LayerField = BoundField<Layer, Profile, Phase>;
-using TransmittanceField = BoundField<TransmittanceBake, TransmittanceContent, TransmittanceMapping,
-                                      PixelType, Compression>;
-using MultipleScatteringField =
-    BoundField<MultipleScatteringBake, MultipleScatteringMapping, MultipleScatteringMethod,
-               MultipleScatteringContent, PixelType, Compression>;
-using SceneField = BoundField<Scene>;
-using ParticlesField = BoundField<Particles, ParticleMaterial, SizeDistribution>;
-using SkyViewField = BoundField<SkyViewBake, SkyOrders, SkyMethod, PixelType, Compression>;
-using IrradianceField = BoundField<IrradianceBake, IrradianceContent, SkyOrders,
-                                   MultipleScatteringMapping, PixelType, Compression>;
-using PhaseField = BoundField<PhaseBake, PhaseContent, PhaseSpacing, PixelType, Compression>;
-using NoiseField = BoundField<Noise, NoiseSampling, NoisePacking>;
-using NoiseChannelField =
-    BoundField<NoiseChannel, NoiseType, NoiseFractal, WorleyFeature, WorleyValue, CurlComponent>;
-using CloudField = BoundField<Cloud, ThresholdAt, CloudChannels>;
-using HeightProfileField = BoundField<HeightProfile, HeightProfileType>;
-using CloudMapField = BoundField<CloudMap, MapWrap, MapFilter, MapColorSpace>;
-using TowerField = BoundField<Tower>;
-using TowerScatterField = BoundField<TowerScatter>;
-
-// Bakes that have the keys of VolumeFiles besides their own.
-template <class S, class... Choices>
-using VolumeBakeField = BoundField<S, std::vector<VolumeFormat>, PixelType, VolumeLayout,
-                                   Compression, VdbCompression, Choices...>;
-using NoiseVolumeField = VolumeBakeField<NoiseVolumeBake>;
-using CloudVolumeField = VolumeBakeField<CloudVolumeBake>;
-using AerialPerspectiveField =
-    VolumeBakeField<AerialPerspectiveBake, AerialContent, SliceSpacing, SkyOrders>;
-using BrunetonField =
-    VolumeBakeField<BrunetonBake, BrunetonTable, BrunetonConvention, BrunetonMethod>;
-using OpticalDepthField =
-    VolumeBakeField<OpticalDepthBake, OpticalDepthTable, BetweenCoordinates, DepthSampling>;
-using OccupancyField =
-    VolumeBakeField<OccupancyBake, OccupancyFilter, OccupancyRule, std::vector<OccupancyContent>>;
-
-std::span<const RootField> root_fields();
-std::span<const AtmosphereField> atmosphere_fields();
-std::span<const LayerField> layer_fields();
-std::span<const TransmittanceField> transmittance_fields();
-std::span<const MultipleScatteringField> multiple_scattering_fields();
-std::span<const SceneField> scene_fields();
-std::span<const ParticlesField> particles_fields();
-std::span<const SkyViewField> sky_view_fields();
-std::span<const AerialPerspectiveField> aerial_perspective_fields();
-std::span<const IrradianceField> irradiance_fields();
-std::span<const PhaseField> phase_fields();
-std::span<const BrunetonField> bruneton_fields();
-std::span<const OpticalDepthField> optical_depth_fields();
-std::span<const NoiseField> noise_fields();
-std::span<const NoiseChannelField> noise_channel_fields();
-std::span<const CloudField> cloud_fields();
-std::span<const HeightProfileField> height_profile_fields();
-std::span<const CloudMapField> coverage_map_fields();
-std::span<const CloudMapField> type_map_fields();
-std::span<const TowerField> tower_fields();
-std::span<const TowerScatterField> tower_scatter_fields();
-std::span<const NoiseVolumeField> noise_volume_fields();
-std::span<const CloudVolumeField> cloud_volume_fields();
-std::span<const OccupancyField> occupancy_fields();
-std::span<const Field> sweep_fields();        // of [sweep], besides the paths that vary
-std::span<const Field> sweep_range_fields();  // of a range in it
-
-// All sections, in the order of a recipe.
+// All sections, in the order of a recipe: the rooms above make them (recipe/sections.cpp).
 std::span<const Section> sections();
 
 // The section at a path pattern; for bake sections, the one of the asset. Null if there is none.

@@ -214,6 +214,8 @@ void append_values(const DecodedSection& section, Decoder& decoder) {
         ResolvedValue resolved;
         resolved.path = join_path(section.path, field.key);
         resolved.canonical = canonical_text(field, *decoded.value);
+        resolved.section = section.path;
+        resolved.role = field.role;
         resolved.only_shown = field.only_shown;
         if (decoded.source) {
             resolved.written = spell_value(*decoded.source);

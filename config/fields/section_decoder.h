@@ -6,12 +6,13 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "config/diagnostics/diagnostic_list.h"
 #include "config/fields/field_value.h"
 #include "config/fields/fields.h"
-#include "config/recipe/recipe.h"
+#include "config/fields/resolved_value.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {
@@ -54,6 +55,21 @@ const Table& subtable(const Table& table, std::string_view key, const std::strin
 // The table of an entry that the user names, such as a layer, below `path`; null, and an error, if
 // it is none.
 const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder);
+
+// The choice that a field has made; none if that is missing or at fault.
+template <class Enum>
+std::optional<Enum> choice_of(const DecodedField& decoded) {
+    if (!decoded.value) return std::nullopt;
+    return static_cast<Enum>(std::get<ChoiceIndex>(*decoded.value).index);
+}
+
+// A value that follows from others, where the recipe gives none.
+template <class T>
+void derive(DecodedField& decoded, T value) {
+    if (decoded.source) return;
+    decoded.value = std::move(value);
+    decoded.derived = true;
+}
 
 // Appends the section's values to those of the recipe.
 void append_values(const DecodedSection& section, Decoder& decoder);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/fields/number_reader.h"
-#include "config/parameters.h"
+#include "config/fields/point_tables.h"
 
 namespace skybake::config {
 

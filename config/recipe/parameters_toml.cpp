@@ -8,13 +8,6 @@
 namespace skybake::config {
 namespace {
 
-bool is_wanted(const ResolvedValue& value, std::span<const std::string> patterns) {
-    if (value.only_shown) return false;
-    return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-        return path_matches(value.path, pattern);
-    });
-}
-
 // The path of the table that holds a key, and the key itself.
 struct SplitPath {
     std::string table;
@@ -32,13 +25,12 @@ SplitPath split_last(const std::string& path) {
     return result;
 }
 
-}  // namespace
-
-std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns) {
+template <class IsWanted>
+std::string toml_of(const Recipe& recipe, const IsWanted& is_wanted) {
     std::string text;
     std::string table;
     for (const ResolvedValue& value : recipe.values) {
-        if (!is_wanted(value, patterns)) continue;
+        if (value.only_shown || !is_wanted(value)) continue;
         const SplitPath path = split_last(value.path);
         if (path.table != table) {
             table = path.table;
@@ -47,6 +39,20 @@ std::string parameters_toml(const Recipe& recipe, std::span<const std::string> p
         text += path.key + " = " + value.canonical + '\n';
     }
     return text;
+}
+
+}  // namespace
+
+std::string parameters_toml(const Recipe& recipe, std::span<const Read> reads) {
+    return toml_of(recipe, [reads](const ResolvedValue& value) { return is_read(value, reads); });
+}
+
+std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns) {
+    return toml_of(recipe, [patterns](const ResolvedValue& value) {
+        return std::any_of(patterns.begin(), patterns.end(), [&value](const std::string& pattern) {
+            return path_matches(value.path, pattern);
+        });
+    });
 }
 
 }  // namespace skybake::config

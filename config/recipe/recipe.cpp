@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic_list.h"
 #include "config/recipe/merge.h"
 #include "config/recipe/recipe_decoder.h"
@@ -17,7 +18,7 @@ namespace {
 void append_maps(const Parameters& parameters, std::vector<std::filesystem::path>& inputs) {
     for (const Cloud& cloud : parameters.clouds) {
         const auto bakes_it = [&](const Bake& bake) {
-            const auto* volume = std::get_if<CloudVolumeBake>(&bake.asset);
+            const auto* volume = bake.find<CloudVolumeBake>();
             return volume && volume->cloud == cloud.name;
         };
         if (std::none_of(parameters.bakes.begin(), parameters.bakes.end(), bakes_it)) continue;

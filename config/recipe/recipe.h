@@ -8,21 +8,12 @@
 #include <vector>
 
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/fields/resolved_value.h"
+#include "config/recipe/sweep_options.h"
+#include "config/sections/parameters.h"
 #include "config/sweep/sweep.h"
-#include "config/sweep/sweep_options.h"
 
 namespace skybake::config {
-
-// One resolved value of a recipe, for `show` and for the parameters that files carry.
-struct ResolvedValue {
-    std::string path;       // "atmosphere.layers.mie.scattering"
-    std::string written;    // TOML as its source spells it: ["5.802e-6 /m", ...]
-    std::string canonical;  // TOML in base units, equal for equal values: "8000 m"
-    std::string origin;  // "earth.toml:14", "preset earth", "--set `a.b=c`", "default", "derived"
-    bool only_shown =
-        false;  // tells where others come from (`preset`, `absorption`); not for files
-};
 
 struct Recipe {
     Parameters parameters;
@@ -51,8 +42,11 @@ Outcome<Sweep> load_sweep(const std::filesystem::path& path, std::span<const std
 Outcome<Recipe> load_variant(const std::filesystem::path& path,
                              std::span<const std::string> settings, const Sweep& sweep, int index);
 
-// The resolved values whose path matches one of the patterns, as TOML text (one `path = canonical`
-// a line, grouped under table headers). A `*` in a pattern matches one path component.
+// The resolved values that an asset is made from which reads these, as TOML text (one
+// `path = canonical` a line, grouped under table headers).
+std::string parameters_toml(const Recipe& recipe, std::span<const Read> reads);
+
+// Those whose path matches one of the patterns, in which a `*` matches one path component.
 std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns);
 
 }  // namespace skybake::config

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 
+#include "config/assets/asset_kind.h"
 #include "config/assets/bake_decoder.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/sections/cloud_decoder.h"
 #include "config/sections/layer_decoder.h"
 #include "config/sections/noise_decoder.h"
 #include "config/sections/particle_decoder.h"
+#include "config/sections/section_rows.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 
@@ -114,22 +116,13 @@ std::vector<Cloud> decode_clouds(const Table& root, std::span<const Noise> noise
     return clouds;
 }
 
-bool needs_atmosphere(const Bake& bake) {
-    return std::holds_alternative<TransmittanceBake>(bake.asset) ||
-           std::holds_alternative<MultipleScatteringBake>(bake.asset) ||
-           std::holds_alternative<SkyViewBake>(bake.asset) ||
-           std::holds_alternative<AerialPerspectiveBake>(bake.asset) ||
-           std::holds_alternative<IrradianceBake>(bake.asset) ||
-           std::holds_alternative<BrunetonBake>(bake.asset) ||
-           std::holds_alternative<OpticalDepthBake>(bake.asset);
-}
-
 // The sky's assets need an atmosphere; a recipe of nothing at all was to be one of a sky.
 void check_atmosphere(const Table& root, const Parameters& parameters, const Source& source,
                       Decoder& decoder) {
     if (find_entry(root, "atmosphere") || !decoder.complete) return;
     const bool bakes_sky =
-        std::any_of(parameters.bakes.begin(), parameters.bakes.end(), needs_atmosphere);
+        std::any_of(parameters.bakes.begin(), parameters.bakes.end(),
+                    [](const Bake& bake) { return kind_of(bake).facts.needs_atmosphere; });
     const bool is_empty = parameters.bakes.empty() && parameters.noises.empty() &&
                           parameters.clouds.empty() && parameters.particles.empty();
     if (!bakes_sky && !is_empty) return;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "config/fields/section_decoder.h"
-#include "config/parameters.h"
+#include "config/sections/parameters.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {

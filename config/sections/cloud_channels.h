@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 
 namespace skybake::config {
 

@@ -8,6 +8,7 @@
 #include "config/fields/field_value.h"
 #include "config/fields/named_reference.h"
 #include "config/sections/cloud_channels.h"
+#include "config/sections/section_rows.h"
 #include "config/sections/tower_list.h"
 #include "config/text/key_path.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "config/fields/named_reference.h"
+#include "config/sections/section_rows.h"
 #include "config/sections/zenith_optical_depth.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"

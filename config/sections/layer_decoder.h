@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config/fields/section_decoder.h"
-#include "config/parameters.h"
+#include "config/sections/parameters.h"
 
 namespace skybake::config {
 

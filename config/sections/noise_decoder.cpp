@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "config/sections/noise_octaves.h"
+#include "config/sections/section_rows.h"
 #include "config/text/key_path.h"
 #include "config/text/suggest.h"
 

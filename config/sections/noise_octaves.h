@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "config/fields/section_decoder.h"
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::config {
 

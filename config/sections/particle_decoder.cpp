@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "config/sections/section_rows.h"
 #include "config/text/key_path.h"
 #include "config/text/suggest.h"
 #include "config/text/units.h"

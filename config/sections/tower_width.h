@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
 
 namespace skybake::config {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake::config {
 

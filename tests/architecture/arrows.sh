@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Which room may use which, and which library is included behind which wall. Rooms are the folders of
-# bakers/; a room may use itself, config/ and the rooms of its line.
+# config/ and of bakers/. A room may use itself and the rooms of its line, and those of bakers/ all of
+# config/ besides.
 set -euo pipefail
 cd "$1"
 failures=0
@@ -25,34 +26,43 @@ rooms=()
 
 # room NAME MAY_USE...: every include of another room that is not in the list is an arrow too many
 room() {
-    local name=$1 allowed found
-    rooms+=("$name")
-    allowed=$(IFS='|'; echo "$*")
-    found=$(grep -rnE '#include "bakers/' --include='*.h' --include='*.cpp' "bakers/$name" |
-        grep -vE "#include \"bakers/($allowed)/" || true)
+    local house=${1%%/*} allowed found
+    rooms+=("$1")
+    allowed=$(IFS='|'; echo "${*#"$house"/}")
+    found=$(grep -rnE "#include \"$house/" --include='*.h' --include='*.cpp' "$1" |
+        grep -vE "#include \"$house/($allowed)/" || true)
     [[ -z "$found" ]] || complain "$found"
 }
 
-room math
-room field math
-room io math field
-room air math
-room light math field air
-room noise math field
-room clouds math field noise
-room occupancy math field
-room assets math field io air light noise clouds occupancy
-room workspace math field io assets
-room plot field io
-room render math field io air light occupancy plot
-room report math field io air light noise clouds occupancy assets plot
-room preview math field io air light occupancy assets workspace plot render report
+room config/text
+room config/presets
+room config/diagnostics text
+room config/fields presets text diagnostics
+room config/sections text diagnostics fields
+room config/assets text diagnostics fields sections
+room config/sweep text diagnostics fields
+room config/recipe presets text diagnostics fields sections assets sweep
+
+room bakers/math
+room bakers/field math
+room bakers/io math field
+room bakers/air math
+room bakers/light math field air
+room bakers/noise math field
+room bakers/clouds math field noise
+room bakers/occupancy math field
+room bakers/assets math field io air light noise clouds occupancy
+room bakers/workspace math field io assets
+room bakers/plot field io
+room bakers/render math field io air light occupancy plot
+room bakers/report math field io air light noise clouds occupancy assets plot
+room bakers/preview math field io air light occupancy assets workspace plot render report
 
 # Each room has its line, and nothing lies beside the rooms.
-for path in bakers/*; do
-    name=${path#bakers/}
-    [[ $name == CMakeLists.txt || $name == README.md || " ${rooms[*]} " == *" $name "* ]] ||
-        complain "$path is no room that this test knows"
+for path in config/* bakers/*; do
+    name=${path#*/}
+    [[ $name == CMakeLists.txt || $name == README.md || $name == *.cmake ||
+        " ${rooms[*]} " == *" $path "* ]] || complain "$path is no room that this test knows"
     [[ ! -d $path || -s $path/README.md ]] || complain "$path has no README.md"
 done
 
@@ -63,7 +73,7 @@ forbid 'cli/' 'config bakers' "$none"
 # --- Libraries --------------------------------------------------------------------------------------
 
 formats='bakers/io/formats'
-forbid 'toml\+\+' 'config bakers cli' 'config/toml_source\.cpp'
+forbid 'toml\+\+' 'config bakers cli' 'config/diagnostics/toml_source\.cpp'
 forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
 forbid '(OpenEXR|Imf)' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp|$formats/exr/exr_library\.h"
 forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bakers/field/texel_axis.h"
+#include "config/assets/transmittance.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

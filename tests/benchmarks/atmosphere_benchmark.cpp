@@ -18,6 +18,8 @@
 #include "bakers/assets/transmittance/transmittance_as_in_paper.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/table_model.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -121,8 +123,8 @@ void multiple_scattering_converged(benchmark::State& state, int level) {
 void table_on_threads(benchmark::State& state, std::size_t section, int threads) {
     config::Bake bake = earth_recipe().parameters.bakes[section];
     constexpr std::array<int, 2> kSize = {512, 512};
-    if (auto* asset = std::get_if<config::TransmittanceBake>(&bake.asset)) asset->size = kSize;
-    if (auto* asset = std::get_if<config::MultipleScatteringBake>(&bake.asset)) {
+    if (auto* asset = bake.find<config::TransmittanceBake>()) asset->size = kSize;
+    if (auto* asset = bake.find<config::MultipleScatteringBake>()) {
         asset->size = kSize;
         asset->max_texel_error = 0.05;
     }

@@ -13,6 +13,7 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solved_light_memory.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/bruneton.h"
 #include "tests/io/files.h"
 #include "tests/sky/sky_media.h"
 
@@ -22,7 +23,7 @@ namespace {
 config::BrunetonBake bake_of(const std::string& preset, const std::string& keys) {
     const config::Recipe recipe =
         test::recipe_of("preset = \"" + preset + "\"\n[bake.a]\nasset = \"bruneton\"\n" + keys);
-    return std::get<config::BrunetonBake>(recipe.parameters.bakes.back().asset);
+    return recipe.parameters.bakes.back().as<config::BrunetonBake>();
 }
 
 BakedVolume baked(const std::string& preset, const std::string& keys, int threads = 2) {

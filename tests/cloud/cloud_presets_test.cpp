@@ -11,6 +11,7 @@
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_plan.h"
+#include "config/assets/cloud_volume.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
 #include "config/recipe/recipe.h"
@@ -63,7 +64,7 @@ BakedPreset baked(const std::string& preset) {
     const config::Parameters& parameters = recipe.value->parameters;
     BakedPreset result;
     result.cloud = parameters.clouds.at(0);
-    result.size = std::get<config::CloudVolumeBake>(parameters.bakes.at(0).asset).size;
+    result.size = parameters.bakes.at(0).as<config::CloudVolumeBake>().size;
     const CloudField field = field_of(parameters, result.size);
     const auto [width, rows, depth] = result.size;
     const double step_m = result.cloud.extent[2].meters / depth;
@@ -131,8 +132,7 @@ TEST(CloudPresets, HaveVoxelsThatAreCubes) {
         ASSERT_TRUE(recipe.value) << preset.name;
         EXPECT_TRUE(recipe.diagnostics.empty()) << preset.name << " warns out of the box";
         const auto& extent = recipe.value->parameters.clouds.at(0).extent;
-        const auto& size =
-            std::get<config::CloudVolumeBake>(recipe.value->parameters.bakes.at(0).asset).size;
+        const auto& size = recipe.value->parameters.bakes.at(0).as<config::CloudVolumeBake>().size;
         for (std::size_t axis = 1; axis < 3; ++axis) {
             EXPECT_DOUBLE_EQ(extent[axis].meters / size[axis], extent[0].meters / size[0])
                 << preset.name;

@@ -10,7 +10,8 @@
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_plan.h"
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 #include "tests/noise/noises.h"
 
 namespace skybake::test {

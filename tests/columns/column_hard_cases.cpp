@@ -3,6 +3,7 @@
 
 #include "bakers/assets/optical_depth/column_errors.h"
 #include "bakers/assets/optical_depth/column_volume.h"
+#include "config/assets/optical_depth.h"
 #include "tests/columns/columns.h"
 #include "tests/support/hard_case.h"
 

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "config/assets/optical_depth.h"
 #include "tests/columns/columns.h"
 
 namespace skybake::test {

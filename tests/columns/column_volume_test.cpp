@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bakers/assets/optical_depth/column_errors.h"
+#include "config/assets/optical_depth.h"
 #include "tests/columns/columns.h"
 
 namespace skybake::test {

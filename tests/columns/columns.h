@@ -10,6 +10,7 @@
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/assets/optical_depth/column_volume.h"
+#include "config/assets/optical_depth.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {

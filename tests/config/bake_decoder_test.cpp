@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/transmittance.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
@@ -16,7 +18,7 @@ Recipe bake(const std::string& text) { return valid("preset = 'vacuum'\n" + text
 TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
     const Recipe recipe = bake("[bake.transmittance]\n[bake.multiple_scattering]\n");
     ASSERT_EQ(recipe.parameters.bakes.size(), 2u);
-    const auto* transmittance = std::get_if<TransmittanceBake>(&recipe.parameters.bakes[0].asset);
+    const auto* transmittance = recipe.parameters.bakes[0].find<TransmittanceBake>();
     ASSERT_TRUE(transmittance);
     EXPECT_EQ(transmittance->size, (std::array<int, 2>{256, 64}));
     EXPECT_FALSE(transmittance->max_error);
@@ -24,7 +26,7 @@ TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
     EXPECT_EQ(transmittance->mapping, TransmittanceMapping::bruneton);
     EXPECT_EQ(transmittance->pixel_type, PixelType::float32);
     EXPECT_EQ(transmittance->compression, Compression::zip);
-    const auto* scattering = std::get_if<MultipleScatteringBake>(&recipe.parameters.bakes[1].asset);
+    const auto* scattering = recipe.parameters.bakes[1].find<MultipleScatteringBake>();
     ASSERT_TRUE(scattering);
     EXPECT_EQ(scattering->size, (std::array<int, 2>{32, 32}));
     EXPECT_EQ(scattering->max_texel_error, 0.002);
@@ -57,8 +59,7 @@ TEST(BakeDecoder, AssetDefaultsToTheName) {
     const Recipe recipe = bake("[bake.mine]\nasset = 'transmittance'\nmapping = 'ue'\n");
     ASSERT_EQ(recipe.parameters.bakes.size(), 1u);
     EXPECT_EQ(recipe.parameters.bakes[0].name, "mine");
-    EXPECT_EQ(std::get<TransmittanceBake>(recipe.parameters.bakes[0].asset).mapping,
-              TransmittanceMapping::ue);
+    EXPECT_EQ(recipe.parameters.bakes[0].as<TransmittanceBake>().mapping, TransmittanceMapping::ue);
 }
 
 TEST(BakeDecoder, BakesStandInTheOrderOfTheFile) {
@@ -73,7 +74,7 @@ TEST(BakeDecoder, BakesStandInTheOrderOfTheFile) {
 
 TEST(BakeDecoder, AnErrorBoundStandsInPlaceOfASize) {
     const Recipe recipe = bake("[bake.transmittance]\nmax_error = '2 %'\n");
-    const auto& asset = std::get<TransmittanceBake>(recipe.parameters.bakes.at(0).asset);
+    const auto& asset = recipe.parameters.bakes.at(0).as<TransmittanceBake>();
     EXPECT_EQ(asset.max_error, 0.02);
     EXPECT_EQ(asset.size, (std::array<int, 2>{0, 0}));
     EXPECT_FALSE(has_value(recipe, "bake.transmittance.size"));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "config/assets/assets.h"
 #include "config/presets/presets.h"
 #include "tests/config/clouds.h"
 
@@ -13,13 +14,11 @@ using testing::all_parameters;
 using testing::parse;
 
 std::string spell(const Bake& bake) {
-    return bake.name + " " +
-           std::visit(
-               [](const auto& asset) -> std::string {
-                   if constexpr (requires { testing::spell(asset); }) return testing::spell(asset);
-                   return "of the sky";
-               },
-               bake.asset);
+    std::string text = "of the sky";
+    visit_asset(bake, [&text](const auto& asset) {
+        if constexpr (requires { testing::spell(asset); }) text = testing::spell(asset);
+    });
+    return bake.name + " " + text;
 }
 
 std::string spell(const Parameters& parameters) {

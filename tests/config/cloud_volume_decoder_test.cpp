@@ -1,8 +1,8 @@
-#include "config/assets/cloud_volume_decoder.h"
 
 #include <gtest/gtest.h>
 
-#include "config/sections/cloud_extent.h"
+#include "config/assets/cloud_extent.h"
+#include "config/assets/cloud_volume.h"
 #include "tests/config/clouds.h"
 
 namespace skybake::config {
@@ -21,7 +21,7 @@ std::string volume_recipe(const std::string& bake, const std::string& cloud = ""
 CloudVolumeBake volume(const std::string& bake) {
     const Recipe recipe = valid(volume_recipe(bake));
     if (recipe.parameters.bakes.size() != 1) return {};
-    return std::get<CloudVolumeBake>(recipe.parameters.bakes[0].asset);
+    return recipe.parameters.bakes[0].as<CloudVolumeBake>();
 }
 
 Diagnostic fault(const std::string& bake, const std::string& cloud = "") {
@@ -64,10 +64,9 @@ TEST(CloudVolumeDecoder, VoxelsHaveASize) {
     odd.replace(odd.find("2 km"), 4, "1234.567 m");
     EXPECT_EQ(only_diagnostic(odd).label,
               "give size, the voxels along each axis, or voxel_size, the edge of cubes");
-    EXPECT_EQ(std::get<CloudVolumeBake>(
-                  valid(volume_recipe("size = [16, 16, 16]"), {"bake.c.voxel_size=50 m"})
-                      .parameters.bakes[0]
-                      .asset)
+    EXPECT_EQ(valid(volume_recipe("size = [16, 16, 16]"), {"bake.c.voxel_size=50 m"})
+                  .parameters.bakes[0]
+                  .as<CloudVolumeBake>()
                   .size,
               (Size{20, 40, 10}))
         << "a later source chooses";
@@ -83,7 +82,7 @@ CloudVolumeBake warned(const std::string& keys, const std::string& code) {
         EXPECT_EQ(diagnostic.where.line, 4);
     }
     if (!outcome.value) return {};
-    return std::get<CloudVolumeBake>(outcome.value->parameters.bakes.at(0).asset);
+    return outcome.value->parameters.bakes.at(0).as<CloudVolumeBake>();
 }
 
 void expect_extent(const CloudVolumeBake& bake, double x, double y, double z) {
@@ -130,7 +129,7 @@ TEST(CloudVolumeDecoder, TheLongerExtentIsRecorded) {
     EXPECT_EQ(carried.find("voxel_size"), std::string::npos);
     const Recipe twice = valid(carried);
     EXPECT_EQ(testing::all_parameters(twice), carried);
-    expect_extent(std::get<CloudVolumeBake>(twice.parameters.bakes.at(0).asset), 1020, 2010, 510);
+    expect_extent(twice.parameters.bakes.at(0).as<CloudVolumeBake>(), 1020, 2010, 510);
     EXPECT_EQ(fault("voxel_size = '10 m'\nextent = ['1 km', '1 km', '1 km']").code, "E0109");
 }
 

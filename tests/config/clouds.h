@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "config/assets/cloud_volume.h"
+#include "config/assets/occupancy.h"
 #include "tests/config/noises.h"
 
 namespace skybake::config::testing {

@@ -4,8 +4,17 @@
 #include <algorithm>
 #include <set>
 
+#include "config/assets/aerial_perspective.h"
+#include "config/assets/irradiance.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/occupancy.h"
+#include "config/assets/transmittance.h"
 #include "config/fields/field_reader.h"
 #include "config/fields/fields.h"
+#include "config/sections/atmosphere.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
+#include "config/sections/particles.h"
 
 namespace skybake::config {
 namespace {

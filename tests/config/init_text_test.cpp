@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "config/assets/noise_volume.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
@@ -121,12 +122,12 @@ TEST(InitText, TheSweepInCommentsIsValid) {
 TEST(InitText, TakramsNoisesAreBytes) {
     for (const char* preset : {"takram_shape", "takram_detail"}) {
         const Recipe recipe = valid(noise_init_text(*find_noise_preset(preset)));
-        const auto& bake = std::get<NoiseVolumeBake>(recipe.parameters.bakes.at(0).asset);
+        const auto& bake = recipe.parameters.bakes.at(0).as<NoiseVolumeBake>();
         EXPECT_EQ(bake.formats, std::vector<VolumeFormat>{VolumeFormat::bin}) << preset;
         EXPECT_EQ(bake.pixel_type, PixelType::unorm8) << preset;
     }
     const Recipe nubis = valid(noise_init_text(*find_noise_preset("nubis_shape")));
-    const auto& bake = std::get<NoiseVolumeBake>(nubis.parameters.bakes.at(0).asset);
+    const auto& bake = nubis.parameters.bakes.at(0).as<NoiseVolumeBake>();
     EXPECT_EQ(bake.formats, std::vector<VolumeFormat>{VolumeFormat::exr});
 }
 

@@ -1,6 +1,7 @@
 // The noise presets, number by number.
 #include <gtest/gtest.h>
 
+#include "config/assets/noise_volume.h"
 #include "config/presets/presets.h"
 #include "config/sections/octave_sampling.h"
 #include "tests/config/noises.h"
@@ -110,8 +111,8 @@ TEST(NoisePresets, TheExampleIsWithoutFault) {
     ASSERT_TRUE(outcome.value);
     const Parameters& parameters = outcome.value->parameters;
     ASSERT_EQ(parameters.bakes.size(), 2u);
-    const auto& shape = std::get<NoiseVolumeBake>(parameters.bakes[0].asset);
-    const auto& detail = std::get<NoiseVolumeBake>(parameters.bakes[1].asset);
+    const auto& shape = parameters.bakes[0].as<NoiseVolumeBake>();
+    const auto& detail = parameters.bakes[1].as<NoiseVolumeBake>();
     EXPECT_EQ(testing::spell(shape), "shape [128, 128, 128] 1 0 0 1 1 2 0");
     EXPECT_EQ(testing::spell(detail), "detail [32, 32, 32] 1 0 0 1 1 2 0");
 }
@@ -122,7 +123,7 @@ TEST(NoisePresets, BakeAtTheirSize) {
         const auto outcome = testing::parse("[noise.n]\npreset = '" + std::string(entry.name) +
                                             "'\n[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n");
         ASSERT_TRUE(outcome.value) << entry.name;
-        const auto& bake = std::get<NoiseVolumeBake>(outcome.value->parameters.bakes.at(0).asset);
+        const auto& bake = outcome.value->parameters.bakes.at(0).as<NoiseVolumeBake>();
         EXPECT_EQ(bake.size, outcome.value->parameters.noises.at(0).size);
         EXPECT_TRUE(outcome.diagnostics.empty()) << entry.name;
     }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "config/assets/noise_volume.h"
 #include "config/presets/presets.h"
 #include "tests/config/noises.h"
 
@@ -21,7 +22,7 @@ std::string spell(const Parameters& parameters) {
     std::string text;
     for (const Noise& noise : parameters.noises) text += testing::spell(noise) + "\n";
     for (const Bake& bake : parameters.bakes) {
-        text += bake.name + " " + testing::spell(std::get<NoiseVolumeBake>(bake.asset)) + "\n";
+        text += bake.name + " " + testing::spell(bake.as<NoiseVolumeBake>()) + "\n";
     }
     return text;
 }

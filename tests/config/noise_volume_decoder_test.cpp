@@ -1,7 +1,7 @@
-#include "config/assets/noise_volume_decoder.h"
 
 #include <gtest/gtest.h>
 
+#include "config/assets/noise_volume.h"
 #include "tests/config/noises.h"
 
 namespace skybake::config {
@@ -16,7 +16,7 @@ NoiseVolumeBake volume(const std::string& keys, const std::string& noise = "") {
     const Recipe recipe =
         valid(volume_recipe(keys, "type = 'worley'\nfrequency = 1") + "[noise.n]\n" + noise + "\n");
     if (recipe.parameters.bakes.size() != 1) return {};
-    return std::get<NoiseVolumeBake>(recipe.parameters.bakes[0].asset);
+    return recipe.parameters.bakes[0].as<NoiseVolumeBake>();
 }
 
 Diagnostic fault(const std::string& keys) {

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "config/assets/noise_volume.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config::testing {

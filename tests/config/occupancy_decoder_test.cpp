@@ -1,10 +1,10 @@
-#include "config/assets/occupancy_decoder.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <tuple>
 
+#include "config/assets/occupancy.h"
 #include "tests/config/clouds.h"
 
 namespace skybake::config {
@@ -25,7 +25,7 @@ std::string occupancy_recipe(const std::string& keys, const std::string& cloud =
 OccupancyBake occupancy(const std::string& keys, const std::string& cloud = "") {
     const Recipe recipe = valid(occupancy_recipe(keys, cloud));
     if (recipe.parameters.bakes.size() != 2) return {};
-    return std::get<OccupancyBake>(recipe.parameters.bakes[0].asset);
+    return recipe.parameters.bakes[0].as<OccupancyBake>();
 }
 
 Diagnostic fault(const std::string& keys, const std::string& cloud = "") {

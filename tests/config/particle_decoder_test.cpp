@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "config/assets/phase.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
 #include "tests/config/recipes.h"
@@ -40,7 +41,7 @@ TEST(ParticleDecoder, WhatInitWritesBakesThem) {
     for (const Preset& preset : particle_presets()) {
         const Recipe recipe = valid(particle_init_text(preset));
         ASSERT_EQ(recipe.parameters.bakes.size(), 2u) << preset.name;
-        const auto& sampling = std::get<PhaseBake>(recipe.parameters.bakes[1].asset);
+        const auto& sampling = recipe.parameters.bakes[1].as<PhaseBake>();
         EXPECT_EQ(sampling.content, PhaseContent::inverse_cumulative);
         EXPECT_EQ(sampling.particles, preset.name);
     }
@@ -120,7 +121,7 @@ TEST(ParticleDecoder, RefusesWhatCannotBe) {
 TEST(PhaseDecoder, NamesParticlesOrALayer) {
     const std::string bake = fog + "phase = 'mie'\nparticles = 'drops'\n[bake.phase]\n";
     const Recipe recipe = valid(bake + "particles = 'drops'\n");
-    const auto& phase = std::get<PhaseBake>(recipe.parameters.bakes.back().asset);
+    const auto& phase = recipe.parameters.bakes.back().as<PhaseBake>();
     EXPECT_EQ(phase.particles, "drops");
     EXPECT_EQ(phase.size, 1024);
     EXPECT_EQ(phase.spacing, PhaseSpacing::best);

@@ -1,4 +1,3 @@
-#include "config/assets/precomputed_decoder.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "config/assets/bruneton.h"
+#include "config/assets/optical_depth.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
@@ -27,7 +28,7 @@ template <class Asset>
 Asset only(const std::string& text) {
     const Recipe recipe = valid(text);
     if (recipe.parameters.bakes.size() != 1) return {};
-    return std::get<Asset>(recipe.parameters.bakes[0].asset);
+    return recipe.parameters.bakes[0].as<Asset>();
 }
 
 TEST(PrecomputedDecoder, DefaultsFollowTheTable) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "config/assets/multiple_scattering.h"
 #include "config/sections/zenith_optical_depth.h"
 #include "tests/config/recipes.h"
 
@@ -35,7 +36,7 @@ TEST(Presets, AreThoseOfTheIssue) {
 TEST(Presets, TheEarthHasItsLightSolved) {
     const auto second_order = [](const char* preset) {
         const Recipe recipe = valid(std::string(find_preset(preset)->text));
-        return std::get<MultipleScatteringBake>(recipe.parameters.bakes.at(1).asset);
+        return recipe.parameters.bakes.at(1).as<MultipleScatteringBake>();
     };
     for (const char* preset : {"earth", "mars"}) {
         EXPECT_EQ(second_order(preset).method, MultipleScatteringMethod::solved) << preset;

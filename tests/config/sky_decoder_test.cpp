@@ -1,10 +1,13 @@
 // [scene], the assets of the sky, and what belongs to a solved table of multiple scattering.
-#include "config/assets/sky_decoder.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
+#include "config/assets/aerial_perspective.h"
+#include "config/assets/irradiance.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/sky_view.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
@@ -27,7 +30,7 @@ Codes faults(const std::string& text) {
 template <class Asset>
 Asset only_bake(const Recipe& recipe) {
     EXPECT_EQ(recipe.parameters.bakes.size(), 1u);
-    return std::get<Asset>(recipe.parameters.bakes.at(0).asset);
+    return recipe.parameters.bakes.at(0).as<Asset>();
 }
 
 TEST(Scene, IsThereOnlyWhereTheRecipeSaysSo) {

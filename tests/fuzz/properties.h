@@ -9,6 +9,16 @@
 #include <variant>
 #include <vector>
 
+#include "config/assets/aerial_perspective.h"
+#include "config/assets/assets.h"
+#include "config/assets/bruneton.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/irradiance.h"
+#include "config/assets/noise_volume.h"
+#include "config/assets/occupancy.h"
+#include "config/assets/optical_depth.h"
+#include "config/assets/phase.h"
+#include "config/assets/sky_view.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake::config::fuzzing {
@@ -221,10 +231,10 @@ inline void check_asset(const CloudVolumeBake& asset, const Parameters& paramete
 
 inline void check_asset(const OccupancyBake& asset, const Parameters& parameters) {
     const Bake* of = find_by_name(parameters.bakes, asset.of);
-    require(of && std::holds_alternative<CloudVolumeBake>(of->asset), "its cloud volume is there");
+    require(of && of->is<CloudVolumeBake>(), "its cloud volume is there");
     require(asset.cell >= 1 && asset.cell <= 16 && (asset.cell & (asset.cell - 1)) == 0,
             "a cell is a power of two");
-    std::array<int, 3> cells = std::get<CloudVolumeBake>(of->asset).size;
+    std::array<int, 3> cells = of->as<CloudVolumeBake>().size;
     for (int& edge : cells) edge = (edge + asset.cell - 1) / asset.cell;
     check_files(asset, cells);
     const std::size_t contents = asset.contents.size();
@@ -326,7 +336,7 @@ inline void check_parameters(const Parameters& parameters) {
     for (const Bake& bake : parameters.bakes) {
         require(!bake.name.empty() && bake.name.find('/') == std::string::npos,
                 "a name for a file");
-        std::visit([&](const auto& asset) { check_asset(asset, parameters); }, bake.asset);
+        visit_asset(bake, [&](const auto& asset) { check_asset(asset, parameters); });
     }
     if (parameters.atmosphere.ground_radius.meters > 0) check_atmosphere(parameters);
 }

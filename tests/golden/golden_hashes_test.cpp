@@ -1,7 +1,7 @@
 // Every asset's bytes, held to those that were baked before: hashes.toml has, for each asset of the
 // recipes in this folder, the version of its baker, the hash of its content and the hash of what
 // each file stores. A failure means that equal parameters no longer give equal bytes. Mend what is
-// wrong, or raise the baker's version (bakers/assets/registry.cpp), so that no cache serves the old
+// wrong, or raise the baker's version (its file NAME_baker.cpp), so that no cache serves the old
 // bytes, and write the file anew:
 //
 //   SKYBAKE_UPDATE_GOLDEN=1 build/dev/tests/golden/golden_tests
@@ -199,7 +199,7 @@ TEST_P(GoldenHashes, AreThoseOfEqualParameters) {
         const std::string problem = fault(asset, found->second);
         ASSERT_TRUE(problem.empty())
             << name << ": " << problem
-            << "; raise the version of its baker in bakers/assets/registry.cpp, or mend it";
+            << "; raise the version of its baker in its NAME_baker.cpp, or mend it";
         EXPECT_TRUE(update || asset == found->second) << name << ": its version was raised; update";
     }
     if (update) return replace_golden(GetParam(), now);
@@ -218,7 +218,7 @@ TEST(GoldenRecipes, BakeEveryAssetAndFormat) {
             assets.insert(baker_of(bake).asset);
         }
     }
-    for (const Baker& baker : bakers()) EXPECT_EQ(assets.count(baker.asset), 1U) << baker.asset;
+    for (const AnyBaker& baker : bakers()) EXPECT_EQ(assets.count(baker.asset), 1U) << baker.asset;
     for (const auto& [name, asset] : read_golden()) {
         for (const auto& [path, hash] : asset.files) {
             formats.insert(fs::path(path).extension().string());
@@ -228,7 +228,7 @@ TEST(GoldenRecipes, BakeEveryAssetAndFormat) {
 }
 
 // The lines `key = value` of a baker's own sections, by their keys, of all recipes.
-std::map<std::string, std::string> values_baked(const Baker& baker) {
+std::map<std::string, std::string> values_baked(const AnyBaker& baker) {
     std::map<std::string, std::string> values;
     for (const std::string& name : recipe_names()) {
         const config::Recipe recipe = recipe_named(name);
@@ -251,7 +251,7 @@ std::map<std::string, std::string> values_baked(const Baker& baker) {
 // A choice that no recipe makes is a method whose bytes nobody watches. Compression changes no
 // texel.
 TEST(GoldenRecipes, MakeEveryChoiceOfAsset) {
-    for (const Baker& baker : bakers()) {
+    for (const AnyBaker& baker : bakers()) {
         const config::Section& section = *config::find_section("bake.*", baker.asset);
         auto values = values_baked(baker);
         for (const auto& field : section.fields) {

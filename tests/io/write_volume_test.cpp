@@ -17,6 +17,8 @@
 #include "bakers/io/formats/exr/exr_rows.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/hash.h"
+#include "config/assets/noise_volume.h"
+#include "config/assets/transmittance.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -3,8 +3,9 @@
 
 namespace skybake {
 namespace gpu::aerial_lookups {
+#include "config/assets/aerial_perspective.h"
 #include "lookups/aerial_perspective.glsl.h"
-}
+}  // namespace gpu::aerial_lookups
 
 namespace {
 
@@ -22,8 +23,7 @@ struct AerialTrial {
     explicit AerialTrial(const std::string& keys)
         : baked(test::bake_all(aerial_recipe(keys))),
           texture(texture_of(baked.volume())),
-          bake(
-              std::get<config::AerialPerspectiveBake>(baked.recipe.parameters.bakes.front().asset)),
+          bake(baked.recipe.parameters.bakes.front().as<config::AerialPerspectiveBake>()),
           view_distance_km(bake.view_distance.kilometers()),
           squared(bake.slices == config::SliceSpacing::squared) {}
 

@@ -4,8 +4,9 @@
 
 namespace skybake {
 namespace gpu::column_lookups {
+#include "config/assets/optical_depth.h"
 #include "lookups/columns.glsl.h"
-}
+}  // namespace gpu::column_lookups
 
 namespace {
 
@@ -24,7 +25,7 @@ struct ColumnTrial {
                                "asset = 'optical_depth'\npixel_type = 'float'\n"
                                "kinds = ['rayleigh', 'dust', 'fog', 'rain']\n" +
                                keys)),
-          bake(std::get<OpticalDepthBake>(baked.recipe.parameters.bakes.front().asset)),
+          bake(baked.recipe.parameters.bakes.front().as<OpticalDepthBake>()),
           kinds(make_column_kinds(baked.recipe.parameters.atmosphere, bake.kinds)),
           texture(texture_of(baked.volume())),
           geometry(column_geometry(kinds)),

@@ -4,8 +4,9 @@
 
 namespace skybake {
 namespace gpu::phase_lookups {
+#include "config/assets/phase.h"
 #include "lookups/phase.glsl.h"
-}
+}  // namespace gpu::phase_lookups
 // By 1 - cos and 1 + cos of a cosine, which the manifest once said.
 namespace gpu::phase_by_cosines {
 inline float phase_by_peaks(vec3 a, vec3 b) {

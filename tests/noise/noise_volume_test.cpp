@@ -8,6 +8,7 @@
 #include "bakers/field/certify_volume.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/noise/noise_reference.h"
+#include "config/assets/noise_volume.h"
 #include "tests/noise/noises.h"
 
 namespace skybake {

@@ -11,7 +11,7 @@
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_plan.h"
 #include "bakers/noise/noise_specification.h"
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::test {
 

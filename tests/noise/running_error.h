@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bakers/noise/noise_reference.h"
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake::test {
 

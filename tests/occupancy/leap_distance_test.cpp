@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "bakers/occupancy/pyramid.h"
+#include "config/assets/occupancy.h"
 #include "tests/noise/every_target.h"
 #include "tests/occupancy/volumes_in_memory.h"
 

@@ -13,6 +13,7 @@
 #include "bakers/field/trilinear.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "config/assets/occupancy.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::occupancy {

@@ -5,6 +5,7 @@
 
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/occupied_cells.h"
+#include "config/assets/occupancy.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::occupancy {

@@ -13,6 +13,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/cell_source.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "config/assets/occupancy.h"
 #include "tests/cloud/clouds.h"
 
 namespace skybake::occupancy {

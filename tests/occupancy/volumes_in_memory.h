@@ -10,7 +10,8 @@
 #include "bakers/field/voxel_bytes.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/filter_taps.h"
-#include "config/parameters.h"
+#include "config/assets/occupancy.h"
+#include "config/sections/files.h"
 
 namespace skybake::test {
 

@@ -15,6 +15,7 @@
 #include "bakers/assets/registry.h"
 #include "bakers/field/bilinear.h"
 #include "bakers/field/texel_axis.h"
+#include "config/assets/phase.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {
@@ -180,7 +181,7 @@ TEST(PhaseFit, FindsTheFormThatItIs) {
 // A better fit than a scan of the parameter finds is not left out, and more parameters fit better.
 TEST(PhaseFit, LeavesNoBetterOneOut) {
     const config::Recipe recipe = test::recipe_of(kParticles + "particles = 'fog'\n");
-    const auto& bake = std::get<config::PhaseBake>(recipe.parameters.bakes.back().asset);
+    const auto& bake = recipe.parameters.bakes.back().as<config::PhaseBake>();
     const PhaseSource source = phase_source(recipe.parameters, bake, 0);
     const PhaseFunction& fog = source.functions[1];
     const auto fits = fit_phase(fog);

@@ -11,6 +11,7 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "bakers/render/stage_progress.h"
+#include "config/assets/occupancy.h"
 #include "tests/preview/captions.h"
 #include "tests/preview/clouds.h"
 #include "tests/support/atmospheres.h"
@@ -48,7 +49,7 @@ struct Baked {
         return assets.assets.front();
     }
     const config::OccupancyBake& grid_bake() const {
-        return std::get<config::OccupancyBake>(recipe.parameters.bakes.back().asset);
+        return recipe.parameters.bakes.back().as<config::OccupancyBake>();
     }
     CloudPreviewInput input() const {
         CloudPreviewInput input;

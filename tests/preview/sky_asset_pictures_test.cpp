@@ -4,7 +4,7 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/preview/pictures/table_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {
@@ -45,7 +45,7 @@ TEST(SkyAssetPictures, ShowEachSunOfASkyViewWithItsOwnExposure) {
     const PreviewAsset view = bake_one(
         "asset = 'sky_view'\nsize = [8, 6]\norders = 'single'\n"
         "sun_elevations = ['30 deg', '-4 deg']\n");
-    const auto pictures = table_pictures(view);
+    const auto pictures = asset_pictures(view);
     ASSERT_EQ(pictures.size(), 2u);
     EXPECT_EQ(pictures[0].name, "a_sun_30");
     EXPECT_NE(pictures[1].title.find("4 degrees below the horizon"), std::string::npos);
@@ -55,7 +55,7 @@ TEST(SkyAssetPictures, ShowEachSunOfASkyViewWithItsOwnExposure) {
 
 TEST(SkyAssetPictures, ShowIrradiances) {
     const auto pictures =
-        table_pictures(bake_one("asset = 'irradiance'\nsize = [8, 6]\ncontent = 'direct'\n"));
+        asset_pictures(bake_one("asset = 'irradiance'\nsize = [8, 6]\ncontent = 'direct'\n"));
     ASSERT_EQ(pictures.size(), 1u);
     EXPECT_FALSE(is_black(pictures[0].picture));
 }

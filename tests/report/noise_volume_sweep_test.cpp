@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "config/assets/noise_volume.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

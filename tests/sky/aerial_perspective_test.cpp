@@ -5,6 +5,7 @@
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
 #include "bakers/assets/registry.h"
 #include "bakers/light/camera_ray.h"
+#include "config/assets/aerial_perspective.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -4,6 +4,7 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/bilinear.h"
+#include "config/assets/sky_view.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bakers/air/particles/phase_function.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

@@ -19,7 +19,7 @@
 
 #include "bakers/air/particles/complex_number.h"
 #include "bakers/air/particles/tabulated_phase.h"
-#include "config/parameters.h"
+#include "config/sections/particles.h"
 
 namespace skybake {
 

@@ -16,7 +16,7 @@
 #include <memory>
 
 #include "bakers/air/particles/tabulated_phase.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bakers/air/particles/particle_scattering.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 

@@ -8,7 +8,8 @@
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/math/facts.h"
-#include "config/parameters.h"
+#include "config/assets/phase.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -14,7 +14,7 @@
 // It has one maximum and falls ever faster on both sides of it.
 #pragma once
 
-#include "config/parameters.h"
+#include "config/sections/particles.h"
 
 namespace skybake {
 

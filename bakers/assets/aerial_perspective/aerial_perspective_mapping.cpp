@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "bakers/light/sky_view_mapping.h"
+#include "config/assets/aerial_perspective.h"
 
 namespace skybake {
 

@@ -20,7 +20,7 @@
 #include <array>
 
 #include "bakers/light/sky_direction.h"
-#include "config/parameters.h"
+#include "config/assets/aerial_perspective.h"
 
 namespace skybake {
 

@@ -12,6 +12,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/camera_ray.h"
 #include "bakers/math/tiles.h"
+#include "config/assets/aerial_perspective.h"
 
 namespace skybake {
 

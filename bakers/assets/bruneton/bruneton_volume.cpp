@@ -16,7 +16,7 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solved_orders.h"
 #include "bakers/light/solver/solved_light_memory.h"
-#include "config/assets/bruneton_companion.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 

@@ -7,8 +7,9 @@
 #include "bakers/field/volume.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/bruneton.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

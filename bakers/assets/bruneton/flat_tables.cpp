@@ -18,6 +18,7 @@
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/light/solver/sun_axis.h"
 #include "bakers/math/tiles.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 
@@ -194,10 +195,10 @@ config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
         "irradiance of a level surface that faces up, by the sky without the sun, times the "
         "solar irradiance";
     volume.mapping = "bruneton_irradiance";
-    volume.axes = {{{"sun_cos_zenith", "x = (mu_s + 1) / 2", kConventionText, -1, 1},
-                    {"altitude_km", "x = altitude / (R_top - R_ground)", kConventionText, 0,
-                     thickness_km},
-                    {"none", "one texel", kConventionText, 0, 0}}};
+    volume.axes = {
+        {{"sun_cos_zenith", "x = (mu_s + 1) / 2", kConventionText, -1, 1},
+         {"altitude_km", "x = altitude / (R_top - R_ground)", kConventionText, 0, thickness_km},
+         {"none", "one texel", kConventionText, 0, 0}}};
     describe_flat_axes(light.shell(), volume);
     volume.certificate.reference = "the same integral over more directions";
     const auto place = [thickness_km](double& x, double& y) {

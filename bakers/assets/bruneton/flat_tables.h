@@ -12,8 +12,8 @@
 #include "bakers/field/volume.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/bruneton.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
 
 namespace skybake {
 

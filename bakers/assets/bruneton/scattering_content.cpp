@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "config/assets/bruneton.h"
+
 namespace skybake {
 
 using config::BrunetonTable;

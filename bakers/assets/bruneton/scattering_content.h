@@ -14,7 +14,7 @@
 
 #include "bakers/air/sky_medium.h"
 #include "bakers/assets/bruneton/scattering_row.h"
-#include "config/parameters.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 

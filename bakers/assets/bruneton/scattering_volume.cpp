@@ -19,6 +19,7 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/solved_orders.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 

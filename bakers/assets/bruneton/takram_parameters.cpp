@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/assets/bruneton.h"
 #include "config/assets/takram_layers.h"
 
 namespace skybake {

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "config/parameters.h"
+#include "config/assets/bruneton.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

@@ -4,8 +4,9 @@
 
 #include <optional>
 
-#include "bakers/assets/named_parameters.h"
 #include "bakers/io/formats/png/map_image.h"
+#include "config/assets/cloud_volume.h"
+#include "config/sections/named_sections.h"
 
 namespace skybake {
 

@@ -3,8 +3,9 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
+#include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -14,8 +14,9 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/low_discrepancy.h"
 #include "bakers/noise/noise_plan.h"
+#include "config/assets/cloud_extent.h"
+#include "config/assets/cloud_volume.h"
 #include "config/sections/cloud_channels.h"
-#include "config/sections/cloud_extent.h"
 
 namespace skybake {
 

@@ -4,8 +4,10 @@
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 
 namespace skybake {
 

@@ -15,6 +15,7 @@
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/math/relative_error.h"
+#include "config/assets/irradiance.h"
 
 namespace skybake {
 

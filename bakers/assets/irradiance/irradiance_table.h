@@ -6,8 +6,9 @@
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/irradiance.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/sky_choices.h"
 
 namespace skybake {
 

@@ -5,8 +5,8 @@
 #include "bakers/field/baked_table.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
 
 namespace skybake {
 

@@ -7,7 +7,7 @@
 
 #include "bakers/field/baked_table.h"
 #include "bakers/light/sky_radiance.h"
-#include "config/parameters.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 

@@ -22,6 +22,7 @@
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/light/table_orders.h"
 #include "bakers/math/relative_error.h"
+#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 

@@ -20,8 +20,10 @@
 
 #include "bakers/field/baked_table.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 

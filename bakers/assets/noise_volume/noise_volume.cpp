@@ -14,6 +14,7 @@
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/noise_specification.h"
+#include "config/assets/noise_volume.h"
 
 namespace skybake {
 

@@ -3,8 +3,9 @@
 
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/noise_volume.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/noise.h"
 
 namespace skybake {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bakers/math/low_discrepancy.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

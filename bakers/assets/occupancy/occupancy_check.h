@@ -8,7 +8,7 @@
 
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/filter_taps.h"
-#include "config/parameters.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

@@ -16,6 +16,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/occupancy/cell_source.h"
 #include "bakers/occupancy/pyramid.h"
+#include "config/assets/occupancy.h"
 #include "config/fields/fields.h"
 
 namespace skybake {

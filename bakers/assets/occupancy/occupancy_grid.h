@@ -6,8 +6,8 @@
 
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/occupancy.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
 
 namespace skybake {
 

@@ -6,6 +6,7 @@
 
 #include "bakers/occupancy/cell_blocks.h"
 #include "bakers/occupancy/filter_taps.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/assets/named_parameters.h"
 #include "bakers/assets/occupancy/occupancy_check.h"
 #include "bakers/io/formats/read_volume.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/occupancy.h"
 #include "config/recipe/recipe.h"
+#include "config/sections/named_sections.h"
 
 namespace skybake {
 
@@ -42,10 +44,10 @@ std::optional<Grid> grid_of(const ManifestAsset& asset) {
         std::find_if(parameters.bakes.begin(), parameters.bakes.end(),
                      [&](const config::Bake& bake) { return bake.name == asset.name; });
     if (own == parameters.bakes.end()) return std::nullopt;
-    const auto* bake = std::get_if<OccupancyBake>(&own->asset);
+    const auto* bake = own->find<OccupancyBake>();
     if (bake == nullptr || bake->contents.size() != asset.channels.size()) return std::nullopt;
     // A recipe that was read names a cloud volume of a cloud that is there.
-    const auto& of = std::get<config::CloudVolumeBake>(bake_named(parameters, bake->of).asset);
+    const auto& of = bake_named(parameters, bake->of).as<config::CloudVolumeBake>();
     return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
 }
 

@@ -10,7 +10,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/assets/optical_depth/column_mapping.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bakers/field/texel_axis.h"
+#include "config/assets/optical_depth.h"
 
 namespace skybake {
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "bakers/assets/optical_depth/column_mapping.h"
-#include "config/parameters.h"
+#include "config/assets/optical_depth.h"
 
 namespace skybake {
 

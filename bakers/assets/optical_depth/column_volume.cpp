@@ -22,6 +22,7 @@
 #include "bakers/field/stored_source.h"
 #include "bakers/field/texel_axis.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/optical_depth.h"
 
 namespace skybake {
 

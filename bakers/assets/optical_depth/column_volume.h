@@ -7,8 +7,9 @@
 #include "bakers/field/certify_volume.h"
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/optical_depth.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "bakers/math/transcendental.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "bakers/air/particles/tabulated_phase.h"
-#include "config/parameters.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 

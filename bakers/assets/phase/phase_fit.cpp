@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "bakers/assets/phase/phase_axis.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 

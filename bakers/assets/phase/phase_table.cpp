@@ -19,6 +19,7 @@
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/field/smallest_table.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 

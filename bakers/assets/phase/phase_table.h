@@ -6,8 +6,9 @@
 #include "bakers/field/baked_table.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/phase.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

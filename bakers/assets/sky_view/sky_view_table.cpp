@@ -15,6 +15,7 @@
 #include "bakers/light/sky_row.h"
 #include "bakers/math/relative_error.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/sky_view.h"
 
 namespace skybake {
 

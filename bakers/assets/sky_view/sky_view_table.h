@@ -6,8 +6,8 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/bake_options.h"
+#include "config/assets/sky_view.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
 
 namespace skybake {
 

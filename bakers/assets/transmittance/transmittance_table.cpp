@@ -11,6 +11,7 @@
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/transmittance.h"
 
 namespace skybake {
 
@@ -100,10 +101,11 @@ config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const Trans
         "q) + s), s = r mu, q = d_min (R_top + r), d_min = R_top - r, d_max = rho + H; x_mu = 0 "
         "straight up, 1 the horizon",
         convention, 0, 1};
-    table.axes[1] = {"altitude_km",
-                     "x_r = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the "
-                     "top; x_r = 0 the ground, 1 the top",
-                     convention, 0, shell.thickness_km};
+    table.axes[1] = {
+        "altitude_km",
+        "x_r = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the "
+        "top; x_r = 0 the ground, 1 the top",
+        convention, 0, shell.thickness_km};
     for (AxisMapping& axis : table.axes) {
         axis.end_points = ue ? TexelConvention::end_points_on_edges
                              : TexelConvention::end_points_on_texel_centres;

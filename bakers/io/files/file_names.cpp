@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "bakers/io/files/spelling.h"
-#include "config/assets/bruneton_companion.h"
+#include "config/assets/bruneton.h"
 #include "config/assets/volume_files.h"
 
 namespace skybake {
@@ -30,7 +30,7 @@ std::vector<std::string> file_names(const config::Bake& bake) {
             names.push_back(volume_file_name(bake.name, format, level));
         }
     }
-    const auto* bruneton = std::get_if<config::BrunetonBake>(&bake.asset);
+    const auto* bruneton = bake.find<config::BrunetonBake>();
     if (bruneton && config::has_companion(*bruneton)) {
         names.push_back(companion_file_name(bake.name, "json"));
     }

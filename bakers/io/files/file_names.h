@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "config/parameters.h"
+#include "config/sections/files.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "bakers/field/baked_table.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

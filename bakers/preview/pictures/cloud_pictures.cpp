@@ -16,8 +16,9 @@
 #include "bakers/preview/pictures/cloud_slices.h"
 #include "bakers/render/stage_progress.h"
 #include "bakers/render/tone_curve.h"
+#include "config/assets/cloud_extent.h"
+#include "config/assets/occupancy.h"
 #include "config/recipe/recipe.h"
-#include "config/sections/cloud_extent.h"
 
 namespace skybake {
 

@@ -8,7 +8,10 @@
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/preview_asset.h"
-#include "config/parameters.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/occupancy.h"
+#include "config/sections/atmosphere.h"
+#include "config/sections/cloud.h"
 
 namespace skybake {
 

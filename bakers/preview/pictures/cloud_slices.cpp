@@ -9,6 +9,7 @@
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/volume_slices.h"
+#include "config/assets/occupancy.h"
 #include "config/fields/fields.h"
 
 namespace skybake {

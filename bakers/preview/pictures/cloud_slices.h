@@ -8,7 +8,8 @@
 #include "bakers/plot/picture.h"
 #include "bakers/render/cloud_medium.h"
 #include "bakers/render/preview_asset.h"
-#include "config/parameters.h"
+#include "config/assets/occupancy.h"
+#include "config/sections/cloud.h"
 
 namespace skybake {
 

@@ -9,6 +9,7 @@
 #include "bakers/assets/phase/phase_axis.h"
 #include "bakers/field/texel_axis.h"
 #include "bakers/plot/chart.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 namespace {

@@ -14,6 +14,8 @@
 #include "bakers/plot/field_scaling.h"
 #include "bakers/preview/pictures/caption_words.h"
 #include "bakers/render/tone_curve.h"
+#include "config/assets/aerial_perspective.h"
+#include "config/assets/sky_view.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -29,7 +31,7 @@ template <class Asset>
 std::optional<Asset> bake_of(const ManifestAsset& entry) {
     const auto recipe = config::parse_recipe(entry.parameters, entry.name);
     if (!recipe.value || recipe.value->parameters.bakes.size() != 1) return std::nullopt;
-    const auto* asset = std::get_if<Asset>(&recipe.value->parameters.bakes.front().asset);
+    const auto* asset = recipe.value->parameters.bakes.front().find<Asset>();
     return asset ? std::optional(*asset) : std::nullopt;
 }
 

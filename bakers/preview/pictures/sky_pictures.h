@@ -8,7 +8,7 @@
 #include "bakers/math/progress.h"
 #include "bakers/plot/picture.h"
 #include "bakers/render/preview_asset.h"
-#include "config/parameters.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

@@ -6,6 +6,8 @@
 #include <variant>
 
 #include "bakers/air/transmittance_mapping.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -43,15 +45,15 @@ std::optional<TableGeometry> TableGeometry::of(const ManifestAsset& asset) {
     for (const config::Length& wavelength : parameters.wavelengths) {
         geometry.wavelengths_nm_.push_back(wavelength.meters * 1e9);
     }
-    const auto& bake = parameters.bakes.front().asset;
-    if (const auto* transmittance = std::get_if<config::TransmittanceBake>(&bake)) {
+    const config::Bake& bake = parameters.bakes.front();
+    if (const auto* transmittance = bake.find<config::TransmittanceBake>()) {
         geometry.is_transmittance_ = true;
         if (transmittance->mapping == config::TransmittanceMapping::ue) {
             geometry.convention_ = TexelConvention::end_points_on_edges;
         }
         return geometry;
     }
-    if (const auto* scattering = std::get_if<config::MultipleScatteringBake>(&bake)) {
+    if (const auto* scattering = bake.find<config::MultipleScatteringBake>()) {
         const bool solved = scattering->method == config::MultipleScatteringMethod::solved;
         if (solved && scattering->content == config::MultipleScatteringContent::moments) {
             return std::nullopt;  // several tables in one

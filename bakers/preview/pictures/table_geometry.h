@@ -9,7 +9,6 @@
 #include "bakers/field/texel_axis.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/light/sun_columns.h"
-#include "config/parameters.h"
 
 namespace skybake {
 

@@ -333,12 +333,8 @@ class TablePictures {
 }  // namespace
 
 std::vector<PreviewPicture> table_pictures(const PreviewAsset& asset) {
-    if (asset.entry.kind == "sky_view") return sky_view_pictures(asset);
-    if (asset.entry.kind == "irradiance") return irradiance_pictures(asset);
-    const bool known =
-        asset.entry.kind == "transmittance" || asset.entry.kind == "multiple_scattering";
     const Image2<float>& table = asset.table;
-    if (!known || table.width <= 0 || table.height <= 0 || table.channels <= 0) return {};
+    if (table.width <= 0 || table.height <= 0 || table.channels <= 0) return {};
     if (const auto geometry = TableGeometry::of(asset.entry)) {
         return TablePictures(asset, *geometry).make();
     }

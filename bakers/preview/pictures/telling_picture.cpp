@@ -9,9 +9,9 @@
 
 #include "bakers/air/sky_medium.h"
 #include "bakers/preview/cloud_input.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/caption_words.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
-#include "bakers/preview/pictures/table_pictures.h"
 #include "bakers/preview/pictures/volume_slices.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/sky_view.h"
@@ -113,7 +113,7 @@ std::optional<TellingPicture> telling_picture(const PreviewAssets& assets,
         if (!asset.voxels.empty()) return TellingPicture{slice_picture(asset), ""};
     }
     for (const PreviewAsset& asset : assets.assets) {
-        auto pictures = table_pictures(asset);
+        auto pictures = asset_pictures(asset);
         if (!pictures.empty()) return TellingPicture{std::move(pictures.front().picture), ""};
     }
     return std::nullopt;

@@ -16,6 +16,7 @@
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/sweeps/thread_time.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 

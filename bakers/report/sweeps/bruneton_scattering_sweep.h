@@ -5,7 +5,8 @@
 
 #include "bakers/report/report.h"
 #include "bakers/report/sweeps/bruneton_sweep.h"
-#include "config/parameters.h"
+#include "config/assets/bruneton.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 

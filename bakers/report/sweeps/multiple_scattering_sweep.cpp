@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
+#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 

@@ -5,7 +5,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/report/sweeps/sweep.h"
-#include "config/parameters.h"
+#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 

@@ -13,6 +13,7 @@
 #include "bakers/noise/noise_plan.h"
 #include "bakers/report/sweeps/pointwise_noise.h"
 #include "bakers/report/sweeps/sweep.h"
+#include "config/assets/noise_volume.h"
 #include "config/sections/octave_sampling.h"
 
 namespace skybake {

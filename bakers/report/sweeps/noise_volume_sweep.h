@@ -4,7 +4,8 @@
 #include <array>
 
 #include "bakers/report/sweeps/volume_sweep.h"
-#include "config/parameters.h"
+#include "config/assets/noise_volume.h"
+#include "config/sections/noise.h"
 
 namespace skybake {
 

@@ -11,6 +11,7 @@
 #include "bakers/assets/phase/phase_axis.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/phase/phase_table.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 

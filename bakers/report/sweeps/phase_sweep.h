@@ -5,6 +5,7 @@
 #include "bakers/air/particles/phase_source.h"
 #include "bakers/field/baked_table.h"
 #include "bakers/report/sweeps/sweep.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 

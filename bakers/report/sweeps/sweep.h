@@ -11,7 +11,7 @@
 
 #include "bakers/field/certify.h"
 #include "bakers/field/table_model.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

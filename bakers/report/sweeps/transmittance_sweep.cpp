@@ -9,6 +9,7 @@
 #include "bakers/assets/transmittance/transmittance_as_in_paper.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/transmittance.h"
 
 namespace skybake {
 

@@ -3,7 +3,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/report/sweeps/sweep.h"
-#include "config/parameters.h"
+#include "config/assets/transmittance.h"
 
 namespace skybake {
 

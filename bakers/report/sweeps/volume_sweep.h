@@ -11,7 +11,7 @@
 
 #include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

@@ -15,6 +15,7 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/light/solver/solve_light.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 

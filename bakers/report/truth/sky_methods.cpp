@@ -16,6 +16,7 @@
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/light/strip_orders.h"
 #include "bakers/report/truth/bruneton_sky.h"
+#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 

@@ -10,7 +10,7 @@
 #include "bakers/field/image.h"
 #include "bakers/io/formats/exr/attribute_pieces.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

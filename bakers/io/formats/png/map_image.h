@@ -4,7 +4,7 @@
 
 #include "bakers/field/map_image.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/cloud.h"
 
 namespace skybake {
 

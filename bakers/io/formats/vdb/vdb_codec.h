@@ -20,7 +20,7 @@
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/io/formats/vdb/vdb_volume.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

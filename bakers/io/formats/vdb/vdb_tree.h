@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/field/volume.h"
-#include "config/parameters.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

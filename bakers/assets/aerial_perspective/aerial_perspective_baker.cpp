@@ -1,0 +1,64 @@
+// The baker of asset = "aerial_perspective".
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
+#include "bakers/assets/baker.h"
+#include "bakers/light/sky_light.h"
+#include "config/assets/aerial_perspective.h"
+
+namespace skybake {
+
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+using config::AerialPerspectiveBake;
+
+Outcome<BakedAsset> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,
+                         const BakeOptions& options, AssetLabel label) {
+    const bool has_light = asset.content != config::AerialContent::transmittance;
+    const SkyLight light(parameters.atmosphere,
+                         has_light ? asset.orders : config::SkyOrders::single, asset.layers,
+                         options);
+    if (options.cancelled()) return {};
+    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
+    return as_asset(bake_aerial_perspective(light, asset, options, colour_names(parameters),
+                                            labelled_sky_volume(parameters, std::move(label))));
+}
+
+Estimate estimate(const Parameters&, const AerialPerspectiveBake& asset) {
+    Estimate result = estimate_volume(asset, asset.size, 4, 1e-5);
+    result.seconds += seconds_to_solve(asset.orders);
+    // All are held, and their parts (bruneton/parts_memory.h).
+    constexpr double kBytesPerVoxel = (4 + 9) * sizeof(float);
+    result.memory_mib += voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
+    return result;
+}
+
+AssetPlaces places(const Parameters&, const AerialPerspectiveBake& asset, const StoredTexels&) {
+    const double whole_km = asset.view_distance.kilometers();
+    const bool squared = asset.slices == config::SliceSpacing::squared;
+    return single_lookup(
+        {"picture_x", "picture_y", "distance_km"}, [whole_km, squared](const Place& at) {
+            const double share = at[2].second / whole_km;
+            return VolumeUvw{at[0].second, at[1].second, squared ? std::sqrt(share) : share};
+        });
+}
+
+void draft(AerialPerspectiveBake& asset, int) {
+    for (int& edge : asset.size) edge = std::min(edge, 16);
+    asset.mips = 1;
+}
+
+}  // namespace
+
+const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
+    static const Baker<config::AerialPerspectiveBake> row = {
+        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    return row;
+}
+
+}  // namespace skybake

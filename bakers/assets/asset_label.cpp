@@ -1,0 +1,53 @@
+#include "bakers/assets/asset_label.h"
+
+#include <utility>
+
+namespace skybake {
+
+using config::Parameters;
+
+namespace {
+
+// Of all assets of an atmosphere; their bakers add what the values are.
+Conventions sky_conventions(const Parameters& parameters) {
+    Conventions conventions;
+    conventions.length_unit = "km";
+    conventions.coefficient_unit = "1/km";
+    for (const config::Length& wavelength : parameters.wavelengths) {
+        conventions.wavelengths_nm.push_back(to_digits(wavelength.meters * 1e9, 12));
+    }
+    return conventions;
+}
+
+}  // namespace
+
+std::vector<std::string> colour_names(const Parameters& parameters) {
+    if (parameters.wavelengths.size() == 1) return {"Y"};
+    return {"R", "G", "B"};
+}
+
+BakedTable labelled_table(const Parameters& parameters, AssetLabel label) {
+    BakedTable table;
+    table.conventions = sky_conventions(parameters);
+    table.name = std::move(label.name);
+    table.channel_names = colour_names(parameters);
+    table.parameters = std::move(label.parameters);
+    table.details = std::move(label.details);
+    return table;
+}
+
+BakedVolume labelled_volume(AssetLabel label) {
+    BakedVolume volume;
+    volume.name = std::move(label.name);
+    volume.parameters = std::move(label.parameters);
+    volume.details = std::move(label.details);
+    return volume;
+}
+
+BakedVolume labelled_sky_volume(const Parameters& parameters, AssetLabel label) {
+    BakedVolume volume = labelled_volume(std::move(label));
+    volume.conventions = sky_conventions(parameters);
+    return volume;
+}
+
+}  // namespace skybake

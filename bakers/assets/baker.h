@@ -1,0 +1,71 @@
+// What makes one kind of asset. Each folder beside this file defines the baker of its asset:
+//
+//   const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>);
+//
+// registry.h collects those of config/assets/assets.h; an asset without a baker does not link.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bakers/assets/asset_label.h"
+#include "bakers/assets/estimate.h"
+#include "bakers/assets/probe_places.h"
+#include "bakers/field/baked_table.h"
+#include "bakers/field/volume.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sections/parameters.h"
+
+namespace skybake {
+
+// A table holds its texels, a volume can make its voxels.
+using BakedAsset = std::variant<BakedTable, BakedVolume>;
+
+// A file besides the recipe that an asset is made from.
+struct InputFile {
+    std::string name;  // as the recipe has it
+    std::filesystem::path path;
+};
+
+template <class Asset>
+struct Baker {
+    int version = 0;  // raised when its bytes change for equal parameters
+    // `label` has what all assets say of themselves: name, parameters, details.
+    config::Outcome<BakedAsset> (*bake)(const config::Parameters& parameters, const Asset& asset,
+                                        const BakeOptions& options, AssetLabel label) = nullptr;
+    Estimate (*estimate)(const config::Parameters& parameters, const Asset& asset) = nullptr;
+    // How a runtime looks up what the probes name, of a table or volume as it is stored.
+    AssetPlaces (*places)(const config::Parameters& parameters, const Asset& asset,
+                          const StoredTexels& stored) = nullptr;
+    // Makes the asset small enough for pictures in a second; the longest edge of a volume has at
+    // most `most_voxels`. None: it is small already.
+    void (*draft)(Asset& asset, int most_voxels) = nullptr;
+    std::vector<InputFile> (*inputs)(const config::Parameters& parameters,
+                                     const Asset& asset) = nullptr;
+};
+
+// The friend is a function of its own for each asset, which is what GCC warns of.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wnon-template-friend"
+#endif
+template <class Asset>
+struct BakerTag {
+    friend const Baker<Asset>& baker(BakerTag<Asset>);
+};
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
+template <class Baked>
+config::Outcome<BakedAsset> as_asset(config::Outcome<Baked> baked) {
+    config::Outcome<BakedAsset> outcome;
+    outcome.diagnostics = std::move(baked.diagnostics);
+    if (baked.value) outcome.value = std::move(*baked.value);
+    return outcome;
+}
+
+}  // namespace skybake

@@ -1,0 +1,85 @@
+// The baker of asset = "cloud_volume".
+#include <utility>
+
+#include "bakers/assets/cloud_volume/cloud_baker.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/assets/draft_size.h"
+#include "config/sections/cloud_channels.h"
+#include "config/sections/named_sections.h"
+
+namespace skybake {
+
+using config::Cloud;
+using config::CloudVolumeBake;
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+Outcome<BakedAsset> bake(const Parameters& parameters, const CloudVolumeBake& asset,
+                         const BakeOptions& options, AssetLabel label) {
+    BakedVolume volume = labelled_volume(std::move(label));
+    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, asset, volume.details);
+    if (!inputs.value) return {{}, inputs.diagnostics};
+    return as_asset(bake_cloud_volume(cloud_named(parameters, asset.cloud), asset, *inputs.value,
+                                      options, std::move(volume)));
+}
+
+AssetPlaces places(const Parameters& parameters, const CloudVolumeBake& asset,
+                   const StoredTexels&) {
+    const Cloud& cloud = cloud_named(parameters, asset.cloud);
+    return cloud_places(cloud, extent_m_of(cloud));
+}
+
+void draft(CloudVolumeBake& asset, int most_voxels) {
+    asset.size = reduced(asset.size, most_voxels);
+    asset.mips = 1;
+}
+
+}  // namespace
+
+Estimate estimate_cloud_volume(const Parameters& parameters, const CloudVolumeBake& asset) {
+    constexpr double kSecondsPerShape = 3e-9;  // profile, threshold, statistics of a voxel
+    const Cloud& cloud = cloud_named(parameters, asset.cloud);
+    const config::Noise& base = noise_named(parameters, cloud.noise);
+    double octaves = octaves_of(base);
+    if (!cloud.detail.empty()) octaves += octaves_of(noise_named(parameters, cloud.detail));
+    return estimate_volume(asset, asset.size,
+                           config::cloud_channel_names(base, cloud.channels).size(),
+                           octaves * kSecondsPerOctave + kSecondsPerShape);
+}
+
+std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters,
+                                           const CloudVolumeBake& asset) {
+    const Cloud& cloud = cloud_named(parameters, asset.cloud);
+    std::vector<InputFile> files;
+    for (const config::CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
+        if (!map->file.empty()) files.push_back({map->file, map->path});
+    }
+    return files;
+}
+
+VolumePlaces cloud_places(const Cloud& cloud, const VolumeUvw& extent_m) {
+    const double base_m = cloud.base_altitude.meters;
+    return single_lookup({"x_m", "y_m", "altitude_m"}, [extent_m, base_m](const Place& at) {
+        return VolumeUvw{at[0].second / extent_m[0], at[1].second / extent_m[1],
+                         (at[2].second - base_m) / extent_m[2]};
+    });
+}
+
+VolumeUvw extent_m_of(const Cloud& cloud) {
+    return {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters};
+}
+
+const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
+    static const Baker<CloudVolumeBake> row = {.version = 2,
+                                               .bake = bake,
+                                               .estimate = estimate_cloud_volume,
+                                               .places = places,
+                                               .draft = draft,
+                                               .inputs = cloud_volume_inputs};
+    return row;
+}
+
+}  // namespace skybake

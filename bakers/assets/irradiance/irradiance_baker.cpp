@@ -1,0 +1,62 @@
+// The baker of asset = "irradiance".
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "bakers/assets/baker.h"
+#include "bakers/assets/irradiance/irradiance_table.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/sky_light.h"
+#include "config/assets/irradiance.h"
+
+namespace skybake {
+
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+using config::IrradianceBake;
+
+Outcome<BakedAsset> bake(const Parameters& parameters, const IrradianceBake& asset,
+                         const BakeOptions& options, AssetLabel label) {
+    const SkyLight light(parameters.atmosphere, orders_of(asset), asset.layers, options);
+    if (options.cancelled()) return {};
+    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
+    return as_asset(
+        bake_irradiance(light, asset, options, labelled_table(parameters, std::move(label))));
+}
+
+Estimate estimate(const Parameters&, const IrradianceBake& asset) {
+    return estimate_texels(asset.size, asset.pixel_type, 4e-3,
+                           0.3 + seconds_to_solve(asset.orders));
+}
+
+AssetPlaces places(const Parameters& parameters, const IrradianceBake& asset,
+                   const StoredTexels& stored) {
+    constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+    const Shell shell = shell_of(parameters.atmosphere);
+    const auto mapping = asset.mapping;
+    return TablePlaces{2, [=](const Probe& probe) {
+                           const double x = sun_coordinate(mapping, probe.at[1].second);
+                           const double y = irradiance_coordinate(shell, probe.at[0].second);
+                           return std::array{texture_coordinate(kConvention, x, stored.size[0]),
+                                             texture_coordinate(kConvention, y, stored.size[1])};
+                       }};
+}
+
+void draft(IrradianceBake& asset, int) {
+    asset.size = {std::min(asset.size[0], 32), std::min(asset.size[1], 16)};
+    asset.max_texel_error = std::max(asset.max_texel_error, 0.02);
+}
+
+}  // namespace
+
+const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
+    static const Baker<config::IrradianceBake> row = {
+        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,59 @@
+// The baker of asset = "phase".
+#include <array>
+#include <string>
+#include <utility>
+
+#include "bakers/assets/baker.h"
+#include "bakers/assets/phase/phase_axis.h"
+#include "bakers/assets/phase/phase_table.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/math/transcendental.h"
+#include "config/assets/phase.h"
+
+namespace skybake {
+
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+Outcome<BakedAsset> bake(const Parameters& parameters, const config::PhaseBake& asset,
+                         const BakeOptions& options, AssetLabel label) {
+    return as_asset(
+        bake_phase(parameters, asset, options, labelled_table(parameters, std::move(label))));
+}
+
+Estimate estimate(const Parameters&, const config::PhaseBake& asset) {
+    return estimate_texels({asset.max_error ? 0 : asset.size, 1}, asset.pixel_type, 1e-6, 1);
+}
+
+// By the spacing that suited the table best, which its file names.
+double share_of_table(const std::string& spacing, double at) {
+    const double half_sine = cosine_of_pi(0.5 - at / 360);
+    const double half_cosine = cosine_of_pi(at / 360);
+    const ScatteringAngle angle = {2 * half_sine * half_sine, 2 * half_cosine * half_cosine};
+    if (spacing == "angle") return at / 180;
+    if (spacing == "cosine") return phase_coordinate(config::PhaseSpacing::cosine, angle);
+    if (spacing == "peaks") return phase_coordinate(config::PhaseSpacing::peaks, angle);
+    return at;  // a share of the light
+}
+
+AssetPlaces places(const Parameters&, const config::PhaseBake&, const StoredTexels& stored) {
+    return TablePlaces{
+        1, [=](const Probe& probe) {
+            return std::array{texture_coordinate(TexelConvention::end_points_on_texel_centres,
+                                                 share_of_table(stored.mapping, probe.at[0].second),
+                                                 stored.size[0]),
+                              0.5};
+        }};
+}
+
+}  // namespace
+
+const Baker<config::PhaseBake>& baker(BakerTag<config::PhaseBake>) {
+    static const Baker<config::PhaseBake> row = {
+        .version = 2, .bake = bake, .estimate = estimate, .places = places};
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,94 @@
+// The baker of asset = "sky_view".
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include "bakers/assets/baker.h"
+#include "bakers/assets/sky_view/sky_view_table.h"
+#include "bakers/field/texel_axis.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/light/sky_view_mapping.h"
+#include "bakers/light/strip_orders.h"
+#include "config/assets/sky_view.h"
+
+namespace skybake {
+
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+using config::SkyViewBake;
+
+std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphere,
+                                              const SkyViewBake& asset,
+                                              const BakeOptions& options) {
+    const bool from_strips =
+        asset.sky == config::SkyMethod::strips && asset.orders != config::SkyOrders::single;
+    if (!from_strips) {
+        return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
+    }
+    SkyMedium medium = make_sky_medium(atmosphere);
+    auto strips = std::make_unique<StripOrders>(medium, options);
+    return std::make_unique<SkyLight>(std::move(medium), asset.orders, std::move(strips));
+}
+
+Outcome<BakedAsset> bake(const Parameters& parameters, const SkyViewBake& asset,
+                         const BakeOptions& options, AssetLabel label) {
+    const auto light = light_of_view(parameters.atmosphere, asset, options);
+    if (options.cancelled()) return {};
+    if (const auto problem = light->problem(label.name)) return {{}, {*problem}};
+    return as_asset(
+        bake_sky_view(*light, asset, options, labelled_table(parameters, std::move(label))));
+}
+
+Estimate estimate(const Parameters&, const SkyViewBake& asset) {
+    const std::array<int, 2> size = {asset.size[0],
+                                     asset.size[1] * static_cast<int>(asset.sun_elevations.size())};
+    return estimate_texels(size, asset.pixel_type, 3e-5, 0.3 + seconds_to_solve(asset.orders));
+}
+
+// In the table of the sun that the probe names: the nearest, since its angle went through degrees.
+std::array<double, 2> place_of(const SkyViewBake& asset, const Shell& shell, int width,
+                               const Probe& probe) {
+    const SkyViewCamera camera(shell, asset.altitude.kilometers());
+    const double radians = std::numbers::pi / 180;
+    const auto suns = static_cast<int>(asset.sun_elevations.size());
+    std::array<double, 2> nearest{};
+    for (int k = 0; k < suns; ++k) {
+        const double elevation = asset.sun_elevations[static_cast<std::size_t>(k)].radians;
+        if (std::fabs(elevation - probe.at[2].second * radians) > 1e-9) continue;
+        const double y = camera.coordinate(probe.at[1].second * radians);
+        const double v = (k + sky_view_v(y, asset.size[1])) / suns;
+        // The same sun may stand in the list twice.
+        if (k > 0 && std::fabs(v - probe.uv[1]) > std::fabs(nearest[1] - probe.uv[1])) continue;
+        nearest = {texture_coordinate(TexelConvention::end_points_on_texel_centres,
+                                      probe.at[0].second / 180, width),
+                   v};
+    }
+    return nearest;
+}
+
+AssetPlaces places(const Parameters& parameters, const SkyViewBake& asset,
+                   const StoredTexels& stored) {
+    const Shell shell = shell_of(parameters.atmosphere);
+    return TablePlaces{
+        3, [=](const Probe& probe) { return place_of(asset, shell, stored.size[0], probe); }};
+}
+
+void draft(SkyViewBake& asset, int) {
+    asset.size = {std::min(asset.size[0], 96), std::min(asset.size[1], 54)};
+}
+
+}  // namespace
+
+const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
+    static const Baker<config::SkyViewBake> row = {
+        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,157 @@
+#include "config/assets/aerial_perspective.h"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/assets/volume_fields.h"
+#include "config/assets/volume_files_decoder.h"
+#include "config/fields/field_reader.h"
+#include "config/fields/shared_ranges.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using AerialPerspectiveField =
+    VolumeBakeField<AerialPerspectiveBake, AerialContent, SliceSpacing, SkyOrders>;
+
+constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
+
+constexpr Range fov_range{0, std::numbers::pi, true, true};
+
+constexpr Range picture_aspect_range{1e-3, 1e3};
+
+constexpr std::array aerial_content_choices = {
+    Choice{"in_scatter_and_transmittance",
+           "light in R, G, B and the channels' mean transmittance in A"},
+    Choice{"in_scatter", "light alone"},
+    Choice{"transmittance", "transmittance alone, of each channel"},
+};
+
+constexpr std::array slices_choices = {
+    Choice{"linear", "w = distance / view_distance"},
+    Choice{"squared", "w = sqrt(distance / view_distance): closer together near the camera"},
+};
+
+const std::array aerial_perspective_table = {
+    AerialPerspectiveField{asset_field, {}},
+    AerialPerspectiveField{
+        {.key = "size",
+         .kind = Kind::voxels,
+         .range = voxel_range,
+         .fallback = "[32, 32, 32]",
+         .documentation = "voxels across and down the picture, and the number of slices",
+         .citation = hillaire_2020},
+        &AerialPerspectiveBake::size},
+    AerialPerspectiveField{{.key = "content",
+                            .kind = Kind::choice,
+                            .choices = aerial_content_choices,
+                            .fallback = R"("in_scatter_and_transmittance")",
+                            .documentation = "what the channels hold"},
+                           &AerialPerspectiveBake::content},
+    AerialPerspectiveField{camera_altitude_field, &AerialPerspectiveBake::altitude},
+    AerialPerspectiveField{{.key = "sun_elevation",
+                            .kind = Kind::angle,
+                            .range = elevation_range,
+                            .required = true,
+                            .documentation = "elevation of the sun at the camera",
+                            .hint = "-90 deg to 90 deg"},
+                           &AerialPerspectiveBake::sun_elevation},
+    AerialPerspectiveField{{.key = "heading",
+                            .kind = Kind::angle,
+                            .range = turn_range,
+                            .fallback = R"("0 deg")",
+                            .documentation = "camera heading, clockwise from the sun's azimuth"},
+                           &AerialPerspectiveBake::heading},
+    AerialPerspectiveField{{.key = "pitch",
+                            .kind = Kind::angle,
+                            .range = elevation_range,
+                            .fallback = R"("0 deg")",
+                            .documentation = "camera pitch, upwards from the horizontal"},
+                           &AerialPerspectiveBake::pitch},
+    AerialPerspectiveField{{.key = "fov",
+                            .kind = Kind::angle,
+                            .range = fov_range,
+                            .fallback = R"("60 deg")",
+                            .documentation = "angle between the lower and the upper edge"},
+                           &AerialPerspectiveBake::fov},
+    AerialPerspectiveField{{.key = "aspect",
+                            .kind = Kind::number,
+                            .range = picture_aspect_range,
+                            .fallback = "1.7777777777777777",
+                            .documentation = "width of the picture over its height"},
+                           &AerialPerspectiveBake::aspect},
+    AerialPerspectiveField{
+        {.key = "view_distance",
+         .kind = Kind::length,
+         .range = view_distance_range,
+         .documentation = "distance at w = 1; by default that of [scene], or its default"},
+        &AerialPerspectiveBake::view_distance},
+    AerialPerspectiveField{{.key = "slices",
+                            .kind = Kind::choice,
+                            .choices = slices_choices,
+                            .fallback = R"("squared")",
+                            .documentation = "the distance that a slice stands for",
+                            .citation = hillaire_2020},
+                           &AerialPerspectiveBake::slices},
+    AerialPerspectiveField{orders_field, &AerialPerspectiveBake::orders},
+    AerialPerspectiveField{layers_field, &AerialPerspectiveBake::layers},
+};
+
+Length default_view_distance() {
+    const Field& field = *find_field(*find_section("scene"), "view_distance");
+    return {std::get<double>(*default_value(field, std::nullopt))};
+}
+
+void check_channels(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& content = bake.at("content");
+    if (!content.value || decoder.channels != 1) return;
+    const auto chosen = static_cast<AerialContent>(std::get<ChoiceIndex>(*content.value).index);
+    if (chosen != AerialContent::in_scatter_and_transmittance) return;
+    decoder.diagnostics.error(
+        "E0129", content.source ? content.source->place : bake.place,
+        fmt::format("`{}` has two channels with one wavelength", join_path(bake.path, "content")),
+        "bake content = \"in_scatter\" and content = \"transmittance\" as two assets");
+}
+
+// Fills in the distance of view and the number of `mips`; reports channels that make no picture
+// (E0129) and what any volume's files must have (volume_files_decoder.h).
+void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const std::optional<Scene>& scene = recipe.parameters.scene;
+    DecodedField& distance = bake.at("view_distance");
+    if (!distance.source) {
+        distance.value = scene ? scene->view_distance.meters : default_view_distance().meters;
+        distance.derived = true;
+    }
+    check_channels(bake, decoder);
+    check_pixel_type(bake, decoder);
+    const DecodedField& size = bake.at("size");
+    if (!size.value) return;
+    const auto voxels = std::get<VoxelCounts>(*size.value);
+    resolve_volume_files(bake, voxels, Halving::down, decoder);
+    check_voxel_count(bake, voxels, 4, size.source ? size.source->place : bake.place, decoder);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const AerialPerspectiveBake&) {
+    return reads_of_air(parameters, Roles::all());
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<AerialPerspectiveBake>) {
+    static const auto rows = with_file_fields(aerial_perspective_table, {.formats = R"(["exr"])"});
+    static const AssetKind kind = make_asset_kind<AerialPerspectiveBake>(
+        {
+            .name = "aerial_perspective",
+            .documentation = "the air between a camera and what it looks at",
+            .needs_atmosphere = true,
+        },
+        std::span<const AerialPerspectiveField>(rows), reads_of, resolve_aerial_perspective);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,42 @@
+// The list of all assets. A folder of bakers/assets makes each.
+#pragma once
+
+#include <tuple>
+
+#include "config/assets/aerial_perspective.h"
+#include "config/assets/bruneton.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/irradiance.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/noise_volume.h"
+#include "config/assets/occupancy.h"
+#include "config/assets/optical_depth.h"
+#include "config/assets/phase.h"
+#include "config/assets/sky_view.h"
+#include "config/assets/transmittance.h"
+#include "config/sections/parameters.h"
+
+namespace skybake::config {
+
+// In the order in which documentation shows them.
+using Assets = std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake,
+                          AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake,
+                          OpticalDepthBake, NoiseVolumeBake, CloudVolumeBake, OccupancyBake>;
+
+// Calls `use` with a Tag of each asset, in order.
+template <class Use>
+void for_each_asset(const Use& use) {
+    [&use]<class... Asset>(const std::tuple<Asset...>*) {
+        (use(Tag<Asset>{}), ...);
+    }(static_cast<const Assets*>(nullptr));
+}
+
+// Calls `use` with the asset of a bake.
+template <class Use>
+void visit_asset(const Bake& bake, const Use& use) {
+    for_each_asset([&]<class Asset>(Tag<Asset>) {
+        if (const Asset* asset = bake.find<Asset>()) use(*asset);
+    });
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,295 @@
+#include "config/assets/bruneton.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/assets/takram_layers.h"
+#include "config/assets/volume_fields.h"
+#include "config/assets/volume_files_decoder.h"
+#include "config/fields/shared_ranges.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using BrunetonField =
+    VolumeBakeField<BrunetonBake, BrunetonTable, BrunetonConvention, BrunetonMethod>;
+
+constexpr Range nu_range{1, 1024};
+
+constexpr Range orders_range{1, 1000};
+
+constexpr Range sun_cosine_range{-1, 0, false, true};
+
+constexpr Range solar_range{0, 1e6, true};
+
+// Choices, each in the order of its enumeration.
+constexpr std::array bruneton_table_choices = {
+    Choice{"transmittance", "transmittance to the top of the atmosphere"},
+    Choice{"scattering", "light scattered towards a view ray, by nu, sun, view and altitude"},
+    Choice{"single_mie", "the first order of the Mie layers on its own"},
+    Choice{"higher_orders", "all orders from the second on, on their own"},
+    Choice{"irradiance", "irradiance of a level surface by the sky"},
+};
+
+constexpr std::array convention_choices = {
+    Choice{"bruneton", "the layout of the textures of the implementation of 2017"},
+    Choice{"takram",
+           "the layout that @takram/three-atmosphere loads: EXR files upside down, with its "
+           "parameters"},
+};
+
+constexpr std::array bruneton_method_choices = {
+    Choice{"solved", "orders from the second on, from a solution of all light"},
+    Choice{"iterated", "order after order on the table's own grid, as published"},
+};
+
+constexpr std::string_view by_nu[] = {"scattering", "single_mie", "higher_orders"};
+constexpr std::string_view scattering[] = {"scattering"};
+constexpr std::string_view with_light[] = {"scattering", "single_mie", "higher_orders",
+                                           "irradiance"};
+
+constexpr std::string_view with_orders[] = {"scattering", "higher_orders", "irradiance"};
+
+constexpr std::string_view with_method[] = {"scattering", "higher_orders"};
+
+const std::array bruneton_table = {
+    BrunetonField{asset_field, {}},
+    BrunetonField{{.key = "table",
+                   .kind = Kind::choice,
+                   .choices = bruneton_table_choices,
+                   .fallback = R"("scattering")",
+                   .documentation = "which of the tables to bake",
+                   .citation = bruneton_2017},
+                  &BrunetonBake::table},
+    BrunetonField{{.key = "convention",
+                   .kind = Kind::choice,
+                   .choices = convention_choices,
+                   .fallback = R"("bruneton")",
+                   .documentation = "the reader that the files are for"},
+                  &BrunetonBake::convention},
+    BrunetonField{
+        {.key = "size",
+         .kind = Kind::voxels,
+         .range = voxel_range,
+         .documentation = "texels along u, v, w; by default [256, 128, 32] of scattering, [256, "
+                          "64, 1] of transmittance, [64, 16, 1] of irradiance",
+         .citation = bruneton_2017},
+        &BrunetonBake::size},
+    BrunetonField{{.key = "nu_size",
+                   .kind = Kind::integer,
+                   .range = nu_range,
+                   .fallback = "8",
+                   .documentation = "number of angles between view and sun, side by side along u",
+                   .citation = bruneton_2017,
+                   .selector = "table",
+                   .selected_by = by_nu},
+                  &BrunetonBake::nu_size},
+    BrunetonField{{.key = "combined",
+                   .kind = Kind::flag,
+                   .fallback = "true",
+                   .documentation = "whether A holds the Mie layers' first order, red alone; "
+                                    "otherwise the table is R G B, and single_mie holds that order",
+                   .selector = "table",
+                   .selected_by = scattering},
+                  &BrunetonBake::combined},
+    BrunetonField{{.key = "orders",
+                   .kind = Kind::levels,
+                   .range = orders_range,
+                   .fallback = R"("all")",
+                   .documentation = "number of orders of scattering, with the first",
+                   .hint = "Bruneton uses 4",
+                   .selector = "table",
+                   .selected_by = with_orders},
+                  &BrunetonBake::orders},
+    BrunetonField{
+        {.key = "method",
+         .kind = Kind::choice,
+         .choices = bruneton_method_choices,
+         .fallback = R"("solved")",
+         .documentation = "where the higher orders come from; for iterated, \"all\" orders are 4",
+         .selector = "table",
+         .selected_by = with_method},
+        &BrunetonBake::method},
+    BrunetonField{{.key = "sun_cos_zenith_min",
+                   .kind = Kind::number,
+                   .range = sun_cosine_range,
+                   .documentation = "where the sun's axis begins; by default -0.5 for takram, as "
+                                    "its loader expects, and else cos 102 deg",
+                   .citation = bruneton_2017,
+                   .selector = "table",
+                   .selected_by = by_nu},
+                  &BrunetonBake::sun_cos_zenith_min},
+    BrunetonField{{.key = "mie_layers",
+                   .kind = Kind::text_list,
+                   .documentation = "layers whose first order is kept apart; by default those with "
+                                    "phase functions other than rayleigh and isotropic",
+                   .hint = "[\"mie\"]",
+                   .selector = "table",
+                   .selected_by = by_nu},
+                  &BrunetonBake::mie_layers},
+    BrunetonField{{.key = "solar_irradiance",
+                   .kind = Kind::fractions,
+                   .range = solar_range,
+                   .documentation = "factor of all light; by default 1, or takram's own",
+                   .selector = "table",
+                   .selected_by = with_light},
+                  &BrunetonBake::solar_irradiance},
+};
+
+// The cosine of 102 deg: below, Bruneton's half floats hold nothing. takram has that of 120 deg.
+constexpr double bruneton_sun_cosine = -0.20791169081775934;
+constexpr double takram_sun_cosine = -0.5;
+
+// Of R, G, B, in W / m^2 / nm at 680, 550 and 440 nm (ASTM E-490), as takram has them.
+constexpr std::array takram_solar_irradiance = {1.474, 1.8504, 1.91198};
+
+VoxelCounts default_size(BrunetonTable table) {
+    switch (table) {
+        case BrunetonTable::transmittance:
+            return {256, 64, 1};
+        case BrunetonTable::irradiance:
+            return {64, 16, 1};
+        default:
+            return {256, 128, 32};
+    }
+}
+
+void check_nu(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("nu_size");
+    if (!decoded.value) return;
+    const int nu_size = static_cast<int>(std::get<double>(*decoded.value));
+    if (nu_size >= 2 && size[0] % nu_size == 0 && size[0] / nu_size >= 2) return;
+    report_size(bake,
+                fmt::format("`{}` does not divide {} texels into sub-images: {}",
+                            join_path(bake.path, "nu_size"), size[0], nu_size),
+                "it needs at least two sub-images, each of at least two texels", decoder);
+}
+
+void check_halves(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    if (size[1] % 2 == 0) return;
+    report_size(bake,
+                fmt::format("`{}` has {} texels along v", join_path(bake.path, "size"), size[1]),
+                "give an even number: half of them are for rays to the ground", decoder);
+}
+
+bool is_peaked(const Layer& layer) {
+    return layer.phase != Phase::rayleigh && layer.phase != Phase::isotropic;
+}
+
+bool scatters(const Layer& layer) {
+    return layer.phase == Phase::mie ||
+           std::any_of(layer.scattering.begin(), layer.scattering.end(),
+                       [](InverseLength value) { return value.per_meter > 0; });
+}
+
+std::vector<std::string> peaked_layers(const Atmosphere& atmosphere) {
+    std::vector<std::string> names;
+    for (const Layer& layer : atmosphere.layers) {
+        if (is_peaked(layer) && scatters(layer)) names.push_back(layer.name);
+    }
+    return names;
+}
+
+void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
+    const auto problem = takram_problem(recipe.atmosphere, recipe.wavelengths.size());
+    if (!problem) return;
+    const DecodedField& convention = bake.at("convention");
+    decoder.diagnostics.error("E0143", convention.source ? convention.source->place : bake.place,
+                              fmt::format("`{}`: {}", join_path(bake.path, "convention"), *problem),
+                              "convention = \"bruneton\" takes any atmosphere");
+}
+
+// What the package's loader takes for granted, so that a file of another kind is looked up wrongly.
+void warn_of_loader(const DecodedSection& bake, BrunetonTable table, Decoder& decoder) {
+    const auto is_number = [&](std::string_view key, double wanted) {
+        const DecodedField& decoded = bake.at(key);
+        return !decoded.value || std::get<double>(*decoded.value) == wanted;
+    };
+    const char* unusual = nullptr;
+    if (std::get<VoxelCounts>(*bake.at("size").value) != default_size(table)) unusual = "size";
+    if (!is_number("nu_size", 8)) unusual = "nu_size";
+    if (!is_number("mips", 1)) unusual = "mips";
+    if (choice_of<VolumeLayout>(bake.at("layout")) != VolumeLayout::stack) unusual = "layout";
+    if (choice_of<PixelType>(bake.at("pixel_type")) != PixelType::half) unusual = "pixel_type";
+    if (!unusual) return;
+    const DecodedField& decoded = bake.at(unusual);
+    decoder.diagnostics.warning(
+        "W0205", decoded.source ? decoded.source->place : bake.place,
+        fmt::format("`{}` is not what @takram/three-atmosphere loads",
+                    join_path(bake.path, unusual)),
+        "it loads the default sizes, half floats and one stack, without mips");
+}
+
+// Orders above the first, of which there are none with one.
+void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& orders = bake.at("orders");
+    if (!orders.value || std::get<double>(*orders.value) != 1) return;
+    decoder.diagnostics.error(
+        "E0110", orders.source->place,
+        fmt::format("`{}` is out of range: 1", join_path(bake.path, "orders")),
+        "higher_orders holds the second order and above: give at least 2, or \"all\"");
+}
+
+std::vector<double> default_solar_irradiance(BrunetonConvention convention, std::size_t channels) {
+    const bool takram = convention == BrunetonConvention::takram;
+    if (takram && channels == takram_solar_irradiance.size()) {
+        return {takram_solar_irradiance.begin(), takram_solar_irradiance.end()};
+    }
+    return std::vector<double>(channels, 1);
+}
+
+// Fills in what depends on the table, the convention and the layers. E0142: a size that the table
+// cannot have.
+void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& decoder) {
+    const Parameters& recipe = so_far.parameters;
+    const auto table = choice_of<BrunetonTable>(bake.at("table"));
+    const auto convention = choice_of<BrunetonConvention>(bake.at("convention"));
+    if (!table || !convention) return;
+    const bool has_light = *table != BrunetonTable::transmittance;
+    const bool is_flat = !has_light || *table == BrunetonTable::irradiance;
+    derive(bake.at("size"), default_size(*table));
+    if (!is_flat) {
+        derive(bake.at("sun_cos_zenith_min"),
+               *convention == BrunetonConvention::takram ? takram_sun_cosine : bruneton_sun_cosine);
+        derive(bake.at("mie_layers"), peaked_layers(recipe.atmosphere));
+    }
+    if (has_light) {
+        derive(bake.at("solar_irradiance"),
+               default_solar_irradiance(*convention, recipe.wavelengths.size()));
+    }
+    resolve_table_files(bake, is_flat ? 2 : 3, 4, decoder);
+    if (!is_flat && bake.at("size").value) {
+        check_nu(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
+        check_halves(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
+    }
+    if (*table == BrunetonTable::higher_orders) check_higher_orders(bake, decoder);
+    if (*convention == BrunetonConvention::takram && decoder.complete) {
+        check_takram(bake, recipe, decoder);
+        if (bake.at("size").value) warn_of_loader(bake, *table, decoder);
+    }
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const BrunetonBake&) {
+    return reads_of_air(parameters, Roles::all());
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<BrunetonBake>) {
+    static const auto rows = with_file_fields(bruneton_table, {.formats = R"(["exr"])"});
+    static const AssetKind kind = make_asset_kind<BrunetonBake>(
+        {
+            .name = "bruneton",
+            .documentation = "a table of Bruneton's precomputed scattering",
+            .needs_atmosphere = true,
+        },
+        std::span<const BrunetonField>(rows), reads_of, resolve_bruneton);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,267 @@
+#include "config/assets/cloud_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_extent.h"
+#include "config/assets/octave_checks.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/assets/volume_fields.h"
+#include "config/assets/volume_files_decoder.h"
+#include "config/fields/named_reference.h"
+#include "config/fields/shared_ranges.h"
+#include "config/sections/cloud_channels.h"
+#include "config/sections/named_sections.h"
+#include "config/sections/tower_width.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+using CloudVolumeField = VolumeBakeField<CloudVolumeBake>;
+
+constexpr Range voxel_size_range{1e-3, 1e8};
+
+constexpr Range cloud_extent_range{1e-3, 1e8};
+
+const std::array cloud_volume_table = {
+    CloudVolumeField{asset_field, {}},
+    CloudVolumeField{{.key = "cloud",
+                      .kind = Kind::text,
+                      .required = true,
+                      .documentation = "NAME of the [clouds.NAME] to bake"},
+                     &CloudVolumeBake::cloud},
+    CloudVolumeField{{.key = "size",
+                      .kind = Kind::voxels,
+                      .range = voxel_range,
+                      .documentation = "voxels along x, y and z, which is up",
+                      .hint = "[512, 512, 128]",
+                      .exclusive_group = "size",
+                      .exclusive_side = "counted"},
+                     &CloudVolumeBake::size},
+    CloudVolumeField{
+        {.key = "extent",
+         .kind = Kind::lengths,
+         .range = cloud_extent_range,
+         .documentation =
+             "what the voxels span, to which the cloud is stretched; by default the cloud's extent",
+         .hint = "voxel_size sets it where it does not divide the cloud's extent",
+         .exclusive_group = "size",
+         .exclusive_side = "counted"},
+        &CloudVolumeBake::extent},
+    CloudVolumeField{{.key = "voxel_size",
+                      .kind = Kind::length,
+                      .range = voxel_size_range,
+                      .documentation = "edge of a cubic voxel, in place of size; the cloud's "
+                                       "extent is rounded up to whole voxels",
+                      .hint = "\"12 m\"",
+                      .exclusive_group = "size",
+                      .exclusive_side = "measured",
+                      .only_shown = true},
+                     {}},
+};
+
+// Whether cubes of this edge fill the extent without rest.
+bool divides(const Cloud& cloud, Length edge) {
+    return std::none_of(cloud.extent.begin(), cloud.extent.end(),
+                        [edge](Length extent) { return whole_voxels(extent, edge).longer; });
+}
+
+// The smallest round edge of cubes that makes at most 640 voxels along each axis and divides the
+// extent; none for extents that no round number divides.
+std::optional<Length> usual_voxel_size(const Cloud& cloud) {
+    constexpr double most_voxels = 640;
+    double longest = 0;
+    for (const Length& extent : cloud.extent) longest = std::max(longest, extent.meters);
+    if (longest <= 0) return std::nullopt;
+    const double decade = std::pow(10, std::floor(std::log10(longest / most_voxels)));
+    for (const double digits : {1.0, 1.25, 2.0, 2.5, 5.0, 10.0, 12.5, 20.0, 25.0, 50.0}) {
+        const Length edge{digits * decade};
+        if (edge.meters >= longest / most_voxels && divides(cloud, edge)) return edge;
+    }
+    return std::nullopt;
+}
+
+// One section while it is resolved.
+struct CloudVolumeResolver {
+    DecodedSection& bake;
+    Decoder& decoder;
+
+    Place size_place() const {
+        for (const std::string_view key : {"size", "voxel_size"}) {
+            if (bake.at(key).source) return bake.at(key).source->place;
+        }
+        return bake.place;
+    }
+
+    void report_missing_size(const Cloud* cloud) const {
+        if (!decoder.complete) return;
+        const auto usual = cloud ? usual_voxel_size(*cloud) : std::nullopt;
+        decoder.diagnostics.error(
+            "E0105", bake.place, fmt::format("`{}` is missing", join_path(bake.path, "size")),
+            usual ? fmt::format("give voxel_size = \"{}\", or size", spell_length(usual->meters))
+                  : "give size, the voxels along each axis, or voxel_size, the edge of cubes");
+    }
+
+    void report_too_many(double voxels, std::size_t axis, const Cloud& cloud) const {
+        decoder.diagnostics.error(
+            "E0110", size_place(),
+            fmt::format("`{}` makes {} voxels along {}", join_path(bake.path, "voxel_size"),
+                        spell_number(voxels), "xyz"[axis]),
+            fmt::format("at most {} of {} are allowed", bake.at("size").field->range.maximum,
+                        spell_length(cloud.extent[axis].meters)));
+    }
+
+    // Voxels of exactly this edge: as many as the extent has, and where that is no whole number the
+    // extent becomes longer. None if that is out of the range of a size.
+    void resolve_voxels(const Cloud& cloud, Length edge) const {
+        VoxelCounts size{};
+        std::array<double, 3> extent{};
+        bool longer = false;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const WholeVoxels voxels = whole_voxels(cloud.extent[axis], edge);
+            if (voxels.count > bake.at("size").field->range.maximum) {
+                return report_too_many(voxels.count, axis, cloud);
+            }
+            size[axis] = static_cast<int>(voxels.count);
+            extent[axis] = voxels.longer ? voxels.count * edge.meters : cloud.extent[axis].meters;
+            longer = longer || voxels.longer;
+        }
+        derive("size", size);
+        if (!longer) return;
+        derive("extent", extent);
+        warn_of_longer_extent(cloud, extent);
+    }
+
+    template <class T>
+    void derive(std::string_view key, const T& value) const {
+        DecodedField& decoded = bake.at(key);
+        decoded.value = value;
+        decoded.derived = true;
+    }
+
+    void warn_of_longer_extent(const Cloud& cloud, const std::array<double, 3>& extent) const {
+        decoder.diagnostics.warning(
+            "W0210", size_place(),
+            fmt::format(
+                "`{}` does not divide the extent of cloud `{}`: {} x {} x {} becomes {} x {} "
+                "x {}",
+                join_path(bake.path, "voxel_size"), cloud.name,
+                spell_length(cloud.extent[0].meters), spell_length(cloud.extent[1].meters),
+                spell_length(cloud.extent[2].meters), spell_length(extent[0]),
+                spell_length(extent[1]), spell_length(extent[2])),
+            "voxels have exactly this size, and the cloud is stretched to a whole number of them");
+    }
+
+    void resolve_size(const Cloud* cloud) const {
+        DecodedField& size = bake.at("size");
+        const DecodedField& voxel_size = bake.at("voxel_size");
+        if (!size.source && !voxel_size.source) report_missing_size(cloud);
+        const bool known = cloud && cloud->extent[0].meters > 0 && voxel_size.value;
+        if (!known) return;
+        size.value.reset();
+        resolve_voxels(*cloud, Length{std::get<double>(*voxel_size.value)});
+    }
+
+    void check_voxels(const Cloud& cloud, const VoxelCounts& size) const {
+        if (cloud.extent[0].meters <= 0 || bake.at("voxel_size").source) return;
+        CloudVolumeBake voxels;
+        voxels.size = size;
+        if (const auto& extent = bake.at("extent").value) {
+            const auto& meters = std::get<std::array<double, 3>>(*extent);
+            voxels.extent = {Length{meters[0]}, Length{meters[1]}, Length{meters[2]}};
+        }
+        check_cubes(bake, voxel_edges(cloud, voxels), size_place(), decoder);
+    }
+
+    void check_noises(const Cloud& cloud, std::span<const Noise> noises,
+                      const VoxelCounts& size) const {
+        OctaveChecks checks(size);
+        for (const Noise& noise : noises) {
+            if (noise.name == cloud.noise) {
+                checks.add(noise, used_channels(noise, cloud.channels),
+                           {.scale = cloud.noise_scale});
+            }
+            if (noise.name == cloud.detail) {
+                checks.add(noise, used_channels(noise, CloudChannels::density),
+                           {.scale = cloud.detail_scale});
+            }
+        }
+        checks.report(size_place(), decoder);
+    }
+
+    std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) const {
+        for (const Noise& noise : noises) {
+            if (noise.name == cloud.noise) return cloud_channel_names(noise, cloud.channels).size();
+        }
+        return 1;
+    }
+
+    // One warning, of the first tower.
+    void warn_of_narrow_towers(const Cloud& cloud, const VoxelCounts& size) const {
+        std::vector<std::string> narrow;
+        for (const Tower& tower : cloud.towers) {
+            if (narrowest_sigma(tower, size) < 1) narrow.push_back("tower " + tower.name);
+        }
+        if (cloud.scatter.count > 0 && narrowest_sigma(cloud.scatter, size) < 1) {
+            narrow.emplace_back("scatter");
+        }
+        if (narrow.empty()) return;
+        const std::string others =
+            narrow.size() > 1 ? fmt::format(", like {} more,", narrow.size() - 1) : "";
+        decoder.diagnostics.warning(
+            "W0204", size_place(),
+            fmt::format("{} of cloud `{}`{} is narrower than a voxel at size {}", narrow.front(),
+                        cloud.name, others, spell_voxels(size)),
+            "it falls between voxels; use a larger size or a wider sigma");
+    }
+};
+
+// Fills in `size` from the cloud's extent and `voxel_size`, `extent` where the two make no whole
+// number of voxels (W0210), and the number of `mips`. Reports a cloud that is not there (E0132), a
+// size that is not given (E0105) or out of range (E0110), what any volume's files must have
+// (volume_files_decoder.h), octaves that are nothing at that size (W0208) or too fine for it
+// (W0203), towers narrower than a voxel (W0204), and voxels that are not cubes (W0211).
+void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const std::span<const Cloud> clouds = recipe.parameters.clouds;
+    const std::span<const Noise> noises = recipe.parameters.noises;
+    const CloudVolumeResolver resolver{bake, decoder};
+    check_pixel_type(bake, decoder);
+    const Cloud* cloud = find_named(bake, "cloud", clouds, cloud_reference, decoder);
+    resolver.resolve_size(cloud);
+    if (!bake.at("size").value) return;
+    const auto size = std::get<VoxelCounts>(*bake.at("size").value);
+    resolve_volume_files(bake, size, Halving::down, decoder);
+    if (!cloud) return;
+    check_voxel_count(bake, size, resolver.channels_of(*cloud, noises), resolver.size_place(),
+                      decoder);
+    resolver.check_noises(*cloud, noises, size);
+    resolver.warn_of_narrow_towers(*cloud, size);
+    resolver.check_voxels(*cloud, size);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const CloudVolumeBake& bake) {
+    return reads_of_cloud(parameters, bake.cloud);
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<CloudVolumeBake>) {
+    static const auto rows = with_file_fields(cloud_volume_table, {.formats = R"(["vdb"])"});
+    static const AssetKind kind = make_asset_kind<CloudVolumeBake>(
+        {
+            .name = "cloud_volume",
+            .documentation = "the voxels of a cloud",
+        },
+        std::span<const CloudVolumeField>(rows), reads_of, resolve_cloud_volume);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,29 @@
+// asset = "irradiance". The light that falls on level surfaces.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "config/assets/asset.h"
+#include "config/sections/files.h"
+#include "config/sections/sky_choices.h"
+
+namespace skybake::config {
+
+enum class IrradianceContent { direct, sky, total };
+
+struct IrradianceBake {
+    std::array<int, 2> size{};  // texels along the sun cosine, along altitude
+    IrradianceContent content = IrradianceContent::total;
+    SkyOrders orders = SkyOrders::all;  // sky
+    std::vector<std::string> layers;    // single
+    double max_texel_error = 0;         // sets the quadrature's counts
+    MultipleScatteringMapping mapping = MultipleScatteringMapping::twilight;
+    PixelType pixel_type = PixelType::float32;
+    Compression compression = Compression::zip;
+};
+
+const AssetKind& asset_kind(Tag<IrradianceBake>);
+
+}  // namespace skybake::config

@@ -1,0 +1,122 @@
+#include "config/assets/multiple_scattering.h"
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/fields/shared_ranges.h"
+
+namespace skybake::config {
+namespace {
+
+using MultipleScatteringField =
+    BoundField<MultipleScatteringBake, MultipleScatteringMapping, MultipleScatteringMethod,
+               MultipleScatteringContent, PixelType, Compression>;
+
+constexpr Range degree_range{2, 8};
+
+constexpr std::array multiple_scattering_mapping_choices = {
+    Choice{"hillaire", "linear in sun cosine and altitude, with end points on texel centres"},
+    Choice{"twilight", "more texels near sunrise and sunset"},
+};
+
+constexpr std::array method_choices = {
+    Choice{"converged", "quadrature split at the horizon, with as many nodes as the error needs"},
+    Choice{"as_in_paper", "64 uniform directions of 20 steps each, for comparison"},
+    Choice{"solved", "all orders of scattering, each layer with its own phase function"},
+};
+
+constexpr std::array solved_content_choices = {
+    Choice{"hillaire", "the mean radiance, in place of Hillaire's texture"},
+    Choice{"fitted",
+           "the value that comes nearest to the sky when light is scattered equally in all "
+           "directions"},
+    Choice{"moments", "angular moments of the light, one table each"},
+};
+
+constexpr std::string_view solved[] = {"solved"};
+
+constexpr std::string_view unsolved[] = {"converged", "as_in_paper"};
+
+constexpr std::string_view moments[] = {"moments"};
+
+const std::array multiple_scattering_table = {
+    MultipleScatteringField{asset_field, {}},
+    MultipleScatteringField{{.key = "size",
+                             .kind = Kind::size,
+                             .range = texel_range,
+                             .fallback = "[32, 32]",
+                             .documentation = "texels along the sun cosine and along altitude",
+                             .citation = hillaire_2020,
+                             .exclusive_group = "size"},
+                            &MultipleScatteringBake::size},
+    MultipleScatteringField{max_error_field, &MultipleScatteringBake::max_error},
+    MultipleScatteringField{{.key = "mapping",
+                             .kind = Kind::choice,
+                             .choices = multiple_scattering_mapping_choices,
+                             .fallback = R"("hillaire")",
+                             .documentation = "which sun angle and altitude a texel stands for",
+                             .citation = hillaire_2020},
+                            &MultipleScatteringBake::mapping},
+    MultipleScatteringField{{.key = "method",
+                             .kind = Kind::choice,
+                             .choices = method_choices,
+                             .fallback = R"("converged")",
+                             .documentation = "quadrature over directions and along rays",
+                             .citation = hillaire_2020},
+                            &MultipleScatteringBake::method},
+    MultipleScatteringField{
+        {.key = "max_texel_error",
+         .kind = Kind::fraction,
+         .range = texel_error_range,
+         .fallback = R"("0.2 %")",
+         .documentation = "quadrature error of a texel, which sets the number of nodes",
+         .selector = "method",
+         .selected_by = unsolved},
+        &MultipleScatteringBake::max_texel_error},
+    MultipleScatteringField{{.key = "content",
+                             .kind = Kind::choice,
+                             .choices = solved_content_choices,
+                             .fallback = R"("hillaire")",
+                             .documentation = "which part of the solution the texels hold",
+                             .selector = "method",
+                             .selected_by = solved},
+                            &MultipleScatteringBake::content},
+    MultipleScatteringField{
+        {.key = "degree",
+         .kind = Kind::integer,
+         .range = degree_range,
+         .fallback = "2",
+         .documentation = "degree of the moments; 2 holds Rayleigh scattering exactly",
+         .selector = "content",
+         .selected_by = moments},
+        &MultipleScatteringBake::degree},
+    MultipleScatteringField{table_pixel_type_field, &MultipleScatteringBake::pixel_type},
+    MultipleScatteringField{compression_field, &MultipleScatteringBake::compression},
+};
+
+std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatteringBake& bake) {
+    const Roles coefficients = {Role::geometry, Role::extinction, Role::scattering, Role::ground};
+    if (bake.method != MultipleScatteringMethod::solved) {
+        return reads_of_air(parameters, coefficients);
+    }
+    const Roles phases = {Role::geometry, Role::extinction, Role::scattering, Role::ground,
+                          Role::phase};
+    std::vector<Read> reads = reads_of_air(parameters, phases);
+    reads.push_back({"scene"});
+    return reads;
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<MultipleScatteringBake>) {
+    static const AssetKind kind = make_asset_kind<MultipleScatteringBake>(
+        {
+            .name = "multiple_scattering",
+            .documentation = "the light scattered twice or more, per unit of scattering",
+            .needs_atmosphere = true,
+        },
+        std::span<const MultipleScatteringField>(multiple_scattering_table), reads_of);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,30 @@
+// asset = "multiple_scattering". The light scattered twice or more, per unit of scattering.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "config/assets/asset.h"
+#include "config/sections/files.h"
+#include "config/sections/sky_choices.h"
+
+namespace skybake::config {
+
+enum class MultipleScatteringMethod { converged, as_in_paper, solved };
+enum class MultipleScatteringContent { hillaire, fitted, moments };
+
+struct MultipleScatteringBake {
+    std::array<int, 2> size{};        // texels along the sun cosine, along altitude
+    std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
+    double max_texel_error = 0;       // sets the quadrature's counts
+    MultipleScatteringMapping mapping = MultipleScatteringMapping::hillaire;
+    MultipleScatteringMethod method = MultipleScatteringMethod::converged;
+    MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // solved
+    int degree = 2;                                                           // moments
+    PixelType pixel_type = PixelType::float32;
+    Compression compression = Compression::zip;
+};
+
+const AssetKind& asset_kind(Tag<MultipleScatteringBake>);
+
+}  // namespace skybake::config

@@ -1,0 +1,87 @@
+#include "config/assets/noise_volume.h"
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/octave_checks.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/assets/volume_fields.h"
+#include "config/assets/volume_files_decoder.h"
+#include "config/fields/named_reference.h"
+#include "config/fields/shared_ranges.h"
+#include "config/sections/named_sections.h"
+
+namespace skybake::config {
+namespace {
+
+using NoiseVolumeField = VolumeBakeField<NoiseVolumeBake>;
+
+const std::array noise_volume_table = {
+    NoiseVolumeField{asset_field, {}},
+    NoiseVolumeField{{.key = "noise",
+                      .kind = Kind::text,
+                      .required = true,
+                      .documentation = "NAME of the [noise.NAME] to bake"},
+                     &NoiseVolumeBake::noise},
+    NoiseVolumeField{{.key = "size",
+                      .kind = Kind::voxels,
+                      .range = voxel_range,
+                      .documentation = "voxels along x, y and z; by default the noise's size",
+                      .hint = "1 along z gives a picture"},
+                     &NoiseVolumeBake::size},
+};
+
+// What the size was said by: the bake, or the noise that it names.
+Place size_place(const DecodedSection& bake) {
+    for (const std::string_view key : {"size", "noise"}) {
+        if (bake.at(key).source) return bake.at(key).source->place;
+    }
+    return bake.place;
+}
+
+void resolve_size(DecodedSection& bake, const Noise& noise) {
+    DecodedField& size = bake.at("size");
+    if (size.source || noise.size[0] == 0) return;
+    size.value = noise.size;
+    size.derived = true;
+}
+
+// Fills in `size` from the noise and the number of `mips`. Reports a noise that is not there
+// (E0130), pixel types that a format has not (E0131), more voxels than can be (E0126), columns and
+// levels beyond what the size has (E0110), and octaves that are nothing at that size (W0208) or too
+// fine for it (W0203).
+void resolve_noise_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const std::span<const Noise> noises = recipe.parameters.noises;
+    check_pixel_type(bake, decoder);
+    const Noise* noise = find_named(bake, "noise", noises, noise_reference, decoder);
+    if (noise) resolve_size(bake, *noise);
+    if (!bake.at("size").value) return;
+    const auto size = std::get<VoxelCounts>(*bake.at("size").value);
+    resolve_volume_files(bake, size, Halving::down, decoder);
+    if (!noise) return;
+    const std::size_t channels = noise->pack == NoisePacking::none ? noise->channels.size() : 1;
+    const Place place = size_place(bake);
+    check_voxel_count(bake, size, channels, place, decoder);
+    OctaveChecks checks(size);
+    checks.add(*noise, noise->channels, {.sampling = noise->sampling});
+    checks.report(place, decoder);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const NoiseVolumeBake& bake) {
+    const Noise& noise = noise_named(parameters, bake.noise);
+    return reads_of_noise(noise, noise.channels);
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<NoiseVolumeBake>) {
+    static const auto rows = with_file_fields(noise_volume_table, {.formats = R"(["exr"])"});
+    static const AssetKind kind = make_asset_kind<NoiseVolumeBake>(
+        {
+            .name = "noise_volume",
+            .documentation = "the voxels of a noise",
+        },
+        std::span<const NoiseVolumeField>(rows), reads_of, resolve_noise_volume);
+    return kind;
+}
+
+}  // namespace skybake::config

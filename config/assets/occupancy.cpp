@@ -1,0 +1,285 @@
+#include "config/assets/occupancy.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_extent.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/assets/volume_fields.h"
+#include "config/assets/volume_files_decoder.h"
+#include "config/fields/named_reference.h"
+#include "config/fields/shared_ranges.h"
+#include "config/sections/cloud_channels.h"
+#include "config/sections/named_sections.h"
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
+
+namespace skybake::config {
+namespace {
+
+using OccupancyField =
+    VolumeBakeField<OccupancyBake, OccupancyFilter, OccupancyRule, std::vector<OccupancyContent>>;
+
+constexpr Range cell_range{1, 16};
+
+// Choices, each in the order of its enumeration.
+constexpr std::array filter_choices = {
+    Choice{"nearest", "the voxel in which a point lies"},
+    Choice{"trilinear", "between the eight nearest voxels, as GPUs do"},
+    Choice{"tricubic", "cubic B-spline over 64 voxels"},
+};
+
+constexpr std::array rule_choices = {
+    Choice{"exact", "a cell is empty only where no filtered sample in it is above 0"},
+    Choice{"thesis",
+           "samples 8 of 64 voxels of a cell and marks a ring around occupied cells; loses thin "
+           "wisps"},
+};
+
+constexpr std::array occupancy_content_choices = {
+    Choice{"occupied", "1, or 0 where the cell is empty"},
+    Choice{"leap", "cells to the nearest occupied one, along the longest of the three axes"},
+    Choice{"minimum", "the smallest filtered sample in the cell"},
+    Choice{"maximum", "the largest filtered sample in the cell"},
+};
+
+const std::array occupancy_table = {
+    OccupancyField{asset_field, {}},
+    OccupancyField{{.key = "of",
+                    .kind = Kind::text,
+                    .required = true,
+                    .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\""},
+                   &OccupancyBake::of},
+    OccupancyField{{.key = "channel",
+                    .kind = Kind::text,
+                    .documentation = "channel of that volume; its first by default",
+                    .hint = "R, G, B or A, or Y for a volume of one channel"},
+                   &OccupancyBake::channel},
+    OccupancyField{{.key = "cell",
+                    .kind = Kind::power_of_two,
+                    .range = cell_range,
+                    .fallback = "4",
+                    .documentation = "voxels along each edge of a cell",
+                    .hint = "1, 2, 4, 8 or 16",
+                    .citation = olajos_2016},
+                   &OccupancyBake::cell},
+    OccupancyField{{.key = "filter",
+                    .kind = Kind::choice,
+                    .choices = filter_choices,
+                    .fallback = R"("trilinear")",
+                    .documentation = "how the runtime looks the volume up"},
+                   &OccupancyBake::filter},
+    OccupancyField{{.key = "rule",
+                    .kind = Kind::choice,
+                    .choices = rule_choices,
+                    .fallback = R"("exact")",
+                    .documentation = "when a cell is empty",
+                    .citation = olajos_2016},
+                   &OccupancyBake::rule},
+    OccupancyField{{.key = "contents",
+                    .kind = Kind::choice_list,
+                    .choices = occupancy_content_choices,
+                    .fallback = R"(["occupied", "leap", "minimum", "maximum"])",
+                    .documentation = "what the one, three or four channels hold, in this order"},
+                   &OccupancyBake::contents},
+};
+
+template <class T>
+const T* find_by_name(std::span<const T> things, std::string_view name) {
+    const auto found = std::find_if(things.begin(), things.end(),
+                                    [&](const T& thing) { return thing.name == name; });
+    return found == things.end() ? nullptr : &*found;
+}
+
+// One section while it is resolved.
+struct OccupancyResolver {
+    DecodedSection& bake;
+    const RecipeSoFar& recipe;
+    Decoder& decoder;
+
+    std::vector<std::string_view> volume_names() const {
+        std::vector<std::string_view> names;
+        for (const Bake& other : recipe.bakes) {
+            if (other.is<CloudVolumeBake>()) names.push_back(other.name);
+        }
+        return names;
+    }
+
+    void report_no_volume(const std::string& name, bool is_other_asset) const {
+        const std::vector<std::string_view> names = volume_names();
+        std::string label = did_you_mean(name, names);
+        if (label.empty() && names.empty()) {
+            label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
+        }
+        if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
+        decoder.diagnostics.error(
+            "E0133", bake.at("of").source->place,
+            is_other_asset
+                ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
+                              join_path(bake.path, "of"), shorten(name))
+                : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, "of"),
+                              shorten(name)),
+            std::move(label));
+    }
+
+    const CloudVolumeBake* find_volume() const {
+        const std::string* name = text_of(bake.at("of"));
+        if (!name) return nullptr;
+        const Bake* found = find_by_name(recipe.bakes, *name);
+        const auto* volume = found ? found->find<CloudVolumeBake>() : nullptr;
+        const auto& unreadable = recipe.unreadable;
+        const bool is_reported =
+            std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
+        if (!volume && !is_reported && decoder.complete) report_no_volume(*name, found != nullptr);
+        return volume;
+    }
+
+    // Empty if the volume's cloud or noise is at fault.
+    std::vector<std::string> channels_of(const CloudVolumeBake& volume) const {
+        const Cloud* cloud = find_by_name<Cloud>(recipe.parameters.clouds, volume.cloud);
+        const Noise* noise =
+            cloud ? find_by_name<Noise>(recipe.parameters.noises, cloud->noise) : nullptr;
+        if (!noise) return {};
+        return cloud_channel_names(*noise, cloud->channels);
+    }
+
+    void check_channel(const CloudVolumeBake& volume) const {
+        const DecodedField& decoded = bake.at("channel");
+        const std::string* name = text_of(decoded);
+        const std::vector<std::string> channels = channels_of(volume);
+        if (!name || name->empty() || channels.empty()) return;
+        if (std::find(channels.begin(), channels.end(), *name) != channels.end()) return;
+        decoder.diagnostics.error(
+            "E0134", decoded.source->place,
+            fmt::format("`{}`: `{}` has no channel `{}`", join_path(bake.path, "channel"),
+                        *text_of(bake.at("of")), shorten(*name)),
+            fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
+                        fmt::join(channels, ", ")));
+    }
+
+    std::size_t check_contents() const {
+        const DecodedField& decoded = bake.at("contents");
+        if (!decoded.value) return 1;
+        const std::size_t count = std::get<std::vector<ChoiceIndex>>(*decoded.value).size();
+        if (count != 2) return count;
+        decoder.diagnostics.error(
+            "E0129", decoded.source->place,
+            fmt::format("`{}` has two channels", join_path(bake.path, "contents")),
+            "a picture has one, three or four channels: add one, or bake them as two assets");
+        return count;
+    }
+
+    void report_untiled(const CloudVolumeBake& volume, int cell, std::size_t axis) const {
+        const DecodedField& said = bake.at("cell");
+        decoder.diagnostics.error(
+            "E0150", said.source ? said.source->place : bake.at("of").source->place,
+            fmt::format("cells of {} voxels do not tile the {} voxels of `{}` along {}", cell,
+                        volume.size[axis], shorten(*text_of(bake.at("of"))), "xy"[axis]),
+            fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size",
+                        shorten(*text_of(bake.at("of"))), cell));
+    }
+
+    // The volume repeats along x and y. A cell that sticks out of the tile would repeat with
+    // another period than the volume: a runtime that repeats both would find other cells than those
+    // that its voxels lie in. One cell that holds the whole tile is the same everywhere.
+    void check_tiling(const CloudVolumeBake& volume, int cell) const {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const bool tiles = volume.size[axis] % cell == 0 || volume.size[axis] < cell;
+            if (!tiles) return report_untiled(volume, cell, axis);
+        }
+    }
+
+    // A level of half an odd number of cells, rounded up, spans more than the level before, and one
+    // texture coordinate does not serve both.
+    void check_halving(const VoxelCounts& cells) const {
+        const DecodedField& mips = bake.at("mips");
+        if (!mips.value) return;
+        const int halvings = static_cast<int>(std::get<double>(*mips.value)) - 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            int left = cells[axis];
+            int done = 0;
+            for (; done < halvings && left % 2 == 0; ++done) left /= 2;
+            if (done >= halvings || left == 1) continue;
+            decoder.diagnostics.error(
+                "E0150", mips.source->place,
+                fmt::format("the {} cells of [{}] along {} cannot be halved {} time{}", cells[axis],
+                            bake.path, "xyz"[axis], halvings, halvings == 1 ? "" : "s"),
+                fmt::format("use at most {} levels, or another size", done + 1));
+            return;
+        }
+    }
+
+    void check_voxels(const CloudVolumeBake& volume, int cell) const {
+        const Cloud* cloud = find_by_name<Cloud>(recipe.parameters.clouds, volume.cloud);
+        if (!cloud || cloud->extent[0].meters <= 0) return;
+        std::array<double, 3> edges = voxel_edges(*cloud, volume);
+        for (double& edge : edges) edge *= cell;
+        check_cubes(bake, edges, bake.at("of").source->place, decoder);
+    }
+
+    // Cells along each axis, those that stick out above among them.
+    VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) const {
+        VoxelCounts cells{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            cells[axis] = (volume.size[axis] + cell - 1) / cell;
+        }
+        return cells;
+    }
+};
+
+// Fills in the number of `mips`. Reports a name of no cloud volume (E0133), a channel that it has
+// not (E0134), two contents (E0129), cells that do not tile as the volume does (E0150), and what
+// any volume's files must have (volume_files_decoder.h). Warns of cells that are not cubes (W0211).
+void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const OccupancyResolver resolver{bake, recipe, decoder};
+    check_pixel_type(bake, decoder);
+    const std::size_t contents = resolver.check_contents();
+    const CloudVolumeBake* volume = resolver.find_volume();
+    if (!volume) return;
+    resolver.check_channel(*volume);
+    const DecodedField& cell = bake.at("cell");
+    if (!cell.value || volume->size[0] == 0) return;
+    const int edge = static_cast<int>(std::get<double>(*cell.value));
+    const VoxelCounts cells = resolver.cells_of(*volume, edge);
+    resolve_volume_files(bake, cells, Halving::up, decoder);
+    resolver.check_tiling(*volume, edge);
+    resolver.check_halving(cells);
+    resolver.check_voxels(*volume, edge);
+    check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
+}
+
+// Its volume, but for what that one's files are like.
+std::vector<Read> reads_of(const Parameters& parameters, const OccupancyBake& bake) {
+    const auto& volume = bake_named(parameters, bake.of).as<CloudVolumeBake>();
+    std::vector<Read> reads = reads_of_cloud(parameters, volume.cloud);
+    reads.push_back({join_path("bake", bake.of)});
+    return reads;
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<OccupancyBake>) {
+    static const auto rows = with_file_fields(
+        occupancy_table,
+        {.formats = R"(["exr"])",
+         .mips = "levels of the pyramid of minima and maxima, with the cells themselves"});
+    static const AssetKind kind = make_asset_kind<OccupancyBake>(
+        {
+            .name = "occupancy",
+            .documentation =
+                "which cells of a cloud volume are empty, and how far a ray may leap from them",
+            .of_another_bake = true,
+        },
+        std::span<const OccupancyField>(rows), reads_of, resolve_occupancy);
+    return kind;
+}
+
+}  // namespace skybake::config

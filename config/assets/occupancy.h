@@ -1,0 +1,29 @@
+// asset = "occupancy". Which cells of a cloud volume are empty, and how far a ray may leap from
+// them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/assets/asset.h"
+#include "config/sections/files.h"
+
+namespace skybake::config {
+
+// The filter that a runtime looks the volume up with.
+enum class OccupancyFilter { nearest, trilinear, tricubic };
+enum class OccupancyRule { exact, thesis };
+enum class OccupancyContent { occupied, leap, minimum, maximum };
+
+struct OccupancyBake : VolumeFiles {
+    std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
+    std::string channel;  // of that volume; empty: its first
+    int cell = 4;         // voxels along each edge of a cell: 1, 2, 4, 8 or 16
+    OccupancyFilter filter = OccupancyFilter::trilinear;
+    OccupancyRule rule = OccupancyRule::exact;
+    std::vector<OccupancyContent> contents;  // the channels, in this order, without duplicates
+};
+
+const AssetKind& asset_kind(Tag<OccupancyBake>);
+
+}  // namespace skybake::config

@@ -1,0 +1,177 @@
+#include "config/assets/optical_depth.h"
+
+#include <fmt/format.h>
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/assets/volume_fields.h"
+#include "config/assets/volume_files_decoder.h"
+#include "config/fields/shared_ranges.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using OpticalDepthField =
+    VolumeBakeField<OpticalDepthBake, OpticalDepthTable, BetweenCoordinates, DepthSampling>;
+
+constexpr Range shells_range{1, 4096};
+
+constexpr Range shell_altitude_range{1, 1e9};
+
+constexpr std::string_view ai_2014 = "Ai et al. 2014";
+
+constexpr std::array depth_table_choices = {
+    Choice{"to_top", "column from a point to the top of the atmosphere, by angle and altitude"},
+    Choice{"between", "column between two points"},
+    Choice{"density", "density by altitude"},
+    Choice{"phase", "phase functions, by scattering angle"},
+};
+
+constexpr std::array coordinates_choices = {
+    Choice{"altitudes", "two altitudes and the angle between them at the planet's centre"},
+    Choice{"distance", "altitude, zenith angle, distance along the ray"},
+};
+
+constexpr std::array depth_sampling_choices = {
+    Choice{"exact", "quadrature to the last digit"},
+    Choice{"equal_attenuation",
+           "shells that attenuate light from above equally, with one sample in each"},
+    Choice{"uniform", "shells of equal thickness, with one sample in each"},
+};
+
+constexpr std::string_view of_columns[] = {"to_top", "between"};
+constexpr std::string_view between[] = {"between"};
+constexpr std::string_view shells[] = {"equal_attenuation", "uniform"};
+
+const std::array optical_depth_table = {
+    OpticalDepthField{asset_field, {}},
+    OpticalDepthField{{.key = "table",
+                       .kind = Kind::choice,
+                       .choices = depth_table_choices,
+                       .fallback = R"("to_top")",
+                       .documentation = "which of the tables to bake",
+                       .citation = ai_2014},
+                      &OpticalDepthBake::table},
+    OpticalDepthField{{.key = "size",
+                       .kind = Kind::voxels,
+                       .range = voxel_range,
+                       .documentation = "texels along u, v, w; by default [256, 128, 1] of to_top, "
+                                        "[64, 64, 64] of between, [1024, 1, 1] of the others"},
+                      &OpticalDepthBake::size},
+    OpticalDepthField{
+        {.key = "kinds",
+         .kind = Kind::text_list,
+         .documentation =
+             "one to four layers of the atmosphere, each a channel; by default all of them",
+         .hint = "for example [\"air\", \"dust\", \"fog\", \"rain\"]"},
+        &OpticalDepthBake::kinds},
+    OpticalDepthField{{.key = "coordinates",
+                       .kind = Kind::choice,
+                       .choices = coordinates_choices,
+                       .fallback = R"("altitudes")",
+                       .documentation = "how the two points are given",
+                       .citation = ai_2014,
+                       .selector = "table",
+                       .selected_by = between},
+                      &OpticalDepthBake::coordinates},
+    OpticalDepthField{{.key = "sampling",
+                       .kind = Kind::choice,
+                       .choices = depth_sampling_choices,
+                       .fallback = R"("exact")",
+                       .documentation = "how densities are summed along a ray",
+                       .citation = ai_2014,
+                       .selector = "table",
+                       .selected_by = of_columns},
+                      &OpticalDepthBake::sampling},
+    OpticalDepthField{{.key = "shells",
+                       .kind = Kind::integer,
+                       .range = shells_range,
+                       .fallback = "32",
+                       .documentation = "number of shells",
+                       .selector = "sampling",
+                       .selected_by = shells},
+                      &OpticalDepthBake::shells},
+    OpticalDepthField{{.key = "max_altitude",
+                       .kind = Kind::length,
+                       .range = shell_altitude_range,
+                       .fallback = R"("35 km")",
+                       .documentation = "altitude of the highest shell; the air above is left out",
+                       .citation = ai_2014,
+                       .selector = "sampling",
+                       .selected_by = shells},
+                      &OpticalDepthBake::max_altitude},
+};
+
+VoxelCounts default_size(OpticalDepthTable table) {
+    switch (table) {
+        case OpticalDepthTable::to_top:
+            return {256, 128, 1};
+        case OpticalDepthTable::between:
+            return {64, 64, 64};
+        default:
+            return {1024, 1, 1};
+    }
+}
+
+// Courses of paths have their own texels along u, two or more of each.
+void check_courses(const DecodedSection& bake, const VoxelCounts& size, int least,
+                   Decoder& decoder) {
+    if (size[0] >= least) return;
+    report_size(bake,
+                fmt::format("`{}` is {}: its first axis is divided among the kinds of paths",
+                            join_path(bake.path, "size"), spell_voxels(size)),
+                fmt::format("give it at least {} texels", least), decoder);
+}
+
+// Fills in what depends on the table and the layers. E0142: a size that the table cannot have.
+void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    constexpr std::size_t most_kinds = 4;
+    const auto table = choice_of<OpticalDepthTable>(bake.at("table"));
+    if (!table) return;
+    derive(bake.at("size"), default_size(*table));
+    std::vector<std::string> names;
+    for (const Layer& layer : recipe.parameters.atmosphere.layers) names.push_back(layer.name);
+    DecodedField& kinds = bake.at("kinds");
+    derive(kinds, names);
+    const std::size_t count =
+        kinds.value ? std::get<std::vector<std::string>>(*kinds.value).size() : 1;
+    if ((count < 1 || count > most_kinds) && decoder.complete) {
+        decoder.diagnostics.error(
+            "E0129", kinds.source ? kinds.source->place : bake.place,
+            fmt::format("`{}` has {} layers", join_path(bake.path, "kinds"), count),
+            "each has a channel, of which there are one to four; name the layers");
+    }
+    const int axes = *table == OpticalDepthTable::to_top    ? 2
+                     : *table == OpticalDepthTable::between ? 3
+                                                            : 1;
+    resolve_table_files(bake, axes, most_kinds, decoder);
+    const auto coordinates = choice_of<BetweenCoordinates>(bake.at("coordinates"));
+    if (axes > 1 && bake.at("size").value) {
+        const bool falls = axes == 3 && coordinates == BetweenCoordinates::distance;
+        check_courses(bake, std::get<VoxelCounts>(*bake.at("size").value), falls ? 8 : 4, decoder);
+    }
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const OpticalDepthBake&) {
+    return reads_of_air(parameters, Roles::all());
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<OpticalDepthBake>) {
+    static const auto rows = with_file_fields(
+        optical_depth_table, {.formats = R"(["exr"])", .pixel_type = R"("float")"});
+    static const AssetKind kind = make_asset_kind<OpticalDepthBake>(
+        {
+            .name = "optical_depth",
+            .documentation =
+                "columns, densities or phase functions of up to four kinds of particles",
+            .needs_atmosphere = true,
+        },
+        std::span<const OpticalDepthField>(rows), reads_of, resolve_optical_depth);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,30 @@
+// asset = "phase". How particles or a layer scatter, by angle.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "config/assets/asset.h"
+#include "config/sections/files.h"
+
+namespace skybake::config {
+
+enum class PhaseContent { phase, inverse_cumulative };
+enum class PhaseSpacing { best, angle, cosine, peaks };
+
+// How particles or a layer scatter by angle.
+struct PhaseBake {
+    std::string particles;            // NAME of a [particles.NAME], or
+    std::string layer;                // of a layer of the atmosphere
+    int size = 0;                     // texels
+    std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
+    PhaseContent content = PhaseContent::phase;
+    PhaseSpacing spacing = PhaseSpacing::best;  // phase
+    int degree = 0;                             // of the Legendre moments in the manifest
+    PixelType pixel_type = PixelType::float32;
+    Compression compression = Compression::zip;
+};
+
+const AssetKind& asset_kind(Tag<PhaseBake>);
+
+}  // namespace skybake::config

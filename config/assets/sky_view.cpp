@@ -1,0 +1,69 @@
+#include "config/assets/sky_view.h"
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/fields/shared_ranges.h"
+
+namespace skybake::config {
+namespace {
+
+using SkyViewField = BoundField<SkyViewBake, SkyOrders, SkyMethod, PixelType, Compression>;
+
+constexpr std::array sky_method_choices = {
+    Choice{"solved", "all orders, each layer with its own phase function"},
+    Choice{"strips", "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
+};
+
+constexpr std::string_view with_multiple[] = {"all", "multiple"};
+
+const std::array sky_view_table = {
+    SkyViewField{asset_field, {}},
+    SkyViewField{{.key = "size",
+                  .kind = Kind::size,
+                  .range = texel_range,
+                  .fallback = "[192, 108]",
+                  .documentation = "texels along azimuth and along elevation, for one sun",
+                  .citation = hillaire_2020},
+                 &SkyViewBake::size},
+    SkyViewField{camera_altitude_field, &SkyViewBake::altitude},
+    SkyViewField{
+        {.key = "sun_elevations",
+         .kind = Kind::angles,
+         .range = elevation_range,
+         .required = true,
+         .documentation = "suns with a table each, stacked in one file, the first at v = 0",
+         .hint = "-90 deg to 90 deg"},
+        &SkyViewBake::sun_elevations},
+    SkyViewField{orders_field, &SkyViewBake::orders},
+    SkyViewField{layers_field, &SkyViewBake::layers},
+    SkyViewField{{.key = "sky",
+                  .kind = Kind::choice,
+                  .choices = sky_method_choices,
+                  .fallback = R"("solved")",
+                  .documentation = "how light scattered more than once is found",
+                  .selector = "orders",
+                  .selected_by = with_multiple},
+                 &SkyViewBake::sky},
+    SkyViewField{table_pixel_type_field, &SkyViewBake::pixel_type},
+    SkyViewField{compression_field, &SkyViewBake::compression},
+};
+
+std::vector<Read> reads_of(const Parameters& parameters, const SkyViewBake&) {
+    return reads_of_air(parameters, Roles::all());
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<SkyViewBake>) {
+    static const AssetKind kind = make_asset_kind<SkyViewBake>(
+        {
+            .name = "sky_view",
+            .documentation = "the sky as a camera sees it, under given suns",
+            .needs_atmosphere = true,
+        },
+        std::span<const SkyViewField>(sky_view_table), reads_of);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,70 @@
+#include "config/assets/transmittance.h"
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/fields/shared_ranges.h"
+
+namespace skybake::config {
+namespace {
+
+using TransmittanceField = BoundField<TransmittanceBake, TransmittanceContent, TransmittanceMapping,
+                                      PixelType, Compression>;
+
+constexpr std::array transmittance_content_choices = {
+    Choice{"transmittance", "the share of light that passes, in [0, 1]"},
+    Choice{"optical_depth",
+           "-ln of the transmittance, which keeps its digits where the transmittance underflows"},
+};
+
+constexpr std::array transmittance_mapping_choices = {
+    Choice{"bruneton", "ratios of distances, with end points on texel centres"},
+    Choice{"ue", "the same ratios without the half-texel correction, as widely copied"},
+};
+
+const std::array transmittance_table = {
+    TransmittanceField{asset_field, {}},
+    TransmittanceField{{.key = "size",
+                        .kind = Kind::size,
+                        .range = texel_range,
+                        .fallback = "[256, 64]",
+                        .documentation = "texels along the zenith angle and along altitude",
+                        .citation = bruneton_2008,
+                        .exclusive_group = "size"},
+                       &TransmittanceBake::size},
+    TransmittanceField{max_error_field, &TransmittanceBake::max_error},
+    TransmittanceField{{.key = "content",
+                        .kind = Kind::choice,
+                        .choices = transmittance_content_choices,
+                        .fallback = R"("transmittance")",
+                        .documentation = "what the texels hold"},
+                       &TransmittanceBake::content},
+    TransmittanceField{{.key = "mapping",
+                        .kind = Kind::choice,
+                        .choices = transmittance_mapping_choices,
+                        .fallback = R"("bruneton")",
+                        .documentation = "which angle and altitude a texel stands for",
+                        .citation = bruneton_2008},
+                       &TransmittanceBake::mapping},
+    TransmittanceField{table_pixel_type_field, &TransmittanceBake::pixel_type},
+    TransmittanceField{compression_field, &TransmittanceBake::compression},
+};
+
+std::vector<Read> reads_of(const Parameters& parameters, const TransmittanceBake&) {
+    return reads_of_air(parameters, {Role::geometry, Role::extinction});
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<TransmittanceBake>) {
+    static const AssetKind kind = make_asset_kind<TransmittanceBake>(
+        {
+            .name = "transmittance",
+            .documentation = "the share of light that arrives from the top of the atmosphere",
+            .needs_atmosphere = true,
+        },
+        std::span<const TransmittanceField>(transmittance_table), reads_of);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,26 @@
+// asset = "transmittance". The share of light that arrives from the top of the atmosphere.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "config/assets/asset.h"
+#include "config/sections/files.h"
+
+namespace skybake::config {
+
+enum class TransmittanceContent { transmittance, optical_depth };
+enum class TransmittanceMapping { bruneton, ue };
+
+struct TransmittanceBake {
+    std::array<int, 2> size{};        // texels along the zenith angle, along altitude
+    std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
+    TransmittanceContent content = TransmittanceContent::transmittance;
+    TransmittanceMapping mapping = TransmittanceMapping::bruneton;
+    PixelType pixel_type = PixelType::float32;
+    Compression compression = Compression::zip;
+};
+
+const AssetKind& asset_kind(Tag<TransmittanceBake>);
+
+}  // namespace skybake::config

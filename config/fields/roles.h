@@ -1,0 +1,47 @@
+// What values of a recipe are about, so that an asset can say which of them it is made from.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+
+namespace skybake::config {
+
+// Each field has one. Without another it is `content`: whatever is made from the section is made
+// from this value.
+enum class Role {
+    content,
+    geometry,    // radii, and how densities change with altitude
+    extinction,  // per unit of density
+    scattering,
+    phase,      // function
+    particles,  // that a layer is made of
+    ground,     // what it reflects
+    files,      // what files are like, apart from the texels' values
+    usual,      // the default of other keys, which hold what counts, or a matter of warnings
+};
+
+class Roles {
+  public:
+    constexpr Roles(std::initializer_list<Role> roles) {
+        for (const Role role : roles) bits_ |= bit(role);
+    }
+    static constexpr Roles all() {
+        Roles roles{};
+        roles.bits_ = ~0u;
+        return roles;
+    }
+    constexpr bool has(Role role) const { return (bits_ & bit(role)) != 0; }
+
+  private:
+    static constexpr unsigned bit(Role role) { return 1u << static_cast<unsigned>(role); }
+    unsigned bits_ = 0;
+};
+
+// Values that an asset is made from: of these roles, in the sections at a path whose names may be
+// `*`.
+struct Read {
+    std::string section;  // "atmosphere.layers.*"
+    Roles roles = {Role::content};
+};
+
+}  // namespace skybake::config

@@ -1,0 +1,263 @@
+// Rows of the recipe as a whole, of [atmosphere] and of its layers.
+#include "config/fields/shared_ranges.h"
+#include "config/sections/section_rows.h"
+
+namespace skybake::config {
+namespace {
+
+// Ranges. The outer bounds are wider than any planet and narrower than anything that would overflow
+// a double when squared, so that the bakers need not ask again.
+constexpr Range radius_range{1, 1e12};
+constexpr Range altitude_range{-1e9, 1e12};
+constexpr Range thickness_range{1e-3, 1e9};
+constexpr Range wavelength_range{1e-8, 1e-3};
+constexpr Range number_density_range{1e-12, 1e30};
+constexpr Range albedo_of_scattering_range{1e-6, 1};
+constexpr Range asymmetry_range{-1, 1, true, true};
+
+constexpr std::string_view henyey_1941 = "Henyey and Greenstein 1941; Cornette and Shanks 1992";
+
+// Choices, each in the order of its enumeration.
+constexpr std::array profile_choices = {
+    Choice{"exponential", "exp(-altitude / scale_height)"},
+    Choice{"tent", "1 at center_altitude, falling linearly to 0 half_width above and below"},
+    Choice{"slab", "1 between bottom_altitude and top_altitude, 0 elsewhere"},
+    Choice{"tabulated", "linear between the entries of table, 0 outside"},
+};
+constexpr std::array phase_choices = {
+    Choice{"isotropic", "the same in all directions"},
+    Choice{"rayleigh", "molecules: 3/(16 pi) (1 + cos^2)"},
+    Choice{"henyey_greenstein", "haze and dust, one parameter g"},
+    Choice{"cornette_shanks", "Henyey-Greenstein with a Rayleigh-like back; Rayleigh at g = 0"},
+    Choice{"mie", "the phase function of [particles.NAME], and with it scattering and extinction"},
+};
+
+// For which profiles and phases a key has a meaning.
+constexpr std::string_view exponential[] = {"exponential"};
+constexpr std::string_view tent[] = {"tent"};
+constexpr std::string_view slab[] = {"slab"};
+constexpr std::string_view tabulated[] = {"tabulated"};
+constexpr std::string_view mie[] = {"mie"};
+constexpr std::string_view with_asymmetry[] = {"henyey_greenstein", "cornette_shanks"};
+
+const std::array root_table = {
+    RootField{{.key = "format",
+               .kind = Kind::integer,
+               .range = {1, 1},
+               .fallback = "1",
+               .documentation = "version of the recipe's language, which may be left out",
+               .range_code = "E0119",
+               .only_shown = true},
+              {}},
+    RootField{{.key = "preset",
+               .kind = Kind::text,
+               .documentation = "name of a preset to start from, without its [bake.*] sections",
+               .only_shown = true},
+              {}},
+    RootField{{.key = "include",
+               .kind = Kind::text_list,
+               .documentation = "recipes to read before this one, relative to its folder",
+               .only_shown = true},
+              {}},
+    RootField{{.key = "wavelengths",
+               .kind = Kind::wavelengths,
+               .range = wavelength_range,
+               .fallback = R"(["680 nm", "550 nm", "440 nm"])",
+               .documentation = "wavelengths, one per channel: three (R, G, B) or one (Y)",
+               .hint = "visible light is 380 nm to 750 nm",
+               .citation = bruneton_2008},
+              &Parameters::wavelengths},
+};
+
+const std::array atmosphere_table = {
+    AtmosphereField{{.key = "ground_radius",
+                     .kind = Kind::length,
+                     .range = radius_range,
+                     .required = true,
+                     .documentation = "distance from the planet's centre to the ground",
+                     .hint = "the Earth has 6360 km",
+                     .role = Role::geometry},
+                    &Atmosphere::ground_radius},
+    AtmosphereField{
+        {.key = "top_radius",
+         .kind = Kind::length,
+         .range = radius_range,
+         .required = true,
+         .documentation = "distance from the planet's centre to where the atmosphere is cut off",
+         .hint = "60 to 100 km above the Earth's ground",
+         .role = Role::geometry},
+        &Atmosphere::top_radius},
+    AtmosphereField{{.key = "ground_albedo",
+                     .kind = Kind::fractions,
+                     .range = unit_range,
+                     .fallback = "0",
+                     .documentation = "share of the light that the ground reflects (Lambert)",
+                     .hint = "the Earth's mean is 0.3",
+                     .role = Role::ground},
+                    &Atmosphere::ground_albedo},
+};
+
+const std::array layer_table = {
+    LayerField{{.key = "preset",
+                .kind = Kind::text,
+                .documentation = "name of a preset of a layer to start from",
+                .only_shown = true},
+               {}},
+    LayerField{{.key = "enabled",
+                .kind = Kind::flag,
+                .fallback = "true",
+                .documentation = "false drops the layer",
+                .only_shown = true},
+               &Layer::enabled},
+    LayerField{{.key = "profile",
+                .kind = Kind::choice,
+                .choices = profile_choices,
+                .required = true,
+                .documentation = "how density changes with altitude",
+                .role = Role::geometry},
+               &Layer::profile},
+    LayerField{{.key = "scale_height",
+                .kind = Kind::length,
+                .range = thickness_range,
+                .required = true,
+                .documentation = "altitude over which the density falls by a factor of e",
+                .hint = "air has 8 km, haze 1.2 km",
+                .citation = bruneton_2008,
+                .selector = "profile",
+                .selected_by = exponential,
+                .role = Role::geometry},
+               &Layer::scale_height},
+    LayerField{{.key = "center_altitude",
+                .kind = Kind::length,
+                .range = altitude_range,
+                .required = true,
+                .documentation = "altitude of the largest density",
+                .hint = "ozone has 25 km",
+                .citation = bruneton_2017,
+                .selector = "profile",
+                .selected_by = tent,
+                .role = Role::geometry},
+               &Layer::center_altitude},
+    LayerField{
+        {.key = "half_width",
+         .kind = Kind::length,
+         .range = thickness_range,
+         .required = true,
+         .documentation = "distance from the largest density to zero: half the base of the tent",
+         .hint = "ozone has 15 km; its \"width of 30 km\" is the whole base",
+         .citation = bruneton_2017,
+         .selector = "profile",
+         .selected_by = tent,
+         .role = Role::geometry},
+        &Layer::half_width},
+    LayerField{{.key = "bottom_altitude",
+                .kind = Kind::length,
+                .range = altitude_range,
+                .required = true,
+                .documentation = "lower bound of the slab",
+                .selector = "profile",
+                .selected_by = slab,
+                .role = Role::geometry},
+               &Layer::bottom_altitude},
+    LayerField{{.key = "top_altitude",
+                .kind = Kind::length,
+                .range = altitude_range,
+                .required = true,
+                .documentation = "upper bound of the slab",
+                .selector = "profile",
+                .selected_by = slab,
+                .role = Role::geometry},
+               &Layer::top_altitude},
+    LayerField{
+        {.key = "table",
+         .kind = Kind::density_table,
+         .range = density_range,
+         .required = true,
+         .documentation = "pairs [altitude, density] with altitudes that increase from at least 0",
+         .selector = "profile",
+         .selected_by = tabulated,
+         .role = Role::geometry},
+        &Layer::table},
+    LayerField{{.key = "scattering",
+                .kind = Kind::coefficients,
+                .range = coefficient_range,
+                .fallback = R"("0 /m")",
+                .documentation = "scattering coefficient where the density is 1",
+                .hint = "air has 5.8e-6, 1.36e-5, 3.31e-5 /m",
+                .role = Role::scattering},
+               &Layer::scattering},
+    LayerField{{.key = "extinction",
+                .kind = Kind::coefficients,
+                .range = coefficient_range,
+                .documentation = "scattering plus absorption where the density is 1",
+                .hint = "haze has 4.44e-6 /m, which the table in Hillaire 2020 calls absorption",
+                .citation = bruneton_2008,
+                .exclusive_group = "extinction",
+                .role = Role::extinction},
+               &Layer::extinction},
+    LayerField{
+        {.key = "absorption",
+         .kind = Kind::coefficients,
+         .range = coefficient_range,
+         .documentation = "absorption coefficient where the density is 1; without it there is none",
+         .hint = "ozone has 6.5e-7, 1.881e-6, 8.5e-8 /m",
+         .citation = hillaire_2020,
+         .exclusive_group = "extinction",
+         .only_shown = true},
+        {}},
+    LayerField{{.key = "single_scattering_albedo",
+                .kind = Kind::fractions,
+                .range = albedo_of_scattering_range,
+                .documentation = "scattering as a share of extinction",
+                .hint = "haze has 0.9",
+                .exclusive_group = "extinction",
+                .only_shown = true},
+               {}},
+    LayerField{{.key = "phase",
+                .kind = Kind::choice,
+                .choices = phase_choices,
+                .fallback = R"("isotropic")",
+                .documentation = "where scattered light goes; { mie = \"NAME\" } names particles",
+                .citation = henyey_1941,
+                .role = Role::phase},
+               &Layer::phase},
+    LayerField{{.key = "g",
+                .kind = Kind::number,
+                .range = asymmetry_range,
+                .required = true,
+                .documentation = "asymmetry of the phase function: forward above 0, back below",
+                .hint = "typical haze has 0.76",
+                .citation = henyey_1941,
+                .selector = "phase",
+                .selected_by = with_asymmetry,
+                .role = Role::phase},
+               &Layer::g},
+    LayerField{{.key = "particles",
+                .kind = Kind::text,
+                .required = true,
+                .documentation = "NAME of the [particles.NAME] that the layer is made of",
+                .selector = "phase",
+                .selected_by = mie,
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "number_density",
+                .kind = Kind::number_density,
+                .range = number_density_range,
+                .required = true,
+                .documentation = "particles per volume where the density is 1",
+                .hint = "haze has 1e3 to 1e4 /cm3, fog 10 to 100 /cm3, rain 1e3 /m3",
+                .selector = "phase",
+                .selected_by = mie,
+                .role = Role::particles},
+               {}},
+};
+
+}  // namespace
+
+std::span<const RootField> root_fields() { return root_table; }
+
+std::span<const AtmosphereField> atmosphere_fields() { return atmosphere_table; }
+
+std::span<const LayerField> layer_fields() { return layer_table; }
+
+}  // namespace skybake::config

@@ -1,0 +1,357 @@
+#include "config/fields/shared_ranges.h"
+#include "config/sections/section_rows.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr Range scale_range{1, 1024};
+constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would divide by 0
+constexpr Range extent_range{1e-3, 1e8};
+constexpr Range base_altitude_range{-1e8, 1e8};
+constexpr Range density_range{0, 1e6};
+constexpr Range full_range{1e-6, 1e6};
+constexpr Range softness_range{.minimum = 1e-6, .maximum = 1e6, .or_zero = true};
+constexpr Range sharpness_range{0, 1e6};
+constexpr Range center_range{-16, 16};  // tiles
+constexpr Range sigma_range{1e-6, 16};  // tiles
+constexpr Range scatter_sigma_range{1e-6, 1};
+constexpr Range angle_range{-1e3, 1e3};
+constexpr Range correlation_range{-0.999999, 0.999999};
+constexpr Range tower_count_range{0, 100000};
+constexpr Range tower_aspect_range{1, 10};
+
+constexpr std::string_view schneider_2017 =
+    "Schneider 2017, Nubis: Authoring Real-Time Volumetric Cloudscapes with the Decima Engine";
+
+// Choices, each in the order of its enumeration.
+constexpr std::array threshold_at_choices = {
+    Choice{"bake", "the files hold v * smoothstep(threshold, threshold + edge_softness, v)"},
+    Choice{"runtime", "the files hold v itself; the runtime applies the threshold"},
+};
+constexpr std::array channels_choices = {
+    Choice{"density", "one channel, the density"},
+    Choice{"noise", "the channels of the noise: R and G are shaped, B and A are plain"},
+};
+constexpr std::array height_profile_choices = {
+    Choice{"thesis", "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
+    Choice{"cumulus", "full above a flat base, thinning towards the top"},
+    Choice{"stratus", "a thin sheet near the base"},
+    Choice{"stratocumulus", "between stratus and cumulus"},
+    Choice{"blended", "stratus, stratocumulus and cumulus at cloud_type 0, 0.5 and 1"},
+    Choice{"tabulated", "linear between the entries of table, and constant beyond them"},
+};
+constexpr std::array wrap_choices = {
+    Choice{"repeat", "the picture tiles"},
+    Choice{"clamp", "the picture's border continues outwards"},
+};
+constexpr std::array filter_choices = {
+    Choice{"nearest", "the pixel in which a point lies"},
+    Choice{"linear", "bilinear between the centres of pixels"},
+};
+constexpr std::array color_space_choices = {
+    Choice{"linear", "numbers as they are stored"},
+    Choice{"srgb", "numbers converted from the sRGB curve to linear light"},
+};
+
+// For which profiles, and for which place of the threshold, a key has a meaning.
+constexpr std::string_view at_bake[] = {"bake"};
+constexpr std::string_view thesis[] = {"thesis"};
+constexpr std::string_view blended[] = {"blended"};
+constexpr std::string_view tabulated_height[] = {"tabulated"};
+
+const std::array cloud_table = {
+    CloudField{
+        {.key = "preset",
+         .kind = Kind::text,
+         .documentation = "name of a cloud preset to start from, which the section's keys override",
+         .only_shown = true},
+        {}},
+    CloudField{{.key = "noise",
+                .kind = Kind::text,
+                .required = true,
+                .documentation = "NAME of the [noise.NAME] that the cloud is made of"},
+               &Cloud::noise},
+    CloudField{{.key = "noise_scale",
+                .kind = Kind::frequency,
+                .range = scale_range,
+                .fallback = "[1, 1, 1]",
+                .documentation = "repeats of the noise across the cloud (x, y, z)",
+                .hint = "it multiplies the noise's frequencies"},
+               &Cloud::noise_scale},
+    CloudField{
+        {.key = "detail",
+         .kind = Kind::text,
+         .documentation = "NAME of the [noise.NAME] that erodes the edges; without it nothing does",
+         .hint = "\"\" removes the preset's",
+         .citation = schneider_2015},
+        &Cloud::detail},
+    CloudField{{.key = "detail_scale",
+                .kind = Kind::frequency,
+                .range = scale_range,
+                .fallback = "[1, 1, 1]",
+                .documentation = "repeats of the detail noise across the cloud (x, y, z)",
+                .needs = "detail"},
+               &Cloud::detail_scale},
+    CloudField{{.key = "erosion",
+                .kind = Kind::pair,
+                .range = erosion_range,
+                .fallback = "[0.2, 0.35]",
+                .documentation = "how strongly detail erodes, at the base and at the top",
+                .citation = schneider_2017,
+                .needs = "detail"},
+               &Cloud::erosion},
+    CloudField{{.key = "wisp_height",
+                .kind = Kind::number,
+                .range = unit_range,
+                .fallback = "0.1",
+                .documentation = "height up to which erosion turns from wisps to billows",
+                .citation = schneider_2015,
+                .needs = "detail"},
+               &Cloud::wisp_height},
+    CloudField{{.key = "extent",
+                .kind = Kind::lengths,
+                .range = extent_range,
+                .required = true,
+                .documentation = "how far the cloud reaches along x, y and z, which is up",
+                .hint = "it tiles along x and y"},
+               &Cloud::extent},
+    CloudField{{.key = "base_altitude",
+                .kind = Kind::length,
+                .range = base_altitude_range,
+                .fallback = R"("0 m")",
+                .documentation = "altitude of the cloud's base above the ground",
+                .hint = "cumulus has 0.5 to 2 km"},
+               &Cloud::base_altitude},
+    CloudField{{.key = "coverage",
+                .kind = Kind::fraction,
+                .range = unit_range,
+                .fallback = "1",
+                .documentation = "share of the sky that the noise fills: 1 leaves it as it is, "
+                                 "lower values thin it; at "
+                                 "0 only towers taller than 1 remain",
+                .citation = schneider_2015},
+               &Cloud::coverage},
+    CloudField{{.key = "threshold",
+                .kind = Kind::number,
+                .range = density_range,
+                .fallback = "0",
+                .documentation = "densities at or below this become empty",
+                .hint = "the thesis uses 0.35",
+                .citation = olajos_2016},
+               &Cloud::threshold},
+    CloudField{
+        {.key = "edge_softness",
+         .kind = Kind::number,
+         .range = softness_range,
+         .fallback = "0.05",
+         .documentation = "how far above the threshold the edge reaches; 0 gives a hard edge",
+         .hint = "the density is v * smoothstep(threshold, threshold + edge_softness, v)",
+         .citation = olajos_2016},
+        &Cloud::edge_softness},
+    CloudField{{.key = "threshold_at",
+                .kind = Kind::choice,
+                .choices = threshold_at_choices,
+                .fallback = R"("bake")",
+                .documentation = "where the threshold is applied",
+                .citation = olajos_2016},
+               &Cloud::threshold_at},
+    CloudField{
+        {.key = "full_at",
+         .kind = Kind::number,
+         .range = full_range,
+         .documentation = "the value v from which the density is 1; a lower one gives denser "
+                          "cores and sharper edges; without it the density is v",
+         .hint = "cumulus has 0.1 to 0.3",
+         .selector = "threshold_at",
+         .selected_by = at_bake},
+        &Cloud::full_at},
+    CloudField{{.key = "channels",
+                .kind = Kind::choice,
+                .choices = channels_choices,
+                .fallback = R"("density")",
+                .documentation = "what the voxels hold",
+                .citation = olajos_2016},
+               &Cloud::channels},
+    CloudField{{.key = "extinction_scale",
+                .kind = Kind::coefficient,
+                .range = coefficient_range,
+                .fallback = R"("40 /km")",
+                .documentation = "extinction where the density is 1, for the files' metadata",
+                .hint = "water clouds have 10 to 100 /km"},
+               &Cloud::extinction_scale},
+};
+
+const std::array height_profile_table = {
+    HeightProfileField{
+        {.key = "type",
+         .kind = Kind::choice,
+         .choices = height_profile_choices,
+         .fallback = R"("cumulus")",
+         .documentation = "how full the cloud is at height h, from 0 at the base to 1 at the top",
+         .citation = schneider_2015},
+        &HeightProfile::type},
+    HeightProfileField{{.key = "bottom_sharpness",
+                        .kind = Kind::number,
+                        .range = sharpness_range,
+                        .fallback = "50",
+                        .documentation = "how fast the cloud fills above its base",
+                        .citation = olajos_2016,
+                        .selector = "type",
+                        .selected_by = thesis},
+                       &HeightProfile::bottom_sharpness},
+    HeightProfileField{{.key = "top_falloff",
+                        .kind = Kind::number,
+                        .range = sharpness_range,
+                        .fallback = "4",
+                        .documentation = "how fast it thins towards its top",
+                        .citation = olajos_2016,
+                        .selector = "type",
+                        .selected_by = thesis},
+                       &HeightProfile::top_falloff},
+    HeightProfileField{{.key = "cloud_type",
+                        .kind = Kind::number,
+                        .range = unit_range,
+                        .fallback = "1",
+                        .documentation = "0 is stratus, 0.5 stratocumulus and 1 cumulus",
+                        .citation = schneider_2015,
+                        .selector = "type",
+                        .selected_by = blended},
+                       &HeightProfile::cloud_type},
+    HeightProfileField{
+        {.key = "table",
+         .kind = Kind::height_table,
+         .range = density_range,
+         .required = true,
+         .documentation = "pairs [height, value] with increasing heights within [0, 1]",
+         .selector = "type",
+         .selected_by = tabulated_height},
+        &HeightProfile::table},
+};
+
+// Both maps have the same keys, and differ in what their numbers mean.
+constexpr std::string_view coverage_file = "picture whose numbers multiply coverage";
+constexpr std::string_view type_file = "picture whose numbers replace cloud_type";
+
+std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
+    return {
+        CloudMapField{{.key = "file",
+                       .kind = Kind::text,
+                       .required = true,
+                       .documentation = file_documentation,
+                       .hint = "relative to the folder of the recipe that names it"},
+                      &CloudMap::file},
+        CloudMapField{{.key = "channel",
+                       .kind = Kind::text,
+                       .documentation = "channel of the picture; its first by default",
+                       .hint = "\"R\""},
+                      &CloudMap::channel},
+        CloudMapField{{.key = "wrap",
+                       .kind = Kind::choice,
+                       .choices = wrap_choices,
+                       .fallback = R"("repeat")",
+                       .documentation = "what lies beyond the picture's border"},
+                      &CloudMap::wrap},
+        CloudMapField{{.key = "filter",
+                       .kind = Kind::choice,
+                       .choices = filter_choices,
+                       .fallback = R"("linear")",
+                       .documentation = "what lies between the picture's pixels"},
+                      &CloudMap::filter},
+        CloudMapField{{.key = "color_space",
+                       .kind = Kind::choice,
+                       .choices = color_space_choices,
+                       .fallback = R"("linear")",
+                       .documentation = "how the picture stores its numbers"},
+                      &CloudMap::color_space},
+    };
+}
+
+const std::array coverage_map_table = map_table(coverage_file);
+const std::array type_map_table = map_table(type_file);
+
+const std::array tower_table = {
+    TowerField{{.key = "center",
+                .kind = Kind::pair,
+                .range = center_range,
+                .required = true,
+                .documentation = "x and y of the tower's middle, in tiles",
+                .hint = "[0.5, 0.5] is the middle of the cloud",
+                .citation = olajos_2016},
+               &Tower::center},
+    TowerField{{.key = "sigma",
+                .kind = Kind::pair,
+                .range = sigma_range,
+                .required = true,
+                .documentation = "standard deviations along the tower's own axes, in tiles",
+                .hint = "[0.03, 0.06]",
+                .citation = olajos_2016},
+               &Tower::sigma},
+    TowerField{{.key = "rotation",
+                .kind = Kind::angle,
+                .range = angle_range,
+                .fallback = R"("0 deg")",
+                .documentation = "angle of the tower's axes against x and y, counterclockwise"},
+               &Tower::rotation},
+    TowerField{{.key = "correlation",
+                .kind = Kind::number,
+                .range = correlation_range,
+                .fallback = "0",
+                .documentation = "correlation between the tower's own axes, before rotation"},
+               &Tower::correlation},
+    TowerField{{.key = "amplitude",
+                .kind = Kind::number,
+                .range = density_range,
+                .required = true,
+                .documentation = "what the tower adds to the height profile at its middle",
+                .citation = olajos_2016},
+               &Tower::amplitude},
+};
+
+const std::array tower_scatter_table = {
+    TowerScatterField{{.key = "count",
+                       .kind = Kind::integer,
+                       .range = tower_count_range,
+                       .fallback = "0",
+                       .documentation = "number of towers"},
+                      &TowerScatter::count},
+    TowerScatterField{{.key = "seed",
+                       .kind = Kind::seed,
+                       .fallback = "0",
+                       .documentation = "another seed gives other places"},
+                      &TowerScatter::seed},
+    TowerScatterField{{.key = "sigma",
+                       .kind = Kind::bounds,
+                       .range = scatter_sigma_range,
+                       .fallback = "[0.02, 0.05]",
+                       .documentation = "range of the standard deviation along the smaller axis, "
+                                        "in tiles; its logarithm is uniform"},
+                      &TowerScatter::sigma},
+    TowerScatterField{{.key = "aspect",
+                       .kind = Kind::bounds,
+                       .range = tower_aspect_range,
+                       .fallback = "[1, 2]",
+                       .documentation = "range of the ratio of the larger axis to the smaller one"},
+                      &TowerScatter::aspect},
+    TowerScatterField{{.key = "amplitude",
+                       .kind = Kind::bounds,
+                       .range = density_range,
+                       .fallback = "[0.2, 0.5]",
+                       .documentation = "range of what a tower adds to the height profile"},
+                      &TowerScatter::amplitude},
+};
+
+}  // namespace
+
+std::span<const CloudField> cloud_fields() { return cloud_table; }
+
+std::span<const HeightProfileField> height_profile_fields() { return height_profile_table; }
+
+std::span<const CloudMapField> coverage_map_fields() { return coverage_map_table; }
+
+std::span<const CloudMapField> type_map_fields() { return type_map_table; }
+
+std::span<const TowerField> tower_fields() { return tower_table; }
+
+std::span<const TowerScatterField> tower_scatter_fields() { return tower_scatter_table; }
+
+}  // namespace skybake::config

@@ -1,0 +1,66 @@
+// Tileable noise: [noise.NAME].
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skybake::config {
+
+enum class NoiseType { constant, perlin, worley, perlin_worley, curl };
+enum class NoiseFractal { fbm, rectified, ridged, billow };
+enum class WorleyFeature { f1, f2, f2_minus_f1 };
+enum class WorleyValue {
+    distance,
+    one_minus_distance,
+    one_minus_distance_over_sqrt3,
+    one_minus_distance_squared
+};
+enum class CurlComponent { x, y, z };
+
+// A sum of octaves of one kind of noise. `frequencies[i]` are lattice cells a tile along x, y, z of
+// octave i, `gains[i]` its weight before the weights are divided by their sum.
+struct NoiseOctaves {
+    std::vector<std::array<int, 3>> frequencies;
+    std::vector<double> gains;
+};
+
+// One channel of a noise.
+struct NoiseChannel {
+    std::string name;  // "R", "G", "B", "A", or "Y" where it is the only one
+    NoiseType type = NoiseType::perlin;
+    double value = 0;      // constant
+    NoiseOctaves octaves;  // all types but constant; the gradient part of perlin_worley
+    NoiseFractal fractal = NoiseFractal::fbm;   // perlin, perlin_worley
+    NoiseOctaves worley_octaves;                // the cellular part of perlin_worley
+    WorleyFeature feature = WorleyFeature::f1;  // worley, perlin_worley
+    WorleyValue value_form = WorleyValue::one_minus_distance;
+    CurlComponent component = CurlComponent::x;  // curl
+    std::uint64_t seed = 0;                      // besides the noise's own
+    // What becomes of a value v, in this order.
+    std::array<double, 4> remap{0, 1, 0, 1};          // [in low, in high, out low, out high]
+    std::optional<std::array<double, 2>> smoothstep;  // from 0 at the first to 1 at the second
+    bool invert = false;                              // 1 - v
+    double bias = 0.5;                                // Schlick's; 0.5 changes nothing
+    std::array<double, 2> clamp{-std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::infinity()};
+};
+
+enum class NoiseSampling { centers, corners, slices_at_corners };
+enum class NoisePacking { none, shape, detail };
+
+// One [noise.NAME].
+struct Noise {
+    std::string name;
+    std::uint64_t seed = 0;
+    std::array<int, 3> size{};  // what it is made for; the default of a bake's size
+    NoiseSampling sampling = NoiseSampling::centers;
+    NoisePacking pack = NoisePacking::none;
+    bool aliases = false;                // octaves too fine for `size` are meant to be
+    std::vector<NoiseChannel> channels;  // in the order R, G, B, A
+};
+
+}  // namespace skybake::config

@@ -1,0 +1,13 @@
+// The rows of [sweep].
+#pragma once
+
+#include <span>
+
+#include "config/fields/fields.h"
+
+namespace skybake::config {
+
+std::span<const Field> sweep_fields();        // besides the paths that vary
+std::span<const Field> sweep_range_fields();  // of a range in it
+
+}  // namespace skybake::config
