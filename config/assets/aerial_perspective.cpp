@@ -26,15 +26,16 @@ constexpr Range fov_range{0, std::numbers::pi, true, true};
 constexpr Range picture_aspect_range{1e-3, 1e3};
 
 constexpr std::array aerial_content_choices = {
-    Choice{"in_scatter_and_transmittance",
+    Choice{AerialContent::in_scatter_and_transmittance, "in_scatter_and_transmittance",
            "light in R, G, B and the channels' mean transmittance in A"},
-    Choice{"in_scatter", "light alone"},
-    Choice{"transmittance", "transmittance alone, of each channel"},
+    Choice{AerialContent::in_scatter, "in_scatter", "light alone"},
+    Choice{AerialContent::transmittance, "transmittance", "transmittance alone, of each channel"},
 };
 
 constexpr std::array slices_choices = {
-    Choice{"linear", "w = distance / view_distance"},
-    Choice{"squared", "w = sqrt(distance / view_distance): closer together near the camera"},
+    Choice{SliceSpacing::linear, "linear", "w = distance / view_distance"},
+    Choice{SliceSpacing::squared, "squared",
+           "w = sqrt(distance / view_distance): closer together near the camera"},
 };
 
 const std::array aerial_perspective_table = {
@@ -110,8 +111,7 @@ Length default_view_distance() {
 void check_channels(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& content = bake.at("content");
     if (!content.value || decoder.channels != 1) return;
-    const auto chosen = static_cast<AerialContent>(std::get<ChoiceIndex>(*content.value).index);
-    if (chosen != AerialContent::in_scatter_and_transmittance) return;
+    if (choice_of<AerialContent>(content) != AerialContent::in_scatter_and_transmittance) return;
     decoder.diagnostics.error(
         "E0129", content.source ? content.source->place : bake.place,
         fmt::format("`{}` has two channels with one wavelength", join_path(bake.path, "content")),

@@ -27,25 +27,30 @@ constexpr Range sun_cosine_range{-1, 0, false, true};
 
 constexpr Range solar_range{0, 1e6, true};
 
-// Choices, each in the order of its enumeration.
 constexpr std::array bruneton_table_choices = {
-    Choice{"transmittance", "transmittance to the top of the atmosphere"},
-    Choice{"scattering", "light scattered towards a view ray, by nu, sun, view and altitude"},
-    Choice{"single_mie", "the first order of the Mie layers on its own"},
-    Choice{"higher_orders", "all orders from the second on, on their own"},
-    Choice{"irradiance", "irradiance of a level surface by the sky"},
+    Choice{BrunetonTable::transmittance, "transmittance",
+           "transmittance to the top of the atmosphere"},
+    Choice{BrunetonTable::scattering, "scattering",
+           "light scattered towards a view ray, by nu, sun, view and altitude"},
+    Choice{BrunetonTable::single_mie, "single_mie", "the first order of the Mie layers on its own"},
+    Choice{BrunetonTable::higher_orders, "higher_orders",
+           "all orders from the second on, on their own"},
+    Choice{BrunetonTable::irradiance, "irradiance", "irradiance of a level surface by the sky"},
 };
 
 constexpr std::array convention_choices = {
-    Choice{"bruneton", "the layout of the textures of the implementation of 2017"},
-    Choice{"takram",
+    Choice{BrunetonConvention::bruneton, "bruneton",
+           "the layout of the textures of the implementation of 2017"},
+    Choice{BrunetonConvention::takram, "takram",
            "the layout that @takram/three-atmosphere loads: EXR files upside down, with its "
            "parameters"},
 };
 
 constexpr std::array bruneton_method_choices = {
-    Choice{"solved", "orders from the second on, from a solution of all light"},
-    Choice{"iterated", "order after order on the table's own grid, as published"},
+    Choice{BrunetonMethod::solved, "solved",
+           "orders from the second on, from a solution of all light"},
+    Choice{BrunetonMethod::iterated, "iterated",
+           "order after order on the table's own grid, as published"},
 };
 
 constexpr std::string_view by_nu[] = {"scattering", "single_mie", "higher_orders"};

@@ -12,14 +12,15 @@ using IrradianceField = BoundField<IrradianceBake, IrradianceContent, SkyOrders,
                                    MultipleScatteringMapping, PixelType, Compression>;
 
 constexpr std::array irradiance_content_choices = {
-    Choice{"direct", "light of the sun alone"},
-    Choice{"sky", "light of the sky alone"},
-    Choice{"total", "light of both"},
+    Choice{IrradianceContent::direct, "direct", "light of the sun alone"},
+    Choice{IrradianceContent::sky, "sky", "light of the sky alone"},
+    Choice{IrradianceContent::total, "total", "light of both"},
 };
 
 constexpr std::array sun_mapping_choices = {
-    Choice{"hillaire", "linear in sun cosine and altitude, with end points on texel centres"},
-    Choice{"twilight", "more texels near sunrise and sunset"},
+    Choice{MultipleScatteringMapping::hillaire, "hillaire",
+           "linear in sun cosine and altitude, with end points on texel centres"},
+    Choice{MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
 };
 
 constexpr std::string_view sky[] = {"sky"};

@@ -15,22 +15,28 @@ using MultipleScatteringField =
 constexpr Range degree_range{2, 8};
 
 constexpr std::array multiple_scattering_mapping_choices = {
-    Choice{"hillaire", "linear in sun cosine and altitude, with end points on texel centres"},
-    Choice{"twilight", "more texels near sunrise and sunset"},
+    Choice{MultipleScatteringMapping::hillaire, "hillaire",
+           "linear in sun cosine and altitude, with end points on texel centres"},
+    Choice{MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
 };
 
 constexpr std::array method_choices = {
-    Choice{"converged", "quadrature split at the horizon, with as many nodes as the error needs"},
-    Choice{"as_in_paper", "64 uniform directions of 20 steps each, for comparison"},
-    Choice{"solved", "all orders of scattering, each layer with its own phase function"},
+    Choice{MultipleScatteringMethod::converged, "converged",
+           "quadrature split at the horizon, with as many nodes as the error needs"},
+    Choice{MultipleScatteringMethod::as_in_paper, "as_in_paper",
+           "64 uniform directions of 20 steps each, for comparison"},
+    Choice{MultipleScatteringMethod::solved, "solved",
+           "all orders of scattering, each layer with its own phase function"},
 };
 
 constexpr std::array solved_content_choices = {
-    Choice{"hillaire", "the mean radiance, in place of Hillaire's texture"},
-    Choice{"fitted",
+    Choice{MultipleScatteringContent::hillaire, "hillaire",
+           "the mean radiance, in place of Hillaire's texture"},
+    Choice{MultipleScatteringContent::fitted, "fitted",
            "the value that comes nearest to the sky when light is scattered equally in all "
            "directions"},
-    Choice{"moments", "angular moments of the light, one table each"},
+    Choice{MultipleScatteringContent::moments, "moments",
+           "angular moments of the light, one table each"},
 };
 
 constexpr std::string_view solved[] = {"solved"};

@@ -30,25 +30,26 @@ using OccupancyField =
 
 constexpr Range cell_range{1, 16};
 
-// Choices, each in the order of its enumeration.
 constexpr std::array filter_choices = {
-    Choice{"nearest", "the voxel in which a point lies"},
-    Choice{"trilinear", "between the eight nearest voxels, as GPUs do"},
-    Choice{"tricubic", "cubic B-spline over 64 voxels"},
+    Choice{OccupancyFilter::nearest, "nearest", "the voxel in which a point lies"},
+    Choice{OccupancyFilter::trilinear, "trilinear", "between the eight nearest voxels, as GPUs do"},
+    Choice{OccupancyFilter::tricubic, "tricubic", "cubic B-spline over 64 voxels"},
 };
 
 constexpr std::array rule_choices = {
-    Choice{"exact", "a cell is empty only where no filtered sample in it is above 0"},
-    Choice{"thesis",
+    Choice{OccupancyRule::exact, "exact",
+           "a cell is empty only where no filtered sample in it is above 0"},
+    Choice{OccupancyRule::thesis, "thesis",
            "samples 8 of 64 voxels of a cell and marks a ring around occupied cells; loses thin "
            "wisps"},
 };
 
 constexpr std::array occupancy_content_choices = {
-    Choice{"occupied", "1, or 0 where the cell is empty"},
-    Choice{"leap", "cells to the nearest occupied one, along the longest of the three axes"},
-    Choice{"minimum", "the smallest filtered sample in the cell"},
-    Choice{"maximum", "the largest filtered sample in the cell"},
+    Choice{OccupancyContent::occupied, "occupied", "1, or 0 where the cell is empty"},
+    Choice{OccupancyContent::leap, "leap",
+           "cells to the nearest occupied one, along the longest of the three axes"},
+    Choice{OccupancyContent::minimum, "minimum", "the smallest filtered sample in the cell"},
+    Choice{OccupancyContent::maximum, "maximum", "the largest filtered sample in the cell"},
 };
 
 const std::array occupancy_table = {

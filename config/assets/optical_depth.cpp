@@ -23,22 +23,25 @@ constexpr Range shell_altitude_range{1, 1e9};
 constexpr std::string_view ai_2014 = "Ai et al. 2014";
 
 constexpr std::array depth_table_choices = {
-    Choice{"to_top", "column from a point to the top of the atmosphere, by angle and altitude"},
-    Choice{"between", "column between two points"},
-    Choice{"density", "density by altitude"},
-    Choice{"phase", "phase functions, by scattering angle"},
+    Choice{OpticalDepthTable::to_top, "to_top",
+           "column from a point to the top of the atmosphere, by angle and altitude"},
+    Choice{OpticalDepthTable::between, "between", "column between two points"},
+    Choice{OpticalDepthTable::density, "density", "density by altitude"},
+    Choice{OpticalDepthTable::phase, "phase", "phase functions, by scattering angle"},
 };
 
 constexpr std::array coordinates_choices = {
-    Choice{"altitudes", "two altitudes and the angle between them at the planet's centre"},
-    Choice{"distance", "altitude, zenith angle, distance along the ray"},
+    Choice{BetweenCoordinates::altitudes, "altitudes",
+           "two altitudes and the angle between them at the planet's centre"},
+    Choice{BetweenCoordinates::distance, "distance",
+           "altitude, zenith angle, distance along the ray"},
 };
 
 constexpr std::array depth_sampling_choices = {
-    Choice{"exact", "quadrature to the last digit"},
-    Choice{"equal_attenuation",
+    Choice{DepthSampling::exact, "exact", "quadrature to the last digit"},
+    Choice{DepthSampling::equal_attenuation, "equal_attenuation",
            "shells that attenuate light from above equally, with one sample in each"},
-    Choice{"uniform", "shells of equal thickness, with one sample in each"},
+    Choice{DepthSampling::uniform, "uniform", "shells of equal thickness, with one sample in each"},
 };
 
 constexpr std::string_view of_columns[] = {"to_top", "between"};

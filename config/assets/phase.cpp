@@ -21,15 +21,17 @@ constexpr Range phase_texel_range{2, 16384};
 constexpr Range phase_degree_range{1, 256};
 
 constexpr std::array phase_content_choices = {
-    Choice{"phase", "the phase function, 1/sr"},
-    Choice{"inverse_cumulative", "1 - cosine of the angle below which a share u of light goes"},
+    Choice{PhaseContent::phase, "phase", "the phase function, 1/sr"},
+    Choice{PhaseContent::inverse_cumulative, "inverse_cumulative",
+           "1 - cosine of the angle below which a share u of light goes"},
 };
 
 constexpr std::array spacing_choices = {
-    Choice{"best", "the most accurate of the three, or the smallest with max_error"},
-    Choice{"angle", "uniform in the scattering angle"},
-    Choice{"cosine", "uniform in its cosine"},
-    Choice{"peaks", "closer together towards 0 and 180 deg"},
+    Choice{PhaseSpacing::best, "best",
+           "the most accurate of the three, or the smallest with max_error"},
+    Choice{PhaseSpacing::angle, "angle", "uniform in the scattering angle"},
+    Choice{PhaseSpacing::cosine, "cosine", "uniform in its cosine"},
+    Choice{PhaseSpacing::peaks, "peaks", "closer together towards 0 and 180 deg"},
 };
 
 constexpr std::string_view phase[] = {"phase"};

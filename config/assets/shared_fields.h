@@ -5,14 +5,16 @@
 
 #include "config/fields/fields.h"
 #include "config/fields/shared_ranges.h"
+#include "config/sections/files.h"
+#include "config/sections/sky_choices.h"
 
 namespace skybake::config {
 
 inline constexpr std::array compression_choices = {
-    Choice{"none", "no compression"},
-    Choice{"zip", "deflate, 16 lines at a time"},
-    Choice{"zips", "deflate, line by line"},
-    Choice{"piz", "wavelet, lossless; best for noise"},
+    Choice{Compression::none, "none", "no compression"},
+    Choice{Compression::zip, "zip", "deflate, 16 lines at a time"},
+    Choice{Compression::zips, "zips", "deflate, line by line"},
+    Choice{Compression::piz, "piz", "wavelet, lossless; best for noise"},
 };
 
 inline constexpr Field asset_field{
@@ -29,8 +31,8 @@ inline constexpr Field compression_field{
     .role = Role::files};
 
 inline constexpr std::array table_pixel_type_choices = {
-    Choice{"float", "32 bits per channel"},
-    Choice{"half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
+    Choice{PixelType::float32, "float", "32 bits per channel"},
+    Choice{PixelType::half, "half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
 };
 inline constexpr Field table_pixel_type_field{.key = "pixel_type",
                                               .kind = Kind::choice,
@@ -39,9 +41,10 @@ inline constexpr Field table_pixel_type_field{.key = "pixel_type",
                                               .documentation = "type of the numbers in the file"};
 
 inline constexpr std::array orders_choices = {
-    Choice{"all", "all light"},
-    Choice{"single", "sunlight scattered once, in the air"},
-    Choice{"multiple", "the rest: scattered more than once, or reflected by the ground"},
+    Choice{SkyOrders::all, "all", "all light"},
+    Choice{SkyOrders::single, "single", "sunlight scattered once, in the air"},
+    Choice{SkyOrders::multiple, "multiple",
+           "the rest: scattered more than once, or reflected by the ground"},
 };
 inline constexpr Field orders_field{
     .key = "orders",

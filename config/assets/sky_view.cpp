@@ -11,8 +11,9 @@ namespace {
 using SkyViewField = BoundField<SkyViewBake, SkyOrders, SkyMethod, PixelType, Compression>;
 
 constexpr std::array sky_method_choices = {
-    Choice{"solved", "all orders, each layer with its own phase function"},
-    Choice{"strips", "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
+    Choice{SkyMethod::solved, "solved", "all orders, each layer with its own phase function"},
+    Choice{SkyMethod::strips, "strips",
+           "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
 };
 
 constexpr std::string_view with_multiple[] = {"all", "multiple"};

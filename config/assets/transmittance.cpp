@@ -12,14 +12,17 @@ using TransmittanceField = BoundField<TransmittanceBake, TransmittanceContent, T
                                       PixelType, Compression>;
 
 constexpr std::array transmittance_content_choices = {
-    Choice{"transmittance", "the share of light that passes, in [0, 1]"},
-    Choice{"optical_depth",
+    Choice{TransmittanceContent::transmittance, "transmittance",
+           "the share of light that passes, in [0, 1]"},
+    Choice{TransmittanceContent::optical_depth, "optical_depth",
            "-ln of the transmittance, which keeps its digits where the transmittance underflows"},
 };
 
 constexpr std::array transmittance_mapping_choices = {
-    Choice{"bruneton", "ratios of distances, with end points on texel centres"},
-    Choice{"ue", "the same ratios without the half-texel correction, as widely copied"},
+    Choice{TransmittanceMapping::bruneton, "bruneton",
+           "ratios of distances, with end points on texel centres"},
+    Choice{TransmittanceMapping::ue, "ue",
+           "the same ratios without the half-texel correction, as widely copied"},
 };
 
 const std::array transmittance_table = {

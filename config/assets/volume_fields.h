@@ -22,24 +22,24 @@ inline constexpr Range level_range{1, 15};
 inline constexpr Range column_range{1, 16384};
 
 inline constexpr std::array format_choices = {
-    Choice{"exr", "slices in one image; float or half"},
-    Choice{"vdb", "OpenVDB, a grid per channel; float or half"},
-    Choice{"bin", "the voxels alone, little-endian, x fastest; any pixel type"},
+    Choice{VolumeFormat::exr, "exr", "slices in one image; float or half"},
+    Choice{VolumeFormat::vdb, "vdb", "OpenVDB, a grid per channel; float or half"},
+    Choice{VolumeFormat::bin, "bin", "the voxels alone, little-endian, x fastest; any pixel type"},
 };
 inline constexpr std::array pixel_type_choices = {
-    Choice{"float", "32 bits per channel"},
-    Choice{"half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
-    Choice{"unorm8", "8 bits per channel for 0 to 1; bin only"},
-    Choice{"unorm16", "16 bits per channel for 0 to 1; bin only"},
+    Choice{PixelType::float32, "float", "32 bits per channel"},
+    Choice{PixelType::half, "half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
+    Choice{PixelType::unorm8, "unorm8", "8 bits per channel for 0 to 1; bin only"},
+    Choice{PixelType::unorm16, "unorm16", "16 bits per channel for 0 to 1; bin only"},
 };
 inline constexpr std::array layout_choices = {
-    Choice{"stack", "slices below each other, slice 0 first"},
-    Choice{"atlas", "slices in rows from the left, rows from the top"},
+    Choice{VolumeLayout::stack, "stack", "slices below each other, slice 0 first"},
+    Choice{VolumeLayout::atlas, "atlas", "slices in rows from the left, rows from the top"},
 };
 inline constexpr std::array vdb_compression_choices = {
-    Choice{"none", "no compression"},
-    Choice{"zip", "deflate"},
-    Choice{"blosc", "Blosc with LZ4: fast"},
+    Choice{VdbCompression::none, "none", "no compression"},
+    Choice{VdbCompression::zip, "zip", "deflate"},
+    Choice{VdbCompression::blosc, "blosc", "Blosc with LZ4: fast"},
 };
 inline constexpr std::string_view atlas[] = {"atlas"};
 

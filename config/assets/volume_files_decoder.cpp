@@ -19,17 +19,7 @@ std::int64_t voxels_of(const VoxelCounts& size) {
     return std::int64_t{size[0]} * size[1] * size[2];
 }
 
-// Which pixel types a format has, by their names in the field table.
-struct FormatTypes {
-    VolumeFormat format;
-    std::string_view name;
-    bool has_unorm;
-};
-constexpr std::array format_types = {
-    FormatTypes{VolumeFormat::exr, "exr", false},
-    FormatTypes{VolumeFormat::vdb, "vdb", false},
-    FormatTypes{VolumeFormat::bin, "bin", true},
-};
+bool has_unorm(VolumeFormat format) { return format == VolumeFormat::bin; }
 
 int bytes_of(PixelType type) {
     switch (type) {
@@ -50,9 +40,20 @@ const T* value_of(const DecodedField& decoded) {
 }
 
 std::optional<PixelType> pixel_type_of(const DecodedSection& bake) {
-    const auto* choice = value_of<ChoiceIndex>(bake.at("pixel_type"));
-    if (!choice) return std::nullopt;
-    return static_cast<PixelType>(choice->index);
+    return choice_of<PixelType>(bake.at("pixel_type"));
+}
+
+// Without a value, none.
+std::vector<VolumeFormat> formats_of(const DecodedSection& bake) {
+    const DecodedField& decoded = bake.at("formats");
+    std::vector<VolumeFormat> formats;
+    const auto* chosen = value_of<std::vector<ChoiceIndex>>(decoded);
+    if (!chosen) return formats;
+    for (const ChoiceIndex choice : *chosen) {
+        formats.push_back(
+            static_cast<VolumeFormat>(decoded.field->choices[choice.index].enumerator));
+    }
+    return formats;
 }
 
 std::string spell_bytes(std::int64_t bytes) {
@@ -83,22 +84,18 @@ bool has_good_columns(const DecodedSection& bake, const VoxelCounts& size, Decod
 }
 
 bool has_format(const DecodedSection& bake, VolumeFormat format) {
-    const auto* formats = value_of<std::vector<ChoiceIndex>>(bake.at("formats"));
-    return formats && std::any_of(formats->begin(), formats->end(), [&](const ChoiceIndex choice) {
-               return static_cast<VolumeFormat>(choice.index) == format;
-           });
+    const std::vector<VolumeFormat> formats = formats_of(bake);
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
 
 // The layout that the recipe names or, where it names none, one that engines can import.
 std::optional<VolumeLayout> resolve_layout(DecodedSection& bake, const VoxelCounts& size) {
     DecodedField& decoded = bake.at("layout");
-    const auto* choice = value_of<ChoiceIndex>(decoded);
-    if (!choice) return std::nullopt;
-    const auto layout = static_cast<VolumeLayout>(choice->index);
+    const auto layout = choice_of<VolumeLayout>(decoded);
+    if (!layout) return std::nullopt;
     const bool fits = std::int64_t{size[1]} * size[2] <= largest_image_edge;
     if (decoded.source || layout == VolumeLayout::atlas || fits) return layout;
-    decoded.value = ChoiceIndex{static_cast<std::size_t>(VolumeLayout::atlas)};
-    decoded.derived = true;
+    derive(decoded, chosen(*decoded.field, VolumeLayout::atlas));
     return VolumeLayout::atlas;
 }
 
@@ -202,20 +199,17 @@ std::string spell_voxels(const VoxelCounts& size) {
 void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& decoded = bake.at("pixel_type");
     const auto type = pixel_type_of(bake);
-    const auto* formats = value_of<std::vector<ChoiceIndex>>(bake.at("formats"));
     const bool is_unorm = type == PixelType::unorm8 || type == PixelType::unorm16;
-    if (!is_unorm || !formats) return;
+    if (!is_unorm) return;
     std::vector<std::string_view> without;
-    for (const ChoiceIndex format : *formats) {
-        const FormatTypes& types = format_types[format.index];
-        if (!types.has_unorm) without.push_back(types.name);
+    for (const VolumeFormat format : formats_of(bake)) {
+        if (!has_unorm(format)) without.push_back(choice_name(*bake.at("formats").field, format));
     }
     if (without.empty()) return;
     decoder.diagnostics.error(
         "E0131", decoded.source ? decoded.source->place : bake.place,
         fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
-                    fmt::join(without, " and "),
-                    decoded.field->choices[static_cast<std::size_t>(*type)].name),
+                    fmt::join(without, " and "), choice_name(*decoded.field, *type)),
         "unorm8 and unorm16 need formats = [\"bin\"]; float and half go with every format");
 }
 

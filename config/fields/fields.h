@@ -71,16 +71,27 @@ struct Range {
     bool or_zero = false;  // 0 is allowed besides
 };
 
+// A word that a key may have, and the enumerator that it stands for.
 struct Choice {
     std::string_view name;
     std::string_view documentation;
+    int enumerator = 0;
+
+    template <class Enum>
+    constexpr Choice(Enum value, std::string_view word, std::string_view what)
+        : name(word), documentation(what), enumerator(static_cast<int>(value)) {}
+
+    template <class Enum>
+    constexpr bool is(Enum value) const {
+        return enumerator == static_cast<int>(value);
+    }
 };
 
 struct Field {
     std::string_view key;
     Kind kind = Kind::text;
     Range range = {};                       // of every number in the value
-    std::span<const Choice> choices = {};   // Kind::choice: in the order of the enumeration
+    std::span<const Choice> choices = {};   // Kind::choice, Kind::choice_list
     std::string_view fallback = {};         // the default as TOML text; empty: none
     bool required = false;                  // required wherever the key applies
     std::string_view documentation = {};    // one line
@@ -134,6 +145,15 @@ const Field* find_field(const Section& section, std::string_view key);
 // The keys of a section, and the names of a field's choices.
 std::vector<std::string_view> field_keys(const Section& section);
 std::vector<std::string_view> choice_names(const Field& field);
+
+// The word that stands for an enumerator; empty if none does.
+template <class Enum>
+std::string_view choice_name(const Field& field, Enum value) {
+    for (const Choice& choice : field.choices) {
+        if (choice.is(value)) return choice.name;
+    }
+    return "";
+}
 
 // The names of all assets, one bake section each.
 std::vector<std::string_view> asset_names();

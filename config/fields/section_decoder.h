@@ -60,7 +60,16 @@ const Table* named_table(const Entry& entry, const std::string& path, Decoder& d
 template <class Enum>
 std::optional<Enum> choice_of(const DecodedField& decoded) {
     if (!decoded.value) return std::nullopt;
-    return static_cast<Enum>(std::get<ChoiceIndex>(*decoded.value).index);
+    const Choice& choice = decoded.field->choices[std::get<ChoiceIndex>(*decoded.value).index];
+    return static_cast<Enum>(choice.enumerator);
+}
+
+// The value of a field that has this choice.
+template <class Enum>
+ChoiceIndex chosen(const Field& field, Enum value) {
+    std::size_t index = 0;
+    while (!field.choices[index].is(value)) ++index;
+    return {index};
 }
 
 // A value that follows from others, where the recipe gives none.
@@ -78,6 +87,7 @@ void append_values(const DecodedSection& section, Decoder& decoder);
 template <class S>
 struct Assigner {
     S& target;
+    const Field& field;
     const FieldValue& value;
 
     void operator()(std::monostate) const {}
@@ -106,19 +116,23 @@ struct Assigner {
     void operator()(std::vector<T> S::*member) const {
         (target.*member).clear();
         for (const ChoiceIndex choice : std::get<std::vector<ChoiceIndex>>(value)) {
-            (target.*member).push_back(static_cast<T>(choice.index));
+            (target.*member).push_back(enumerator<T>(choice));
         }
     }
     template <class T>
     void operator()(T S::*member) const {
         if constexpr (std::is_enum_v<T>) {
-            target.*member = static_cast<T>(std::get<ChoiceIndex>(value).index);
+            target.*member = enumerator<T>(std::get<ChoiceIndex>(value));
         } else {
             target.*member = std::get<T>(value);
         }
     }
 
   private:
+    template <class T>
+    T enumerator(const ChoiceIndex& choice) const {
+        return static_cast<T>(field.choices[choice.index].enumerator);
+    }
     template <class T>
     void assign_both(std::array<T, 2> S::*member) const {
         const auto& numbers = std::get<std::array<double, 2>>(value);
@@ -140,7 +154,8 @@ void bind_section(const DecodedSection& section, std::span<const Bound> table, S
     assert(section.fields.size() == table.size());
     for (std::size_t i = 0; i < table.size(); ++i) {
         const std::optional<FieldValue>& value = section.fields[i].value;
-        if (value) std::visit(Assigner<S>{target, *value}, table[i].member);
+        if (value)
+            std::visit(Assigner<S>{target, *section.fields[i].field, *value}, table[i].member);
     }
 }
 

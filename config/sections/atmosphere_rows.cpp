@@ -17,19 +17,21 @@ constexpr Range asymmetry_range{-1, 1, true, true};
 
 constexpr std::string_view henyey_1941 = "Henyey and Greenstein 1941; Cornette and Shanks 1992";
 
-// Choices, each in the order of its enumeration.
 constexpr std::array profile_choices = {
-    Choice{"exponential", "exp(-altitude / scale_height)"},
-    Choice{"tent", "1 at center_altitude, falling linearly to 0 half_width above and below"},
-    Choice{"slab", "1 between bottom_altitude and top_altitude, 0 elsewhere"},
-    Choice{"tabulated", "linear between the entries of table, 0 outside"},
+    Choice{Profile::exponential, "exponential", "exp(-altitude / scale_height)"},
+    Choice{Profile::tent, "tent",
+           "1 at center_altitude, falling linearly to 0 half_width above and below"},
+    Choice{Profile::slab, "slab", "1 between bottom_altitude and top_altitude, 0 elsewhere"},
+    Choice{Profile::tabulated, "tabulated", "linear between the entries of table, 0 outside"},
 };
 constexpr std::array phase_choices = {
-    Choice{"isotropic", "the same in all directions"},
-    Choice{"rayleigh", "molecules: 3/(16 pi) (1 + cos^2)"},
-    Choice{"henyey_greenstein", "haze and dust, one parameter g"},
-    Choice{"cornette_shanks", "Henyey-Greenstein with a Rayleigh-like back; Rayleigh at g = 0"},
-    Choice{"mie", "the phase function of [particles.NAME], and with it scattering and extinction"},
+    Choice{Phase::isotropic, "isotropic", "the same in all directions"},
+    Choice{Phase::rayleigh, "rayleigh", "molecules: 3/(16 pi) (1 + cos^2)"},
+    Choice{Phase::henyey_greenstein, "henyey_greenstein", "haze and dust, one parameter g"},
+    Choice{Phase::cornette_shanks, "cornette_shanks",
+           "Henyey-Greenstein with a Rayleigh-like back; Rayleigh at g = 0"},
+    Choice{Phase::mie, "mie",
+           "the phase function of [particles.NAME], and with it scattering and extinction"},
 };
 
 // For which profiles and phases a key has a meaning.

@@ -79,8 +79,7 @@ struct CloudReader {
         const DecodedField& type = profile.at("type");
         if (!find_entry(table, "type_map") || !type.value) return;
         if (cloud.height_profile.type == HeightProfileType::blended) return;
-        const std::string_view found =
-            type.field->choices[static_cast<std::size_t>(cloud.height_profile.type)].name;
+        const std::string_view found = choice_name(*type.field, cloud.height_profile.type);
         const std::string said =
             type.source ? origin(type.source->place) : std::string("the default");
         decoder.diagnostics.error(

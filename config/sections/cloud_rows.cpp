@@ -23,34 +23,40 @@ constexpr Range tower_aspect_range{1, 10};
 constexpr std::string_view schneider_2017 =
     "Schneider 2017, Nubis: Authoring Real-Time Volumetric Cloudscapes with the Decima Engine";
 
-// Choices, each in the order of its enumeration.
 constexpr std::array threshold_at_choices = {
-    Choice{"bake", "the files hold v * smoothstep(threshold, threshold + edge_softness, v)"},
-    Choice{"runtime", "the files hold v itself; the runtime applies the threshold"},
+    Choice{ThresholdAt::bake, "bake",
+           "the files hold v * smoothstep(threshold, threshold + edge_softness, v)"},
+    Choice{ThresholdAt::runtime, "runtime",
+           "the files hold v itself; the runtime applies the threshold"},
 };
 constexpr std::array channels_choices = {
-    Choice{"density", "one channel, the density"},
-    Choice{"noise", "the channels of the noise: R and G are shaped, B and A are plain"},
+    Choice{CloudChannels::density, "density", "one channel, the density"},
+    Choice{CloudChannels::noise, "noise",
+           "the channels of the noise: R and G are shaped, B and A are plain"},
 };
 constexpr std::array height_profile_choices = {
-    Choice{"thesis", "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
-    Choice{"cumulus", "full above a flat base, thinning towards the top"},
-    Choice{"stratus", "a thin sheet near the base"},
-    Choice{"stratocumulus", "between stratus and cumulus"},
-    Choice{"blended", "stratus, stratocumulus and cumulus at cloud_type 0, 0.5 and 1"},
-    Choice{"tabulated", "linear between the entries of table, and constant beyond them"},
+    Choice{HeightProfileType::thesis, "thesis",
+           "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
+    Choice{HeightProfileType::cumulus, "cumulus",
+           "full above a flat base, thinning towards the top"},
+    Choice{HeightProfileType::stratus, "stratus", "a thin sheet near the base"},
+    Choice{HeightProfileType::stratocumulus, "stratocumulus", "between stratus and cumulus"},
+    Choice{HeightProfileType::blended, "blended",
+           "stratus, stratocumulus and cumulus at cloud_type 0, 0.5 and 1"},
+    Choice{HeightProfileType::tabulated, "tabulated",
+           "linear between the entries of table, and constant beyond them"},
 };
 constexpr std::array wrap_choices = {
-    Choice{"repeat", "the picture tiles"},
-    Choice{"clamp", "the picture's border continues outwards"},
+    Choice{MapWrap::repeat, "repeat", "the picture tiles"},
+    Choice{MapWrap::clamp, "clamp", "the picture's border continues outwards"},
 };
 constexpr std::array filter_choices = {
-    Choice{"nearest", "the pixel in which a point lies"},
-    Choice{"linear", "bilinear between the centres of pixels"},
+    Choice{MapFilter::nearest, "nearest", "the pixel in which a point lies"},
+    Choice{MapFilter::linear, "linear", "bilinear between the centres of pixels"},
 };
 constexpr std::array color_space_choices = {
-    Choice{"linear", "numbers as they are stored"},
-    Choice{"srgb", "numbers converted from the sRGB curve to linear light"},
+    Choice{MapColorSpace::linear, "linear", "numbers as they are stored"},
+    Choice{MapColorSpace::srgb, "srgb", "numbers converted from the sRGB curve to linear light"},
 };
 
 // For which profiles, and for which place of the threshold, a key has a meaning.

@@ -116,8 +116,7 @@ void decode_switched_off(DecodedSection& section, Decoder& decoder) {
 
 bool is_of_particles(const DecodedSection& layer) {
     const DecodedField& phase = layer.at("phase");
-    return phase.value &&
-           static_cast<Phase>(std::get<ChoiceIndex>(*phase.value).index) == Phase::mie;
+    return choice_of<Phase>(phase) == Phase::mie;
 }
 
 // Coefficients follow from the particles: given besides, they would contradict them.

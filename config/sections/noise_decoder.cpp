@@ -94,7 +94,7 @@ void report_set(const std::string& set, const std::string& path, const Place& pl
 void check_packing(const DecodedSection& section, const std::string& set, Decoder& decoder) {
     const DecodedField& pack = section.at("pack");
     if (!pack.value || !pack.source) return;
-    const auto packing = static_cast<NoisePacking>(std::get<ChoiceIndex>(*pack.value).index);
+    const auto packing = *choice_of<NoisePacking>(pack);
     if (packing == NoisePacking::none) return;
     const std::string wanted = packing == NoisePacking::shape ? "RGBA" : "RGB";
     if (set == wanted) return;

@@ -25,46 +25,51 @@ constexpr std::string_view schlick_1994 =
 constexpr std::string_view tileable_volume_noise = "Hillaire, TileableVolumeNoise";
 constexpr std::string_view takram = "takram, three-clouds";
 
-// Choices, each in the order of its enumeration.
 constexpr std::array sampling_choices = {
-    Choice{"centers", "voxel i of N at (i + 1/2)/N"},
-    Choice{"corners", "voxel i of N at i/N"},
-    Choice{"slices_at_corners", "centers along x and y, corners along z"},
+    Choice{NoiseSampling::centers, "centers", "voxel i of N at (i + 1/2)/N"},
+    Choice{NoiseSampling::corners, "corners", "voxel i of N at i/N"},
+    Choice{NoiseSampling::slices_at_corners, "slices_at_corners",
+           "centers along x and y, corners along z"},
 };
 constexpr std::array pack_choices = {
-    Choice{"none", "each channel as it is"},
-    Choice{"shape",
+    Choice{NoisePacking::none, "none", "each channel as it is"},
+    Choice{NoisePacking::shape, "shape",
            "of R, G, B and A: remap(R, w - 1, 1, 0, 1) with w = 0.625 G + 0.25 B + 0.125 A"},
-    Choice{"detail", "of R, G and B: 0.625 R + 0.25 G + 0.125 B"},
+    Choice{NoisePacking::detail, "detail", "of R, G and B: 0.625 R + 0.25 G + 0.125 B"},
 };
 constexpr std::array type_choices = {
-    Choice{"constant", "the value everywhere"},
-    Choice{"perlin", "improved gradient noise"},
-    Choice{"worley", "distances to one jittered point per cell"},
-    Choice{"perlin_worley", "remap(perlin, 0, 1, worley, 1): Perlin noise dilated by Worley noise"},
-    Choice{"curl", "one component of the curl of three gradient noises"},
+    Choice{NoiseType::constant, "constant", "the value everywhere"},
+    Choice{NoiseType::perlin, "perlin", "improved gradient noise"},
+    Choice{NoiseType::worley, "worley", "distances to one jittered point per cell"},
+    Choice{NoiseType::perlin_worley, "perlin_worley",
+           "remap(perlin, 0, 1, worley, 1): Perlin noise dilated by Worley noise"},
+    Choice{NoiseType::curl, "curl", "one component of the curl of three gradient noises"},
 };
 constexpr std::array fractal_choices = {
-    Choice{"fbm", "0.5 + 0.5 * sum of the octaves"},
-    Choice{"rectified", "max(0, sum of the octaves), as in TileableVolumeNoise"},
-    Choice{"ridged", "1 - |n| of each octave"},
-    Choice{"billow", "|n| of each octave"},
+    Choice{NoiseFractal::fbm, "fbm", "0.5 + 0.5 * sum of the octaves"},
+    Choice{NoiseFractal::rectified, "rectified",
+           "max(0, sum of the octaves), as in TileableVolumeNoise"},
+    Choice{NoiseFractal::ridged, "ridged", "1 - |n| of each octave"},
+    Choice{NoiseFractal::billow, "billow", "|n| of each octave"},
 };
 constexpr std::array feature_choices = {
-    Choice{"f1", "distance to the nearest point"},
-    Choice{"f2", "distance to the second nearest point"},
-    Choice{"f2_minus_f1", "their difference: 0 on the borders of cells"},
+    Choice{WorleyFeature::f1, "f1", "distance to the nearest point"},
+    Choice{WorleyFeature::f2, "f2", "distance to the second nearest point"},
+    Choice{WorleyFeature::f2_minus_f1, "f2_minus_f1",
+           "their difference: 0 on the borders of cells"},
 };
 constexpr std::array value_form_choices = {
-    Choice{"distance", "d, in cells"},
-    Choice{"one_minus_distance", "1 - d, 0 from d = 1 on"},
-    Choice{"one_minus_distance_over_sqrt3", "1 - d / sqrt(3), as in Olajos 2016"},
-    Choice{"one_minus_distance_squared", "1 - d * d, 0 from d = 1 on, as in TileableVolumeNoise"},
+    Choice{WorleyValue::distance, "distance", "d, in cells"},
+    Choice{WorleyValue::one_minus_distance, "one_minus_distance", "1 - d, 0 from d = 1 on"},
+    Choice{WorleyValue::one_minus_distance_over_sqrt3, "one_minus_distance_over_sqrt3",
+           "1 - d / sqrt(3), as in Olajos 2016"},
+    Choice{WorleyValue::one_minus_distance_squared, "one_minus_distance_squared",
+           "1 - d * d, 0 from d = 1 on, as in TileableVolumeNoise"},
 };
 constexpr std::array component_choices = {
-    Choice{"x", "d/dy of potential z - d/dz of potential y"},
-    Choice{"y", "d/dz of potential x - d/dx of potential z"},
-    Choice{"z", "d/dx of potential y - d/dy of potential x"},
+    Choice{CurlComponent::x, "x", "d/dy of potential z - d/dz of potential y"},
+    Choice{CurlComponent::y, "y", "d/dz of potential x - d/dx of potential z"},
+    Choice{CurlComponent::z, "z", "d/dx of potential y - d/dy of potential x"},
 };
 // For which types a key has a meaning.
 constexpr std::string_view constant_noise[] = {"constant"};

@@ -18,16 +18,19 @@ constexpr std::string_view hansen_1974 =
 constexpr std::string_view deirmendjian_1969 =
     "Deirmendjian 1969, Electromagnetic Scattering on Spherical Polydispersions";
 
-// Choices, each in the order of its enumeration.
 constexpr std::array material_choices = {
-    Choice{"water", "liquid water, at each wavelength"},
-    Choice{"constant", "refractive_index and absorption_index at all wavelengths"},
+    Choice{ParticleMaterial::water, "water", "liquid water, at each wavelength"},
+    Choice{ParticleMaterial::constant, "constant",
+           "refractive_index and absorption_index at all wavelengths"},
 };
 constexpr std::array sizes_choices = {
-    Choice{"monodisperse", "spheres of a single radius"},
-    Choice{"log_normal", "a normal distribution of the radius' logarithm"},
-    Choice{"gamma", "by effective radius and variance, as clouds are described"},
-    Choice{"modified_gamma", "r^alpha exp(-(r / radius)^gamma); rain: alpha = 0, gamma = 1"},
+    Choice{SizeDistribution::monodisperse, "monodisperse", "spheres of a single radius"},
+    Choice{SizeDistribution::log_normal, "log_normal",
+           "a normal distribution of the radius' logarithm"},
+    Choice{SizeDistribution::gamma, "gamma",
+           "by effective radius and variance, as clouds are described"},
+    Choice{SizeDistribution::modified_gamma, "modified_gamma",
+           "r^alpha exp(-(r / radius)^gamma); rain: alpha = 0, gamma = 1"},
 };
 
 constexpr std::string_view constant_index[] = {"constant"};

@@ -9,6 +9,7 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
+#include "config/sweep/sweep_rows.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 
@@ -253,7 +254,7 @@ std::optional<SweptRange> read_range(const Field& field, const std::string& path
     SweptRange range;
     set_ends(*from.source, *to.source, range);
     range.whole = takes_whole_numbers(field.kind);
-    range.log = std::get<ChoiceIndex>(*scale.value).index == 1;
+    range.log = choice_of<SweepScale>(scale) == SweepScale::log;
     if (count.value) range.count = static_cast<int>(std::get<double>(*count.value));
     if (!reader.check_ends(range, *from.source, *to.source)) return std::nullopt;
     return range;

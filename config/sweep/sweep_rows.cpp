@@ -1,4 +1,5 @@
 // The keys of [sweep] itself, and of a range in it. All other keys of [sweep] are paths of keys.
+#include "config/sweep/sweep_rows.h"
 #include "config/fields/fields.h"
 #include "config/sweep/sweep.h"
 
@@ -9,8 +10,8 @@ constexpr Range value_count_range{2, most_variants};
 constexpr Range points_range{1, most_variants};
 
 constexpr std::array scale_choices = {
-    Choice{"linear", "equal differences"},
-    Choice{"log", "equal ratios, which need from and to above 0"},
+    Choice{SweepScale::linear, "linear", "equal differences"},
+    Choice{SweepScale::log, "log", "equal ratios, which need from and to above 0"},
 };
 
 constexpr std::array sweep_table = {

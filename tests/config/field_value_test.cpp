@@ -8,7 +8,7 @@ namespace skybake::config {
 namespace {
 
 TEST(FieldValue, SpellsInBaseUnits) {
-    constexpr Choice choices[] = {{"one", ""}, {"two", ""}};
+    constexpr Choice choices[] = {{0, "one", ""}, {1, "two", ""}};
     const Field choice{.key = "x", .kind = Kind::choice, .choices = choices};
     const Field length{.key = "x", .kind = Kind::length};
     const Field coefficients{.key = "x", .kind = Kind::coefficients};
@@ -24,7 +24,7 @@ TEST(FieldValue, SpellsInBaseUnits) {
 }
 
 TEST(FieldValue, SpellsWhatNoisesHave) {
-    constexpr Choice choices[] = {{"one", ""}, {"two", ""}};
+    constexpr Choice choices[] = {{0, "one", ""}, {1, "two", ""}};
     const Field list{.key = "x", .kind = Kind::choice_list, .choices = choices};
     const Field voxels{.key = "x", .kind = Kind::voxels};
     const Field frequency{.key = "x", .kind = Kind::frequency};

@@ -9,26 +9,20 @@
 namespace skybake {
 namespace {
 
-// The choices of a key of volumes, in the order of its enumeration; those of tables are the first
-// of them.
-std::span<const config::Choice> choices_of(std::string_view key) {
-    const config::Section* section = config::find_section("bake.*", "noise_volume");
-    const config::Field* field = section != nullptr ? config::find_field(*section, key) : nullptr;
-    return field != nullptr ? field->choices : std::span<const config::Choice>();
+// The key of a volume, whose choices are those of tables as well.
+const config::Field& field_of(std::string_view key) {
+    return *config::find_field(*config::find_section("bake.*", "noise_volume"), key);
 }
 
 template <class Enum>
 std::string_view word_of(std::string_view key, Enum value) {
-    const auto choices = choices_of(key);
-    const auto index = static_cast<std::size_t>(value);
-    return index < choices.size() ? choices[index].name : std::string_view();
+    return config::choice_name(field_of(key), value);
 }
 
 template <class Enum>
 std::optional<Enum> value_of(std::string_view key, std::string_view word) {
-    const auto choices = choices_of(key);
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        if (choices[i].name == word) return static_cast<Enum>(i);
+    for (const config::Choice& choice : field_of(key).choices) {
+        if (choice.name == word) return static_cast<Enum>(choice.enumerator);
     }
     return std::nullopt;
 }
