@@ -6,6 +6,7 @@
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/environment.h"
 #include "config/assets/irradiance.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/noise_volume.h"
@@ -19,7 +20,7 @@
 namespace skybake::config {
 
 // In the order in which documentation shows them.
-using Assets = std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake,
+using Assets = std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
                           AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake,
                           OpticalDepthBake, NoiseVolumeBake, CloudVolumeBake, OccupancyBake>;
 

@@ -13,6 +13,7 @@
 #include "config/assets/assets.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/environment.h"
 #include "config/assets/irradiance.h"
 #include "config/assets/noise_volume.h"
 #include "config/assets/occupancy.h"
@@ -256,6 +257,14 @@ inline void check_asset(const SkyViewBake& asset, const Parameters& parameters) 
     require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
     require(!asset.sun_elevations.empty() && asset.sun_elevations.size() <= 64, "suns");
     for (const Angle sun : asset.sun_elevations) require(is_elevation(sun), "a sun's elevation");
+    require(within(asset.altitude.meters, 0, 1e12), "camera above the ground");
+    check_layers(asset.layers, asset.orders, parameters);
+    for (const int texels : asset.size) require(texels >= 1 && texels <= 16384, "size in range");
+}
+
+inline void check_asset(const EnvironmentBake& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    require(is_elevation(asset.sun_elevation), "a sun's elevation");
     require(within(asset.altitude.meters, 0, 1e12), "camera above the ground");
     check_layers(asset.layers, asset.orders, parameters);
     for (const int texels : asset.size) require(texels >= 1 && texels <= 16384, "size in range");

@@ -48,6 +48,11 @@ altitude = "1.5 km"
 sun_elevations = ["30 deg", "3 deg", "-4 deg"]
 orders = "single"
 size = [16, 12]
+[bake.environment]
+altitude = "1.5 km"
+sun_elevation = "3 deg"
+orders = "single"
+size = [16, 12]
 [bake.aerial]
 asset = "aerial_perspective"
 altitude = "500 m"
@@ -395,6 +400,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"solved", "km", "cosine", "1/sr", one, wavelengths, ""},
         {"moments", "km", "cosine", "1/sr", one, wavelengths, ""},
         {"sky", "km", "deg", "1/sr", one, wavelengths, ""},
+        {"environment", "km", "deg", "1/sr", one, wavelengths, ""},
         {"aerial", "km", "deg", "1/sr", one, wavelengths, "-y"},
         {"irradiance", "km", "cosine", "", one, wavelengths, ""},
         {"hillaire_irradiance", "km", "cosine", "", one, wavelengths, ""},

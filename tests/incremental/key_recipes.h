@@ -37,6 +37,11 @@ asset = "sky_view"
 orders = "single"
 size = [4, 4]
 sun_elevations = ["20 deg"]
+[bake.around]
+asset = "environment"
+orders = "single"
+size = [4, 4]
+sun_elevation = "20 deg"
 [bake.spheres]
 asset = "phase"
 particles = "drop"

@@ -53,6 +53,23 @@ TEST(SkyAssetPictures, ShowEachSunOfASkyViewWithItsOwnExposure) {
     for (const PreviewPicture& picture : pictures) EXPECT_FALSE(is_black(picture.picture));
 }
 
+// The sky is bright about the sun in the middle, and the zenith stands above the ground.
+TEST(SkyAssetPictures, ShowAnEnvironmentUpright) {
+    const auto pictures =
+        asset_pictures(bake_one("asset = 'environment'\nsize = [16, 8]\norders = 'single'\n"
+                                "sun_elevation = '20 deg'\n"));
+    ASSERT_EQ(pictures.size(), 1u);
+    const Picture& picture = pictures[0].picture;
+    const auto brightness = [&picture](double x, double y) {
+        const auto at = 3 * (static_cast<std::size_t>(y * picture.height) *
+                                 static_cast<std::size_t>(picture.width) +
+                             static_cast<std::size_t>(x * picture.width));
+        return picture.rgb[at] + picture.rgb[at + 1] + picture.rgb[at + 2];
+    };
+    EXPECT_GT(brightness(0.55, 0.4), brightness(0.55, 0.8)) << "sky above, dark ground below";
+    EXPECT_GT(brightness(0.55, 0.4), brightness(0.15, 0.4)) << "the sun in the middle";
+}
+
 TEST(SkyAssetPictures, ShowIrradiances) {
     const auto pictures =
         asset_pictures(bake_one("asset = 'irradiance'\nsize = [8, 6]\ncontent = 'direct'\n"));

@@ -215,6 +215,25 @@ std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
          exposure}};
 }
 
+std::vector<PreviewPicture> environment_pictures(const PreviewAsset& asset) {
+    const ManifestAsset& entry = asset.entry;
+    if (asset.table.width <= 0 || asset.table.height <= 0) return {};
+    const double exposure = exposure_for(asset.table);
+    const std::string title =
+        fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
+    const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 360 * t - 180; },
+                            AxisTicks::angles};
+    const ChartAxis elevation{"elevation (deg)", [](double t) { return 180 * t - 90; },
+                              AxisTicks::angles};
+    return {{entry.name + "_texels", title,
+             fmt::format("The picture shows the file upright, the sun's azimuth in the middle; {}. "
+                         "The sun's disc is not in it.",
+                         tone_text(exposure)),
+             framed(tone_mapped(fitted(asset.table, view_width, 2 * view_width), exposure), title,
+                    azimuth, elevation),
+             exposure}};
+}
+
 std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset) {
     const auto bake = bake_of<config::AerialPerspectiveBake>(asset.entry);
     if (!bake || !has_all_texels(asset)) return {};

@@ -15,6 +15,9 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset);
 // Of an irradiance: its texels, tone-mapped.
 std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset);
 
+// Of an environment: the file upright, tone-mapped.
+std::vector<PreviewPicture> environment_pictures(const PreviewAsset& asset);
+
 // Of an aerial perspective: slices at several distances, light tone-mapped with one exposure and
 // transmittance as grey or colour.
 std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset);

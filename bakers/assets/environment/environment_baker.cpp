@@ -1,0 +1,52 @@
+// The baker of asset = "environment".
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "bakers/assets/baker.h"
+#include "bakers/assets/environment/environment_table.h"
+#include "bakers/light/sky_light.h"
+#include "config/assets/environment.h"
+
+namespace skybake {
+
+using config::EnvironmentBake;
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+Outcome<BakedAsset> bake(const Parameters& parameters, const EnvironmentBake& asset,
+                         const BakeOptions& options, AssetLabel label) {
+    const SkyLight light(parameters.atmosphere, asset.orders, asset.layers, options);
+    if (options.cancelled()) return {};
+    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
+    return as_asset(
+        bake_environment(light, asset, options, labelled_table(parameters, std::move(label))));
+}
+
+Estimate estimate(const Parameters&, const EnvironmentBake& asset) {
+    return estimate_texels(asset.size, asset.pixel_type, 3e-6,
+                           0.3 + seconds_to_solve(asset.orders));
+}
+
+AssetPlaces places(const Parameters&, const EnvironmentBake&, const StoredTexels&) {
+    return TablePlaces{
+        2, [](const Probe& probe) {
+            return std::array{probe.at[0].second / 360 + 0.5, 0.5 - probe.at[1].second / 180};
+        }};
+}
+
+void draft(EnvironmentBake& asset, int) {
+    asset.size = {std::min(asset.size[0], 128), std::min(asset.size[1], 64)};
+}
+
+}  // namespace
+
+const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
+    static const Baker<EnvironmentBake> row = {
+        .version = 1, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,30 @@
+// The sky and the ground around a camera, by longitude and latitude (asset = "environment").
+#pragma once
+
+#include "bakers/field/baked_table.h"
+#include "bakers/field/table_model.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/light/sky_view_mapping.h"
+#include "bakers/math/bake_options.h"
+#include "config/assets/environment.h"
+#include "config/diagnostics/diagnostic.h"
+
+namespace skybake {
+
+// Longitude and latitude of coordinates (x, y) in [0, 1], in degrees: the azimuth from the sun
+// grows to the right, from -180 to 180; the elevation falls from the zenith, 90, to -90.
+double environment_azimuth_deg(double x);
+double environment_elevation_deg(double y);
+
+// The table as a function: radiance (1/sr) towards the camera, as sky_view_model has it. All must
+// outlive the model.
+TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
+                             const SunZenith& sun);
+
+// The sky from one altitude under one sun, without the sun's disc. `table` brings name, parameters
+// and channel names.
+config::Outcome<BakedTable> bake_environment(const SkyLight& light,
+                                             const config::EnvironmentBake& bake,
+                                             const BakeOptions& options, BakedTable table);
+
+}  // namespace skybake

@@ -1,0 +1,50 @@
+#include "config/assets/environment.h"
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/reads.h"
+#include "config/assets/shared_fields.h"
+#include "config/fields/shared_ranges.h"
+
+namespace skybake::config {
+namespace {
+
+using EnvironmentField = BoundField<EnvironmentBake, SkyOrders, PixelType, Compression>;
+
+const std::array environment_table = {
+    EnvironmentField{asset_field, {}},
+    EnvironmentField{{.key = "size",
+                      .kind = Kind::size,
+                      .range = texel_range,
+                      .fallback = "[1024, 512]",
+                      .documentation = "texels around, and from the zenith to straight down"},
+                     &EnvironmentBake::size},
+    EnvironmentField{camera_altitude_field, &EnvironmentBake::altitude},
+    EnvironmentField{{.key = "sun_elevation",
+                      .kind = Kind::angle,
+                      .range = elevation_range,
+                      .required = true,
+                      .documentation = "elevation of the sun, which stands in the middle of a row",
+                      .hint = "-90 deg to 90 deg"},
+                     &EnvironmentBake::sun_elevation},
+    EnvironmentField{orders_field, &EnvironmentBake::orders},
+    EnvironmentField{layers_field, &EnvironmentBake::layers},
+    EnvironmentField{table_pixel_type_field, &EnvironmentBake::pixel_type},
+    EnvironmentField{compression_field, &EnvironmentBake::compression},
+};
+
+std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake&) {
+    return reads_of_air(parameters, Roles::all());
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<EnvironmentBake>) {
+    static const AssetKind kind = make_asset_kind<EnvironmentBake>(
+        {.name = "environment",
+         .documentation = "the sky and the ground around a camera, by longitude and latitude",
+         .needs_atmosphere = true},
+        std::span<const EnvironmentField>(environment_table), reads_of);
+    return kind;
+}
+
+}  // namespace skybake::config

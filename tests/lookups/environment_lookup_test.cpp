@@ -1,0 +1,85 @@
+#include <numbers>
+
+#include "bakers/math/relative_error.h"
+#include "tests/lookups/lookup_trial.h"
+
+namespace skybake {
+namespace gpu::environment_lookup {
+#include "lookups/environment.glsl.h"
+}
+
+namespace {
+
+using gpu::vec3;
+using test::BakedLookup;
+
+constexpr double kPi = std::numbers::pi;
+
+class EnvironmentTrial {
+  public:
+    EnvironmentTrial()
+        : baked_(test::bake_all("preset = 'earth'\n[bake.environment]\norders = 'single'\n"
+                                "size = [64, 32]\naltitude = '1 km'\n"
+                                "sun_elevation = '20 deg'\n")),
+          texture_(texture_of(baked_.table())) {
+        for (const float texel : texture_.texels) largest_ = std::max(largest_, double{texel});
+    }
+
+    // A direction by azimuth from the sun, to the right of somebody who looks at it, and elevation.
+    vec3 in_float(double azimuth, double elevation, const glm::dvec3& up) const {
+        const glm::dvec3 side = std::fabs(up.z) < 0.9 ? glm::dvec3{0, 0, 1} : glm::dvec3{1, 0, 0};
+        const glm::dvec3 ahead = glm::normalize(glm::cross(up, side));
+        const glm::dvec3 right = glm::cross(ahead, up);
+        const glm::dvec3 level = std::cos(azimuth) * ahead + std::sin(azimuth) * right;
+        const double sun = 20 * kPi / 180;
+        return gpu::environment_lookup::environment(
+            {texture_}, vec3(std::cos(elevation) * level + std::sin(elevation) * up), vec3(up),
+            vec3(std::cos(sun) * ahead + std::sin(sun) * up));
+    }
+    std::array<double, 4> in_double(double azimuth, double elevation) const {
+        return filtered(texture_, {azimuth / (2 * kPi) + 0.5, 0.5 - elevation / kPi, 0.5});
+    }
+
+    const BakedTable& table() const { return baked_.table(); }
+    double largest() const { return largest_; }
+
+  private:
+    BakedLookup baked_;
+    Texture texture_;
+    double largest_ = 0;
+};
+
+TEST(EnvironmentLookup, FloatLosesLittle) {
+    const EnvironmentTrial trial;
+    test::Dice dice;
+    test::Loss loss;
+    for (int i = 0; i < test::kPlaces; ++i) {
+        const double azimuth = dice.angle(-kPi, kPi);
+        const double elevation = dice.angle(-kPi / 2, kPi / 2);
+        const vec3 found = trial.in_float(azimuth, elevation, dice.direction());
+        const std::array<double, 4> wanted = trial.in_double(azimuth, elevation);
+        for (int c = 0; c < 3; ++c) {
+            loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)],
+                                    trial.largest()));
+        }
+    }
+    expect_little_loss(loss, trial.table().certificate);
+    for (const Probe& probe : trial.table().probes) {
+        const vec3 found = trial.in_float(test::at(probe, "azimuth_deg") * kPi / 180,
+                                          test::at(probe, "elevation_deg") * kPi / 180, {0, 0, 1});
+        test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance, "a probe");
+    }
+}
+
+// Straight up and down, where there is no azimuth, no lookup is undefined.
+TEST(EnvironmentLookup, HasAValueWhereThereIsNoAzimuth) {
+    const EnvironmentTrial trial;
+    for (const float z : {-1.0f, 1.0f}) {
+        const vec3 found = gpu::environment_lookup::environment({texture_of(trial.table())},
+                                                                {0, 0, z}, {0, 0, 1}, {1, 0, 0});
+        EXPECT_TRUE(std::isfinite(found.x) && found.x >= 0);
+    }
+}
+
+}  // namespace
+}  // namespace skybake
