@@ -1,6 +1,6 @@
 // The fast quadrature against nested adaptive quadrature of the definition: minutes, so labelled
 // slow.
-#include "bakers/assets/multiple_scattering/multiple_scattering_reference.h"
+#include "tests/support/multiple_scattering_reference.h"
 
 #include <gtest/gtest.h>
 

@@ -8,12 +8,12 @@
 #include <limits>
 
 #include "bakers/math/low_discrepancy.h"
-#include "bakers/occupancy/cell_range_reference.h"
 #include "bakers/occupancy/cell_row_kernel.h"
 #include "bakers/occupancy/outward_rounding.h"
 #include "config/assets/occupancy.h"
 #include "tests/noise/every_target.h"
 #include "tests/occupancy/exact_range.h"
+#include "tests/support/cell_range_reference.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::occupancy {

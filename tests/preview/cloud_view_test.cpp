@@ -10,11 +10,11 @@
 
 #include "bakers/render/cloud_camera.h"
 #include "bakers/render/cloud_framing.h"
-#include "bakers/render/cloud_view_reference.h"
 #include "bakers/render/sun_leaps.h"
 #include "tests/noise/every_target.h"
 #include "tests/preview/clouds.h"
 #include "tests/preview/skies.h"
+#include "tests/support/cloud_view_reference.h"
 
 namespace skybake {
 namespace {

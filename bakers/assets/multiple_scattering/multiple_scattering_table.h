@@ -11,8 +11,8 @@
 namespace skybake {
 
 // The table as a function: Psi (1/sr) at the sun's cosine and altitude of (x, y). The reference is
-// the same integral with many more nodes and a finer table of sunlight, itself within 1e-4 of
-// nested adaptive quadrature (multiple_scattering_reference.h). `medium` must outlive the model.
+// the same integral with many more nodes and a finer table of sunlight, which tests hold to nested
+// adaptive quadrature, within 1e-4. `medium` must outlive the model.
 TableModel multiple_scattering_model(const Medium& medium,
                                      const config::MultipleScatteringBake& bake, int threads);
 

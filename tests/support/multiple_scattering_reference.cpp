@@ -1,4 +1,4 @@
-#include "bakers/assets/multiple_scattering/multiple_scattering_reference.h"
+#include "tests/support/multiple_scattering_reference.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "bakers/render/cloud_view_reference.h"
+#include "tests/support/cloud_view_reference.h"
 
 #include <algorithm>
 #include <cmath>

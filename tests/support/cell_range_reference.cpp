@@ -1,4 +1,4 @@
-#include "bakers/occupancy/cell_range_reference.h"
+#include "tests/support/cell_range_reference.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Counts what the layout of the code is judged by, and prints a table of it.
+
+    counts.py SOURCE          prints the table
+    counts.py SOURCE --check  fails where a figure is worse than what the layout promises
+"""
+
+import pathlib
+import re
+import statistics
+import sys
+
+source = pathlib.Path(sys.argv[1])
+PRODUCT = ("config", "bakers", "cli")
+# A change of one asset's struct compiles at most so many units again, of the product and of tests.
+MOST_PRODUCT_UNITS = 45
+MOST_TEST_UNITS = 40
+
+
+def sources(*rooms):
+    for room in rooms:
+        for path in sorted((source / room).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                yield path.relative_to(source).as_posix()
+
+
+def includers(texts):
+    """Which files include each file, itself or by another."""
+    direct = {}
+    for name, text in texts.items():
+        for included in re.findall(r'^#include "([^"]+)"', text, re.M):
+            direct.setdefault(included, set()).add(name)
+
+    def of(name):
+        found, open_ = set(), [name]
+        while open_:
+            for user in direct.get(open_.pop(), ()):
+                if user not in found:
+                    found.add(user)
+                    open_.append(user)
+        return found
+
+    return of
+
+
+texts = {name: (source / name).read_text() for name in sources(*PRODUCT, "tests")}
+product = [name for name in texts if not name.startswith("tests/")]
+lines = {name: texts[name].count("\n") for name in product}
+folders = {}
+for name in product:
+    folder = name.rsplit("/", 1)[0]
+    folders[folder] = folders.get(folder, 0) + 1
+largest = max(folders, key=folders.get)
+
+of = includers(texts)
+assets = re.findall(r'#include "(config/assets/\w+)\.h"', texts["config/assets/assets.h"])
+recompiled = {}
+for asset in assets:
+    units = [name for name in of(asset + ".h") if name.endswith(".cpp")]
+    tests = sum(name.startswith("tests/") for name in units)
+    recompiled[asset.rsplit("/", 1)[1]] = (len(units) - tests, tests)
+worst_product = max(recompiled, key=lambda name: recompiled[name][0])
+worst_tests = max(recompiled, key=lambda name: recompiled[name][1])
+
+rows = [
+    ("assets", str(len(assets))),
+    ("product files", str(len(product))),
+    ("lines of the median file", f"{statistics.median(lines.values()):.0f}"),
+    ("files of the largest folder", f"{folders[largest]} ({largest})"),
+    ("product lines", str(sum(lines.values()))),
+    ("units compiled again after a change of an asset's struct: product",
+     f"{recompiled[worst_product][0]} ({worst_product})"),
+    ("… tests", f"{recompiled[worst_tests][1]} ({worst_tests})"),
+]
+for what, count in rows:
+    print(f"{what:66} {count}")
+
+if "--check" in sys.argv:
+    failures = [name for name, (units, tests) in recompiled.items()
+                if units > MOST_PRODUCT_UNITS or tests > MOST_TEST_UNITS]
+    for name in failures:
+        print(f"{name}: {recompiled[name]} units are compiled again, and "
+              f"{MOST_PRODUCT_UNITS} and {MOST_TEST_UNITS} are allowed")
+    sys.exit(1 if failures or len(assets) < 11 else 0)
