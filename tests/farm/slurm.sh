@@ -60,22 +60,25 @@ wait_for() {
 
 # --- The farm -------------------------------------------------------------------------------------
 
-read -r controller_port first_port second_port < <(python3 - <<'PORTS'
-import socket
+user=$(id -un)
+host=$(hostname -s)
+# The controller listens where its host's name leads; Debian's installer gives names 127.0.1.1.
+address=$(getent ahostsv4 "$host" | awk '$1 ~ /^127[.]/ {print $1; exit}')
+address=${address:-127.0.0.1}
+read -r controller_port first_port second_port < <(python3 - "$address" <<'PORTS'
+import socket, sys
 sockets = [socket.socket() for _ in range(3)]
 for one in sockets:
-    one.bind(("127.0.0.1", 0))
+    one.bind((sys.argv[1], 0))
 print(*(one.getsockname()[1] for one in sockets))
 PORTS
 )
-user=$(id -un)
-host=$(hostname -s)
 chmod 755 "$farm"
 mkdir -p "$farm/state" "$farm/spool.n1" "$farm/spool.n2" "$farm/work"
 (umask 077 && head -c 1024 /dev/urandom >"$farm/munge.key")
 cat >"$SLURM_CONF" <<CONF
 ClusterName=skybake
-SlurmctldHost=$host(127.0.0.1)
+SlurmctldHost=$host($address)
 SlurmctldPort=$controller_port
 SlurmUser=$user
 SlurmdUser=$user
@@ -102,8 +105,8 @@ MessageTimeout=5
 KillWait=2
 JobRequeue=1
 ReturnToService=2
-NodeName=n1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$first_port CPUs=1 State=UNKNOWN
-NodeName=n2 NodeHostname=$host NodeAddr=127.0.0.1 Port=$second_port CPUs=1 State=UNKNOWN
+NodeName=n1 NodeHostname=$host NodeAddr=$address Port=$first_port CPUs=1 State=UNKNOWN
+NodeName=n2 NodeHostname=$host NodeAddr=$address Port=$second_port CPUs=1 State=UNKNOWN
 PartitionName=all Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
 CONF
 

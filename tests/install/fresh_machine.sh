@@ -63,6 +63,7 @@ as_a_stranger() {
     unshare --mount bash -c '
         mount --bind "$0" "$0"  # a root is the root of a file system
         mount -t proc proc "$0/proc"
+        mount --rbind /sys "$0/sys"  # Slurm looks for control groups there
         mount --rbind /dev "$0/dev"
         exec chroot "$0" /usr/bin/env -i HOME=/root TERM=dumb LANG=C.UTF-8 $1 \
             PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
