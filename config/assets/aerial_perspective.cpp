@@ -16,8 +16,7 @@
 namespace skybake::config {
 namespace {
 
-using AerialPerspectiveField =
-    VolumeBakeField<AerialPerspectiveBake, AerialContent, SliceSpacing, SkyOrders>;
+using AerialPerspectiveField = Row<AerialPerspectiveBake>;
 
 constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 

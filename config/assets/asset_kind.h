@@ -13,6 +13,7 @@
 #include "config/assets/asset.h"
 #include "config/fields/fields.h"
 #include "config/fields/roles.h"
+#include "config/fields/row.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
 #include "config/sections/parameters.h"
@@ -53,14 +54,14 @@ std::span<const AssetKind* const> asset_kinds();
 
 const AssetKind& kind_of(const Bake& bake);
 
-template <class Asset, class Bound>
-AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Bound> rows,
+template <class Asset>
+AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> rows,
                           std::vector<Read> (*reads)(const Parameters&, const Asset&),
                           ResolveAsset resolve = nullptr) {
     AssetKind kind;
     kind.facts = facts;
     kind.section = {"bake.*", facts.name, facts.documentation, {}};
-    for (const Bound& row : rows) kind.section.fields.push_back(row.field);
+    for (const Row<Asset>& row : rows) kind.section.fields.push_back(row.field);
     kind.resolve = resolve;
     kind.bind = [rows](const std::string& name, const DecodedSection& section) {
         Asset asset;

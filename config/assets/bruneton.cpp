@@ -16,8 +16,7 @@
 namespace skybake::config {
 namespace {
 
-using BrunetonField =
-    VolumeBakeField<BrunetonBake, BrunetonTable, BrunetonConvention, BrunetonMethod>;
+using BrunetonField = Row<BrunetonBake>;
 
 constexpr Range nu_range{1, 1024};
 

@@ -25,7 +25,7 @@
 namespace skybake::config {
 namespace {
 
-using CloudVolumeField = VolumeBakeField<CloudVolumeBake>;
+using CloudVolumeField = Row<CloudVolumeBake>;
 
 constexpr Range voxel_size_range{1e-3, 1e8};
 

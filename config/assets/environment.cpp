@@ -8,7 +8,7 @@
 namespace skybake::config {
 namespace {
 
-using EnvironmentField = BoundField<EnvironmentBake, SkyOrders, PixelType, Compression>;
+using EnvironmentField = Row<EnvironmentBake>;
 
 const std::array environment_table = {
     EnvironmentField{asset_field, {}},

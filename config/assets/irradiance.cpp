@@ -8,8 +8,7 @@
 namespace skybake::config {
 namespace {
 
-using IrradianceField = BoundField<IrradianceBake, IrradianceContent, SkyOrders,
-                                   MultipleScatteringMapping, PixelType, Compression>;
+using IrradianceField = Row<IrradianceBake>;
 
 constexpr std::array irradiance_content_choices = {
     Choice{IrradianceContent::direct, "direct", "light of the sun alone"},

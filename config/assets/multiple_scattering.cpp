@@ -8,9 +8,7 @@
 namespace skybake::config {
 namespace {
 
-using MultipleScatteringField =
-    BoundField<MultipleScatteringBake, MultipleScatteringMapping, MultipleScatteringMethod,
-               MultipleScatteringContent, PixelType, Compression>;
+using MultipleScatteringField = Row<MultipleScatteringBake>;
 
 constexpr Range degree_range{2, 8};
 

@@ -13,7 +13,7 @@
 namespace skybake::config {
 namespace {
 
-using NoiseVolumeField = VolumeBakeField<NoiseVolumeBake>;
+using NoiseVolumeField = Row<NoiseVolumeBake>;
 
 const std::array noise_volume_table = {
     NoiseVolumeField{asset_field, {}},

@@ -25,8 +25,7 @@
 namespace skybake::config {
 namespace {
 
-using OccupancyField =
-    VolumeBakeField<OccupancyBake, OccupancyFilter, OccupancyRule, std::vector<OccupancyContent>>;
+using OccupancyField = Row<OccupancyBake>;
 
 constexpr Range cell_range{1, 16};
 

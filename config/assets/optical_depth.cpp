@@ -13,8 +13,7 @@
 namespace skybake::config {
 namespace {
 
-using OpticalDepthField =
-    VolumeBakeField<OpticalDepthBake, OpticalDepthTable, BetweenCoordinates, DepthSampling>;
+using OpticalDepthField = Row<OpticalDepthBake>;
 
 constexpr Range shells_range{1, 4096};
 

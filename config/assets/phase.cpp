@@ -14,7 +14,7 @@
 namespace skybake::config {
 namespace {
 
-using PhaseField = BoundField<PhaseBake, PhaseContent, PhaseSpacing, PixelType, Compression>;
+using PhaseField = Row<PhaseBake>;
 
 constexpr Range phase_texel_range{2, 16384};
 

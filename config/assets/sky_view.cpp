@@ -8,7 +8,7 @@
 namespace skybake::config {
 namespace {
 
-using SkyViewField = BoundField<SkyViewBake, SkyOrders, SkyMethod, PixelType, Compression>;
+using SkyViewField = Row<SkyViewBake>;
 
 constexpr std::array sky_method_choices = {
     Choice{SkyMethod::solved, "solved", "all orders, each layer with its own phase function"},

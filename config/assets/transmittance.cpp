@@ -8,8 +8,7 @@
 namespace skybake::config {
 namespace {
 
-using TransmittanceField = BoundField<TransmittanceBake, TransmittanceContent, TransmittanceMapping,
-                                      PixelType, Compression>;
+using TransmittanceField = Row<TransmittanceBake>;
 
 constexpr std::array transmittance_content_choices = {
     Choice{TransmittanceContent::transmittance, "transmittance",

@@ -7,15 +7,10 @@
 #include <vector>
 
 #include "config/assets/shared_fields.h"
-#include "config/fields/fields.h"
+#include "config/fields/row.h"
 #include "config/sections/files.h"
 
 namespace skybake::config {
-
-// Rows of bakes that have the keys of VolumeFiles besides their own.
-template <class S, class... Choices>
-using VolumeBakeField = BoundField<S, std::vector<VolumeFormat>, PixelType, VolumeLayout,
-                                   Compression, VdbCompression, Choices...>;
 
 inline constexpr Range voxel_range{1, 16384};
 inline constexpr Range level_range{1, 15};
@@ -51,10 +46,10 @@ struct FileWords {
 };
 
 // A section's own rows, and after them those of VolumeFiles.
-template <class Row, std::size_t count>
-std::vector<Row> with_file_fields(const std::array<Row, count>& own, const FileWords& words) {
-    std::vector<Row> rows(own.begin(), own.end());
-    const Row file_rows[] = {
+template <class S, std::size_t count>
+std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const FileWords& words) {
+    std::vector<Row<S>> rows(own.begin(), own.end());
+    const Row<S> file_rows[] = {
         {{.key = "formats",
           .kind = Kind::choice_list,
           .choices = format_choices,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "config/fields/fields.h"
+#include "config/fields/point_tables.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {

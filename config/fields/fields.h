@@ -4,18 +4,13 @@
 // rows; no key is listed elsewhere.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "config/fields/point_tables.h"
 #include "config/fields/roles.h"
-#include "config/text/quantity.h"
 
 namespace skybake::config {
 
@@ -113,25 +108,6 @@ struct Section {
     std::string_view asset;  // bake sections: what they bake; else empty
     std::string_view documentation;
     std::vector<Field> fields;
-};
-
-// The members that a field of a section with struct S can fill; std::monostate: none, the value is
-// used otherwise. Enumerations of S, and lists of them, stand in Choices.
-template <class S, class... Choices>
-using Member =
-    std::variant<std::monostate, bool S::*, int S::*, double S::*, std::optional<double> S::*,
-                 std::optional<std::array<double, 2>> S::*, std::string S::*, Length S::*,
-                 InverseLength S::*, NumberDensity S::*, Angle S::*, std::array<int, 2> S::*,
-                 std::array<int, 3> S::*, std::array<double, 2> S::*, std::array<double, 4> S::*,
-                 std::array<Length, 2> S::*, std::array<Length, 3> S::*, std::array<Angle, 2> S::*,
-                 std::uint64_t S::*, std::vector<std::string> S::*, std::vector<double> S::*,
-                 std::vector<Length> S::*, std::vector<Angle> S::*, std::vector<InverseLength> S::*,
-                 std::vector<DensityPoint> S::*, std::vector<HeightPoint> S::*, Choices S::*...>;
-
-template <class S, class... Choices>
-struct BoundField {
-    Field field;
-    Member<S, Choices...> member;
 };
 
 // All sections, in the order of a recipe: the rooms above make them (recipe/sections.cpp).

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "config/fields/field_value.h"
 #include "config/fields/fields.h"
 #include "config/fields/resolved_value.h"
+#include "config/fields/row.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {
@@ -83,79 +83,14 @@ void derive(DecodedField& decoded, T value) {
 // Appends the section's values to those of the recipe.
 void append_values(const DecodedSection& section, Decoder& decoder);
 
-// One value into one member; both come from the same row of a field table, so they fit.
+// Fills the members of `target` that the section has values for. `rows` are those that the section
+// was made from.
 template <class S>
-struct Assigner {
-    S& target;
-    const Field& field;
-    const FieldValue& value;
-
-    void operator()(std::monostate) const {}
-    void operator()(Length S::*member) const { target.*member = {std::get<double>(value)}; }
-    void operator()(InverseLength S::*member) const { target.*member = {std::get<double>(value)}; }
-    void operator()(NumberDensity S::*member) const { target.*member = {std::get<double>(value)}; }
-    void operator()(Angle S::*member) const { target.*member = {std::get<double>(value)}; }
-    void operator()(std::array<Length, 3> S::*member) const {
-        const auto& meters = std::get<std::array<double, 3>>(value);
-        target.*member = {Length{meters[0]}, Length{meters[1]}, Length{meters[2]}};
-    }
-    void operator()(std::array<Length, 2> S::*member) const { assign_both(member); }
-    void operator()(std::array<Angle, 2> S::*member) const { assign_both(member); }
-    void operator()(std::vector<Angle> S::*member) const { assign_each(member); }
-    void operator()(std::vector<Length> S::*member) const { assign_each(member); }
-    void operator()(std::vector<InverseLength> S::*member) const { assign_each(member); }
-    void operator()(int S::*member) const {
-        target.*member = static_cast<int>(std::get<double>(value));
-    }
-    template <class T>
-    void operator()(std::optional<T> S::*member) const {
-        target.*member = std::get<T>(value);
-    }
-    template <class T>
-    requires std::is_enum_v<T>
-    void operator()(std::vector<T> S::*member) const {
-        (target.*member).clear();
-        for (const ChoiceIndex choice : std::get<std::vector<ChoiceIndex>>(value)) {
-            (target.*member).push_back(enumerator<T>(choice));
-        }
-    }
-    template <class T>
-    void operator()(T S::*member) const {
-        if constexpr (std::is_enum_v<T>) {
-            target.*member = enumerator<T>(std::get<ChoiceIndex>(value));
-        } else {
-            target.*member = std::get<T>(value);
-        }
-    }
-
-  private:
-    template <class T>
-    T enumerator(const ChoiceIndex& choice) const {
-        return static_cast<T>(field.choices[choice.index].enumerator);
-    }
-    template <class T>
-    void assign_both(std::array<T, 2> S::*member) const {
-        const auto& numbers = std::get<std::array<double, 2>>(value);
-        target.*member = {T{numbers[0]}, T{numbers[1]}};
-    }
-    template <class T>
-    void assign_each(std::vector<T> S::*member) const {
-        (target.*member).clear();
-        for (const double number : std::get<std::vector<double>>(value)) {
-            (target.*member).push_back({number});
-        }
-    }
-};
-
-// Fills the members of `target` that the section has values for. `table` is the bound table that
-// the section was made from.
-template <class S, class Bound>
-void bind_section(const DecodedSection& section, std::span<const Bound> table, S& target) {
-    assert(section.fields.size() == table.size());
-    for (std::size_t i = 0; i < table.size(); ++i) {
+void bind_section(const DecodedSection& section, std::span<const Row<S>> rows, S& target) {
+    assert(section.fields.size() == rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::optional<FieldValue>& value = section.fields[i].value;
-        if (value)
-            std::visit(Assigner<S>{target, *section.fields[i].field, *value}, table[i].member);
+        if (value) rows[i].fill(target, *value);
     }
 }
 

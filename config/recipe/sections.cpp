@@ -9,11 +9,11 @@
 namespace skybake::config {
 namespace {
 
-template <class Bound>
+template <class S>
 Section make_section(std::string_view path, std::string_view documentation,
-                     std::span<const Bound> table) {
+                     std::span<const Row<S>> rows) {
     Section section{path, "", documentation, {}};
-    for (const Bound& bound : table) section.fields.push_back(bound.field);
+    for (const Row<S>& row : rows) section.fields.push_back(row.field);
     return section;
 }
 

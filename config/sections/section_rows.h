@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "config/fields/fields.h"
+#include "config/fields/row.h"
 #include "config/sections/atmosphere.h"
 #include "config/sections/cloud.h"
 #include "config/sections/noise.h"
@@ -15,19 +15,18 @@
 
 namespace skybake::config {
 
-using RootField = BoundField<Parameters>;
-using AtmosphereField = BoundField<Atmosphere>;
-using LayerField = BoundField<Layer, Profile, Phase>;
-using SceneField = BoundField<Scene>;
-using ParticlesField = BoundField<Particles, ParticleMaterial, SizeDistribution>;
-using NoiseField = BoundField<Noise, NoiseSampling, NoisePacking>;
-using NoiseChannelField =
-    BoundField<NoiseChannel, NoiseType, NoiseFractal, WorleyFeature, WorleyValue, CurlComponent>;
-using CloudField = BoundField<Cloud, ThresholdAt, CloudChannels>;
-using HeightProfileField = BoundField<HeightProfile, HeightProfileType>;
-using CloudMapField = BoundField<CloudMap, MapWrap, MapFilter, MapColorSpace>;
-using TowerField = BoundField<Tower>;
-using TowerScatterField = BoundField<TowerScatter>;
+using RootField = Row<Parameters>;
+using AtmosphereField = Row<Atmosphere>;
+using LayerField = Row<Layer>;
+using SceneField = Row<Scene>;
+using ParticlesField = Row<Particles>;
+using NoiseField = Row<Noise>;
+using NoiseChannelField = Row<NoiseChannel>;
+using CloudField = Row<Cloud>;
+using HeightProfileField = Row<HeightProfile>;
+using CloudMapField = Row<CloudMap>;
+using TowerField = Row<Tower>;
+using TowerScatterField = Row<TowerScatter>;
 
 std::span<const RootField> root_fields();
 std::span<const AtmosphereField> atmosphere_fields();
