@@ -1,8 +1,6 @@
 #include "config/assets/asset_kind.h"
 
-#include <array>
 #include <cassert>
-#include <cstddef>
 
 #include "config/assets/assets.h"
 #include "config/assets/volume_files.h"

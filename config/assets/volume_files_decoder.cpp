@@ -47,12 +47,7 @@ std::optional<PixelType> pixel_type_of(const DecodedSection& bake) {
 std::vector<VolumeFormat> formats_of(const DecodedSection& bake) {
     const DecodedField& decoded = bake.at("formats");
     std::vector<VolumeFormat> formats;
-    const auto* chosen = value_of<std::vector<ChoiceIndex>>(decoded);
-    if (!chosen) return formats;
-    for (const ChoiceIndex choice : *chosen) {
-        formats.push_back(
-            static_cast<VolumeFormat>(decoded.field->choices[choice.index].enumerator));
-    }
+    if (decoded.value) assign(*decoded.field, *decoded.value, formats);
     return formats;
 }
 

@@ -60,8 +60,9 @@ const Table* named_table(const Entry& entry, const std::string& path, Decoder& d
 template <class Enum>
 std::optional<Enum> choice_of(const DecodedField& decoded) {
     if (!decoded.value) return std::nullopt;
-    const Choice& choice = decoded.field->choices[std::get<ChoiceIndex>(*decoded.value).index];
-    return static_cast<Enum>(choice.enumerator);
+    Enum choice{};
+    assign(*decoded.field, *decoded.value, choice);
+    return choice;
 }
 
 // The value of a field that has this choice.
