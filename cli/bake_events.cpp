@@ -31,15 +31,12 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
                   {"path", (folder / file.path).string()},
                   {"state", state_name(asset.state)},
                   {"changed", asset.files[i] == WriteResult::written},
-                  {"size", entry.size},
+                  {"size", size_of(entry, file)},
+                  {"format", file.format},
+                  {"level", file.level},
                   {"bake_s", entry.timing.bake_s},
                   {"certify_s", asset.certify_s},
                   {"write_s", entry.timing.write_s}};
-    if (entry.is_volume()) {
-        event["size"] = entry.levels[static_cast<std::size_t>(file.level)].size;
-        event["format"] = file.format;
-        event["level"] = file.level;
-    }
     if (entry.error) {
         event["lookup_error"] = {{"max", entry.error->lookup.max},
                                  {"rms", entry.error->lookup.rms}};

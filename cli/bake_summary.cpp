@@ -47,8 +47,7 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
 
 // Further files of a volume: another format or level of detail.
 std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestFile& file) {
-    const auto& size = asset.levels[static_cast<std::size_t>(file.level)].size;
-    return {"", file.level == 0 ? "" : extent_text(size), "", file.path,
+    return {"", file.level == 0 ? "" : extent_text(size_of(asset, file)), "", file.path,
             std::string(spell(file.pixel_type))};
 }
 

@@ -10,6 +10,7 @@
 
 #include "bakers/io/files/file_diagnostic.h"
 #include "bakers/io/files/file_input.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/compare.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -62,7 +63,7 @@ void compare_images(const fs::path& first, const fs::path& second, Comparison& c
     append(a.diagnostics, comparison.diagnostics);
     append(b.diagnostics, comparison.diagnostics);
     if (!a.value || !b.value) return;
-    auto difference = skybake::compare_images(rows_of(*a.value), rows_of(*b.value));
+    auto difference = skybake::compare_images(compared(*a.value), compared(*b.value));
     append(difference.diagnostics, comparison.diagnostics);
     if (!difference.value) return;
     comparison.files.push_back({second.filename().string(), "", std::move(*difference.value)});
@@ -89,8 +90,9 @@ bool is_image(const fs::path& path) { return path.extension() == ".exr"; }
 // A volume in another format than EXR, or what stands beside one. Not the manifest, which says of
 // each file what it was made of and how long that took.
 bool is_other_volume(const fs::path& path) {
-    return path.extension() == ".vdb" || path.extension() == ".bin" ||
-           (path.extension() == ".json" && path.filename() != "manifest.json");
+    if (path.extension() == ".json") return path.filename() != "manifest.json";
+    return !is_image(path) && path.has_extension() &&
+           find_format(path.extension().string().substr(1)) != nullptr;
 }
 
 void compare_files(const fs::path& first, const fs::path& second, Comparison& comparison) {

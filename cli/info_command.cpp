@@ -12,8 +12,10 @@
 #include "bakers/io/files/file_diagnostic.h"
 #include "bakers/io/files/spelling.h"
 #include "bakers/io/formats/exr/exr_rows.h"
-#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/io/formats/metadata_name.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/metadata.h"
 #include "cli/bake_summary.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -63,7 +65,10 @@ config::Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
 
 Json attributes_json(const Attributes& attributes) {
     Json json = Json::object();
-    for (const auto& [name, text] : attributes) json[name] = text;
+    for (const auto& [name, text] : attributes) {
+        const Json entry = name == metadata_name ? Json::parse(text, nullptr, false) : Json(text);
+        json[name] = entry.is_discarded() ? Json(text) : entry;
+    }
     return json;
 }
 
@@ -86,21 +91,34 @@ std::string image_json(const std::string& path, const ExrRows& image,
 }
 
 // Texts of several lines stand below their name, the others beside it.
-std::string attribute_text(const Attributes& attributes) {
+std::string lines_text(const FactLines& lines) {
     TextTable short_ones;
     std::string long_ones;
-    for (const auto& [name, text] : attributes) {
+    for (const auto& [name, text] : lines) {
         if (text.find('\n') == std::string::npos) {
             short_ones.add_row({config::printable(name), config::printable(text)});
             continue;
         }
         long_ones += fmt::format("  {}\n", config::printable(name));
-        std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);) {
+        std::istringstream several(text);
+        for (std::string line; std::getline(several, line);) {
             long_ones += fmt::format("    {}\n", config::printable(line));
         }
     }
     return short_ones.text() + long_ones;
+}
+
+// What the file says of itself; the attributes of a file of another program as they are.
+std::string attribute_text(const Attributes& attributes) {
+    FactLines lines;
+    for (const auto& [name, text] : attributes) {
+        const auto entry = parse_file_entry(text, "the file");
+        const bool is_ours = name == metadata_name && entry.value;
+        const FactLines found =
+            is_ours ? entry_lines(*entry.value, entry.value->files[0]) : FactLines{{name, text}};
+        lines.insert(lines.end(), found.begin(), found.end());
+    }
+    return lines_text(lines);
 }
 
 std::string image_text(const std::string& name, const ExrRows& image,
@@ -180,14 +198,28 @@ ExitCode show_vdb(const fs::path& path, bool json, Console& console) {
     return ExitCode::done;
 }
 
-// --- Bare voxels --------------------------------------------------------------------------------
+// --- Bare texels --------------------------------------------------------------------------------
 
-ExitCode refuse_bare_voxels(const fs::path& path, Console& console) {
+ExitCode refuse_bare_texels(const fs::path& path, Console& console) {
     config::Diagnostic diagnostic = file_error(
         "E0304", path.string(),
-        fmt::format("`{}` holds voxels alone and does not describe itself", path.string()));
+        fmt::format("`{}` holds texels alone and does not describe itself", path.string()));
     diagnostic.label = "the manifest.json beside it describes it";
     return console.report({&diagnostic, 1});
+}
+
+// --- One file of another format ------------------------------------------------------------------
+
+ExitCode show_file(const fs::path& path, bool json, Console& console) {
+    const auto entry = entry_of_file(path);
+    if (!entry.value) return console.report(entry.diagnostics);
+    const ManifestFile& file = entry.value->files[0];
+    console.result(json ? event_line({{"event", "file"},
+                                      {"path", path.string()},
+                                      {"asset", Json::parse(file_entry_json(*entry.value, file))}})
+                        : fmt::format("{}\n", path.string()) +
+                              lines_text(entry_lines(*entry.value, file)));
+    return ExitCode::done;
 }
 
 // --- One folder ---------------------------------------------------------------------------------
@@ -195,13 +227,6 @@ ExitCode refuse_bare_voxels(const fs::path& path, Console& console) {
 std::string error_text(const std::optional<Certificate>& error) {
     if (!error) return "not measured";
     return fmt::format("{:.1e} / {:.1e}", error->lookup.max, error->lookup.rms);
-}
-
-// Of the level that the file holds.
-std::vector<int> file_size(const ManifestAsset& asset, const ManifestFile& file) {
-    if (!asset.is_volume()) return asset.size;
-    const auto& size = asset.levels[static_cast<std::size_t>(file.level)].size;
-    return {size.begin(), size.end()};
 }
 
 // "680, 550, 440 nm" of the first asset that has them, or nothing where the recipe has only noises:
@@ -228,7 +253,7 @@ std::string manifest_text(const fs::path& folder, const Manifest& manifest) {
         {"asset", "kind", "size", "", "mapping", "file", "", "bytes", "lookup error max / rms"});
     for (const ManifestAsset& asset : manifest.assets) {
         for (const ManifestFile& file : asset.files) {
-            table.add_row({asset.name, asset.kind, extent_text(file_size(asset, file)),
+            table.add_row({asset.name, asset.kind, extent_text(size_of(asset, file)),
                            fmt::format("{}", fmt::join(asset.channels, "")), asset.mapping,
                            file.path, std::string(spell(file.pixel_type)),
                            bytes_text(folder / file.path, file.bytes), error_text(asset.error)});
@@ -276,25 +301,29 @@ ExitCode run_info(const Invocation& invocation, Console& console) {
         return show_manifest(folder, json, console);
     }
     if (path.extension() == ".vdb") return show_vdb(path, json, console);
-    if (path.extension() == ".bin" && fs::is_regular_file(path, error)) {
-        return refuse_bare_voxels(path, console);
+    const Format* format = find_format(path.extension().string().substr(path.has_extension()));
+    if (format && !format->has_metadata && fs::is_regular_file(path, error)) {
+        return refuse_bare_texels(path, console);
     }
+    if (path.extension() == ".png") return show_file(path, json, console);
     return show_image(path, json, console);
 }
 
 }  // namespace
 
 Command info_command() {
-    return {.name = "info",
-            .brief = "describe baked files",
-            .summary = "describe a baked file or the folder of a bake",
-            .arguments = {{.name = "path",
-                           .help = "an EXR or VDB file, a folder of a bake, or its manifest.json"}},
-            .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
-                         {"skybake info out/transmittance.exr",
-                          "shows the mapping, units and parameters of a file"}},
-            .exit_codes = {ExitCode::io},
-            .run = run_info};
+    return {
+        .name = "info",
+        .brief = "describe baked files",
+        .summary = "describe a baked file or the folder of a bake",
+        .arguments = {{.name = "path",
+                       .help =
+                           "an EXR, PNG or VDB file, a folder of a bake, or its manifest.json"}},
+        .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
+                     {"skybake info out/transmittance.exr",
+                      "shows the mapping, units and parameters of a file"}},
+        .exit_codes = {ExitCode::io},
+        .run = run_info};
 }
 
 }  // namespace skybake::cli

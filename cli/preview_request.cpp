@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/preview/load_sweep.h"
 #include "cli/bake_selection.h"
@@ -25,7 +25,7 @@ Subject subject_of(const fs::path& path) {
     if (is_sweep_folder(path)) return Subject::sweep;
     if (fs::is_directory(path, error) || path.filename() == manifest_name) return Subject::folder;
     const std::string extension = path.extension().string();
-    const bool baked = extension.size() > 1 && volume_format_of(extension.substr(1)).has_value();
+    const bool baked = extension.size() > 1 && find_format(extension.substr(1)) != nullptr;
     return baked ? Subject::files : Subject::recipe;
 }
 

@@ -52,7 +52,7 @@ constexpr std::array<Column, 10> kColumns = {{
     {"type", Align::left, [](const ReportRow& row) { return std::string(spell(row.pixel_type)); }},
     {"file", Align::right,
      [](const ReportRow& row) { return byte_size_text(static_cast<double>(row.file_bytes)); }},
-    {"time", Align::right, [](const ReportRow& row) { return time_text(row.time_ms); }},
+    {"time", Align::right, [](const ReportRow& row) { return duration_text(row.time_ms); }},
     {"write", Align::right,
      [](const ReportRow& row) { return duration_text(row.volume_file->write_ms); }, true},
     {"texel error max / rms", Align::right,
@@ -116,7 +116,7 @@ std::string skipping_text(const AssetReport& asset) {
                        fmt::format("{}", row.changed_rays), fmt::format("{:.1f}", row.fetches[0]),
                        fmt::format("{:.1f}", row.fetches[1]), fmt::format("{:.1f}", row.fetches[2]),
                        byte_size_text(static_cast<double>(row.structure_bytes)),
-                       time_text(row.time_ms)});
+                       duration_text(row.time_ms)});
     }
     return fmt::format(
         "{} ({})\n"

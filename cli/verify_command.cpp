@@ -10,7 +10,7 @@
 
 #include "bakers/assets/occupancy/skipping_check.h"
 #include "bakers/assets/probe_check.h"
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/format.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/event_line.h"
@@ -50,7 +50,7 @@ std::string as_text(const VerifyReport& report) {
 // A baked file in place of the folder that it lies in.
 std::vector<config::Diagnostic> check_path(const fs::path& path) {
     const std::string extension = path.extension().string();
-    const bool is_baked = extension.size() > 1 && volume_format_of(extension.substr(1)).has_value();
+    const bool is_baked = extension.size() > 1 && find_format(extension.substr(1)) != nullptr;
     std::error_code error;
     if (!is_baked || !fs::is_regular_file(path, error)) return {};
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");

@@ -26,8 +26,8 @@ std::vector<std::string> colour_names(const Parameters& parameters) {
     return {"R", "G", "B"};
 }
 
-BakedTable labelled_table(const Parameters& parameters, AssetLabel label) {
-    BakedTable table;
+Baked labelled_table(const Parameters& parameters, AssetLabel label) {
+    Baked table;
     table.conventions = sky_conventions(parameters);
     table.name = std::move(label.name);
     table.channel_names = colour_names(parameters);
@@ -36,16 +36,16 @@ BakedTable labelled_table(const Parameters& parameters, AssetLabel label) {
     return table;
 }
 
-BakedVolume labelled_volume(AssetLabel label) {
-    BakedVolume volume;
+Baked labelled_volume(AssetLabel label) {
+    Baked volume;
     volume.name = std::move(label.name);
     volume.parameters = std::move(label.parameters);
     volume.details = std::move(label.details);
     return volume;
 }
 
-BakedVolume labelled_sky_volume(const Parameters& parameters, AssetLabel label) {
-    BakedVolume volume = labelled_volume(std::move(label));
+Baked labelled_sky_volume(const Parameters& parameters, AssetLabel label) {
+    Baked volume = labelled_volume(std::move(label));
     volume.conventions = sky_conventions(parameters);
     return volume;
 }

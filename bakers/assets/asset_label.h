@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/facts.h"
 #include "config/sections/parameters.h"
 
@@ -21,10 +20,10 @@ struct AssetLabel {
 std::vector<std::string> colour_names(const config::Parameters& parameters);
 
 // Of an asset of the sky, whose bakers add what the values are.
-BakedTable labelled_table(const config::Parameters& parameters, AssetLabel label);
-BakedVolume labelled_sky_volume(const config::Parameters& parameters, AssetLabel label);
+Baked labelled_table(const config::Parameters& parameters, AssetLabel label);
+Baked labelled_sky_volume(const config::Parameters& parameters, AssetLabel label);
 
 // Of any other.
-BakedVolume labelled_volume(AssetLabel label);
+Baked labelled_volume(AssetLabel label);
 
 }  // namespace skybake

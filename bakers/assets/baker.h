@@ -7,22 +7,17 @@
 
 #include <filesystem>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "bakers/assets/asset_label.h"
 #include "bakers/assets/estimate.h"
 #include "bakers/assets/probe_places.h"
-#include "bakers/field/baked_table.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-// A table holds its texels, a volume can make its voxels.
-using BakedAsset = std::variant<BakedTable, BakedVolume>;
 
 // A file besides the recipe that an asset is made from.
 struct InputFile {
@@ -34,8 +29,8 @@ template <class Asset>
 struct Baker {
     int version = 0;  // raised when its bytes change for equal parameters
     // `label` has what all assets say of themselves: name, parameters, details.
-    config::Outcome<BakedAsset> (*bake)(const config::Parameters& parameters, const Asset& asset,
-                                        const BakeOptions& options, AssetLabel label) = nullptr;
+    config::Outcome<Baked> (*bake)(const config::Parameters& parameters, const Asset& asset,
+                                   const BakeOptions& options, AssetLabel label) = nullptr;
     Estimate (*estimate)(const config::Parameters& parameters, const Asset& asset) = nullptr;
     // How a runtime looks up what the probes name, of a table or volume as it is stored.
     AssetPlaces (*places)(const config::Parameters& parameters, const Asset& asset,
@@ -59,13 +54,5 @@ struct BakerTag {
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop
 #endif
-
-template <class Baked>
-config::Outcome<BakedAsset> as_asset(config::Outcome<Baked> baked) {
-    config::Outcome<BakedAsset> outcome;
-    outcome.diagnostics = std::move(baked.diagnostics);
-    if (baked.value) outcome.value = std::move(*baked.value);
-    return outcome;
-}
 
 }  // namespace skybake

@@ -8,20 +8,21 @@
 
 namespace skybake {
 
-using config::VolumeFiles;
+using config::AssetFiles;
 using Size = std::array<int, 3>;
 
 namespace {
 
 // Seconds to store a byte, measured with deflate and without.
-double seconds_per_byte(config::VolumeFormat format, const VolumeFiles& files) {
+double seconds_per_byte(config::FileFormat format, const AssetFiles& files) {
     constexpr double kDeflate = 2e-8;
     constexpr double kCopy = 1e-9;
-    if (format == config::VolumeFormat::exr) {
+    if (format == config::FileFormat::exr) {
         return files.compression == config::Compression::none ? kCopy : kDeflate;
     }
     const bool deflates =
-        format == config::VolumeFormat::vdb && files.vdb_compression == config::VdbCompression::zip;
+        format == config::FileFormat::png ||
+        (format == config::FileFormat::vdb && files.vdb_compression == config::VdbCompression::zip);
     return deflates ? kDeflate : kCopy;
 }
 
@@ -50,19 +51,24 @@ double voxels_of(const Size& size, int levels) {
     return voxels;
 }
 
-Estimate estimate_texels(const std::array<int, 2>& size, config::PixelType type,
+Estimate estimate_texels(const AssetFiles& files, const std::array<int, 2>& size,
                          double seconds_per_texel, double certification) {
     Estimate result;
     result.size.assign(size.begin(), size.end());
     const double texels = static_cast<double>(size[0]) * size[1];
-    const double bytes_per_texel = type == config::PixelType::half ? 6 : 12;
+    constexpr double kChannels = 3;
+    constexpr double kBytesInDouble = 8;
+    const double bytes = voxels_of({size[0], size[1], 1}, files.mips) * kChannels *
+                         bytes_per_value(files.pixel_type);
     result.seconds = texels * seconds_per_texel + certification;
-    result.memory_mib = (texels * (24 + 12 + bytes_per_texel) + 8e6) / kMebibyte;
-    result.disk_mib = texels * bytes_per_texel / kMebibyte;
+    // As computed, as stored, and once more while a file is written.
+    result.memory_mib =
+        (texels * kChannels * (kBytesInDouble + sizeof(float)) + bytes + 8e6) / kMebibyte;
+    result.disk_mib = bytes * static_cast<double>(files.formats.size()) / kMebibyte;
     return result;
 }
 
-Estimate estimate_volume(const VolumeFiles& files, const Size& size, std::size_t channels,
+Estimate estimate_volume(const AssetFiles& files, const Size& size, std::size_t channels,
                          double seconds_per_voxel) {
     const double voxels = voxels_of(size, files.mips);
     const double bytes = voxels * static_cast<double>(channels) * bytes_per_value(files.pixel_type);
@@ -71,7 +77,7 @@ Estimate estimate_volume(const VolumeFiles& files, const Size& size, std::size_t
     result.size.assign(size.begin(), size.end());
     // The voxels are made once to be measured, and again for each file.
     result.seconds = voxels * seconds_per_voxel * (1.0 + formats);
-    for (const config::VolumeFormat format : files.formats) {
+    for (const config::FileFormat format : files.formats) {
         result.seconds += bytes * seconds_per_byte(format, files);
     }
     // Boxes on their way, as floats and as the file stores them.

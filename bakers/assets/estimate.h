@@ -32,17 +32,17 @@ double octaves_of(const config::Noise& noise);
 double voxels_of(const std::array<int, 3>& size, int levels);
 
 // `certification` is what measuring takes, in seconds.
-Estimate estimate_texels(const std::array<int, 2>& size, config::PixelType type,
+Estimate estimate_texels(const config::AssetFiles& files, const std::array<int, 2>& size,
                          double seconds_per_texel, double certification);
 
 // Of an asset with `size`, or `max_error` in its place.
 template <class Asset>
 Estimate estimate_table(const Asset& asset, double seconds_per_texel, double certification) {
     const std::array<int, 2> size = asset.max_error ? std::array<int, 2>{} : asset.size;
-    return estimate_texels(size, asset.pixel_type, seconds_per_texel, certification);
+    return estimate_texels(asset, size, seconds_per_texel, certification);
 }
 
-Estimate estimate_volume(const config::VolumeFiles& files, const std::array<int, 3>& size,
+Estimate estimate_volume(const config::AssetFiles& files, const std::array<int, 3>& size,
                          std::size_t channels, double seconds_per_voxel);
 
 }  // namespace skybake

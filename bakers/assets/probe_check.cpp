@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
-#include <variant>
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/finish_table.h"
@@ -24,25 +23,7 @@ struct CheckedProbes {
     int checks = 0;
 };
 
-void check_places(const ManifestAsset& asset, const TablePlaces& places, CheckedProbes& checked) {
-    for (const Probe& probe : asset.probes) {
-        ++checked.checks;
-        if (probe.at.size() != places.coordinates) {
-            checked.failures.push_back(
-                fmt::format("a probe does not have {} coordinates", places.coordinates));
-            continue;
-        }
-        const std::array<double, 2> uv = places.uv(probe);
-        if (std::fabs(uv[0] - probe.uv[0]) > 1e-9 || std::fabs(uv[1] - probe.uv[1]) > 1e-9) {
-            checked.failures.push_back(
-                fmt::format("{} is at uv {:.9g}, {:.9g}, not at {:.9g}, {:.9g}",
-                            place_text(probe.at), uv[0], uv[1], probe.uv[0], probe.uv[1]));
-        }
-    }
-}
-
-bool are_alike(const VolumeUvw& found, const VolumeUvw& wanted,
-               const std::array<bool, 3>& repeats) {
+bool are_alike(const Uvw& found, const Uvw& wanted, const std::array<bool, 3>& repeats) {
     for (std::size_t i = 0; i < 3; ++i) {
         double apart = found[i] - wanted[i];
         if (repeats[i]) apart -= std::round(apart);
@@ -52,7 +33,7 @@ bool are_alike(const VolumeUvw& found, const VolumeUvw& wanted,
 }
 
 // An empty text where the probe's place and its texture coordinates are one.
-std::string problem_of(const VolumeProbe& probe, int level, const VolumePlaces& lookup,
+std::string problem_of(const Probe& probe, int level, const AssetPlaces& lookup,
                        const std::array<bool, 3>& repeats) {
     const bool named = std::equal(
         probe.at.begin(), probe.at.end(), lookup.names.begin(), lookup.names.end(),
@@ -60,7 +41,7 @@ std::string problem_of(const VolumeProbe& probe, int level, const VolumePlaces& 
     if (!named) {
         return fmt::format("the coordinates of a probe are not {}", fmt::join(lookup.names, ", "));
     }
-    const std::vector<ProbeLookup> wanted = lookup.lookups(probe.at, level);
+    const std::vector<ProbeLookup> wanted = lookup.lookups(probe, level);
     bool alike = are_alike(probe.uvw, wanted.front().uvw, repeats) &&
                  probe.blend.has_value() == (wanted.size() > 1);
     if (alike && probe.blend) {
@@ -72,10 +53,10 @@ std::string problem_of(const VolumeProbe& probe, int level, const VolumePlaces& 
                        fmt::join(wanted.front().uvw, ", "), fmt::join(probe.uvw, ", "));
 }
 
-void check_places(const ManifestAsset& asset, const VolumePlaces& places, CheckedProbes& checked) {
-    const std::array<bool, 3> repeats = repeating_axes(asset.mapping);
+void check_places(const ManifestAsset& asset, const AssetPlaces& places, CheckedProbes& checked) {
+    const std::array<bool, 3> repeats = repeating_axes(asset.axes);
     for (std::size_t level = 0; level < asset.levels.size(); ++level) {
-        for (const VolumeProbe& probe : asset.levels[level].probes) {
+        for (const Probe& probe : asset.levels[level].probes) {
             ++checked.checks;
             std::string problem = problem_of(probe, static_cast<int>(level), places, repeats);
             if (!problem.empty()) checked.failures.push_back(std::move(problem));
@@ -103,13 +84,8 @@ std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     }
     const AssetPlaces places =
         baker_of(*own).places(recipe.value->parameters, *own, {asset.mapping, asset.size});
-    if (asset.is_volume() != std::holds_alternative<VolumePlaces>(places)) {
-        ++checks;
-        return {asset.is_volume() ? "its parameters are not those of a volume"
-                                  : "its parameters are not those of a table"};
-    }
     CheckedProbes checked;
-    std::visit([&](const auto& of) { check_places(asset, of, checked); }, places);
+    check_places(asset, places, checked);
     checks += checked.checks;
     return checked.failures;
 }

@@ -6,12 +6,11 @@
 #include <functional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/field/baked_table.h"
-#include "bakers/field/make_probe.h"
+#include "bakers/field/baked.h"
+#include "bakers/field/choose_probes.h"
 #include "bakers/field/wrong_lookups.h"
 #include "config/sections/atmosphere.h"
 
@@ -23,27 +22,19 @@ struct StoredTexels {
     std::vector<int> size;
 };
 
-// Of a table. The names of its coordinates are in its mapping.
-struct TablePlaces {
-    std::size_t coordinates = 2;  // of a probe
-    std::function<std::array<double, 2>(const Probe& probe)> uv;
-};
+using Uvw = std::array<double, 3>;  // texture coordinates; w of a table is 1/2
 
-// Of a volume: the names of the coordinates, and what a runtime makes of the values, in this order.
-struct VolumePlaces {
+// The names of a probe's coordinates, and what a runtime makes of their values.
+struct AssetPlaces {
     std::vector<std::string> names;
-    std::function<std::vector<ProbeLookup>(const Place& at, int level)> lookups;
+    std::function<std::vector<ProbeLookup>(const Probe& probe, int level)> lookups;
 };
 
-using AssetPlaces = std::variant<TablePlaces, VolumePlaces>;
-
-using VolumeUvw = std::array<double, 3>;
-
-// A volume that is looked up once, in all levels alike.
-inline VolumePlaces single_lookup(std::vector<std::string> names,
-                                  std::function<VolumeUvw(const Place& at)> uvw) {
-    return {std::move(names), [uvw = std::move(uvw)](const Place& at, int) {
-                return std::vector<ProbeLookup>{{uvw(at)}};
+// Of an asset that is looked up once, in all levels alike.
+inline AssetPlaces single_lookup(std::vector<std::string> names,
+                                 std::function<Uvw(const Place& at)> uvw) {
+    return {std::move(names), [uvw = std::move(uvw)](const Probe& probe, int) {
+                return std::vector<ProbeLookup>{{uvw(probe.at)}};
             }};
 }
 

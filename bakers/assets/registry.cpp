@@ -66,8 +66,8 @@ std::string asset_parameters(const config::Recipe& recipe, const Bake& bake) {
     return config::parameters_toml(recipe, reads);
 }
 
-Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const Bake& bake,
-                               const BakeOptions& options) {
+Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
+                          const BakeOptions& options) {
     std::vector<config::Diagnostic> problems = check_particles(recipe.parameters);
     if (!problems.empty()) return {{}, std::move(problems)};
     const AnyBaker& baker = baker_of(bake);
@@ -76,15 +76,6 @@ Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const Bake& bake,
     label.parameters = asset_parameters(recipe, bake);
     label.details.emplace_back("baker_version", static_cast<double>(baker.version));
     return baker.bake(recipe.parameters, bake, options, std::move(label));
-}
-
-Outcome<BakedTable> bake_table(const config::Recipe& recipe, const Bake& bake,
-                               const BakeOptions& options) {
-    Outcome<BakedAsset> baked = bake_asset(recipe, bake, options);
-    Outcome<BakedTable> outcome;
-    outcome.diagnostics = std::move(baked.diagnostics);
-    if (baked.value) outcome.value = std::get<BakedTable>(std::move(*baked.value));
-    return outcome;
 }
 
 }  // namespace skybake

@@ -21,8 +21,8 @@ struct AnyBaker {
     std::function<AssetPlaces(const config::Parameters&, const config::Bake&, const StoredTexels&)>
         places;
     std::function<void(config::Bake&, int most_voxels)> draft;
-    std::function<config::Outcome<BakedAsset>(const config::Parameters&, const config::Bake&,
-                                              const BakeOptions&, AssetLabel)>
+    std::function<config::Outcome<Baked>(const config::Parameters&, const config::Bake&,
+                                         const BakeOptions&, AssetLabel)>
         bake;
 };
 
@@ -36,11 +36,7 @@ const AnyBaker& baker_of(const config::Bake& bake);
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
 
 // Bakes one section of a recipe.
-config::Outcome<BakedAsset> bake_asset(const config::Recipe& recipe, const config::Bake& bake,
-                                       const BakeOptions& options);
-
-// The same of a section that asks for a table, and only of such a one.
-config::Outcome<BakedTable> bake_table(const config::Recipe& recipe, const config::Bake& bake,
-                                       const BakeOptions& options);
+config::Outcome<Baked> bake_asset(const config::Recipe& recipe, const config::Bake& bake,
+                                  const BakeOptions& options);
 
 }  // namespace skybake

@@ -6,7 +6,7 @@
 
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/column_field.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 
 namespace skybake::cloud {
 

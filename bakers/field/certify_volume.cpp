@@ -16,7 +16,7 @@ namespace {
 
 using Coordinates = std::array<double, 3>;
 
-std::vector<double> look_up(const StoredVoxels& voxels, const VolumeLevel& level,
+std::vector<double> look_up(const StoredVoxels& voxels, const Level& level,
                             const Coordinates& uvw) {
     const std::array<VoxelTap, 8> taps = trilinear_taps(level.size, uvw, level.repeats);
     const std::vector<float> values = voxels.at(taps);
@@ -29,7 +29,7 @@ std::vector<double> look_up(const StoredVoxels& voxels, const VolumeLevel& level
     return result;
 }
 
-std::vector<double> shares_of_range(const VolumeLevel& level, const std::vector<double>& found,
+std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
                                     const std::vector<double>& wanted) {
     std::vector<double> errors;
     for (std::size_t c = 0; c < found.size(); ++c) {
@@ -41,9 +41,9 @@ std::vector<double> shares_of_range(const VolumeLevel& level, const std::vector<
 }
 
 // Compares lookups with the reference at places, in tiles.
-VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
-                     const VolumeReference& reference, const std::vector<Coordinates>& places,
-                     const VolumeComparison& comparison, const BakeOptions& options) {
+VolumeErrors measure(const Level& level, config::PixelType type, const VolumeReference& reference,
+                     const std::vector<Coordinates>& places, const VolumeComparison& comparison,
+                     const BakeOptions& options) {
     const StoredVoxels voxels(level, type);
     std::vector<std::vector<double>> errors(places.size());
     constexpr int kTile = 32;
@@ -73,12 +73,12 @@ VolumeErrors measure(const VolumeLevel& level, config::PixelType type,
 
 }  // namespace
 
-std::vector<double> look_up(const VolumeLevel& level, config::PixelType type,
+std::vector<double> look_up(const Level& level, config::PixelType type,
                             const std::array<double, 3>& uvw) {
     return look_up(StoredVoxels(level, type), level, uvw);
 }
 
-VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
+VolumeErrors measure_lookups(const Level& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options, const VolumeComparison& comparison) {
     std::vector<Coordinates> places;
@@ -93,7 +93,7 @@ VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
     return measure(level, type, reference, places, comparison, options);
 }
 
-VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
+VolumeErrors measure_voxels(const Level& level, config::PixelType type,
                             const VolumeReference& reference, int count, const BakeOptions& options,
                             const VolumeComparison& comparison) {
     std::vector<Coordinates> places;

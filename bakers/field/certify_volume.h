@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {
@@ -38,17 +38,17 @@ struct VolumeErrors {
 
 // Trilinear lookups of the voxels as stored, repeated or clamped as level.repeats says, at `count`
 // points of the fixed set; at the voxel itself along axes that have but one.
-VolumeErrors measure_lookups(const VolumeLevel& level, config::PixelType type,
+VolumeErrors measure_lookups(const Level& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options, const VolumeComparison& comparison = {});
 
 // The voxels themselves: those that the same set falls into.
-VolumeErrors measure_voxels(const VolumeLevel& level, config::PixelType type,
+VolumeErrors measure_voxels(const Level& level, config::PixelType type,
                             const VolumeReference& reference, int count, const BakeOptions& options,
                             const VolumeComparison& comparison = {});
 
 // What a lookup of the stored voxels finds, one value per channel.
-std::vector<double> look_up(const VolumeLevel& level, config::PixelType type,
+std::vector<double> look_up(const Level& level, config::PixelType type,
                             const std::array<double, 3>& uvw);
 
 }  // namespace skybake

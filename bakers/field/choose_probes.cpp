@@ -357,6 +357,17 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
     return set;
 }
 
+Probe as_probe(TakenProbe taken) {
+    Probe probe;
+    const std::vector<ProbeLookup>& lookups = taken.place.lookups;
+    probe.uvw = lookups.front().uvw;
+    if (lookups.size() > 1) probe.blend = BlendedLookup{lookups[1].uvw, lookups[1].share};
+    probe.value = std::move(taken.value.value);
+    probe.tolerance = std::move(taken.value.tolerance);
+    probe.at = std::move(taken.place.at);
+    return probe;
+}
+
 std::optional<config::Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set) {
     if (set.missed.empty()) return std::nullopt;
     config::Diagnostic diagnostic;

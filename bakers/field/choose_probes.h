@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/wrong_lookups.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
@@ -31,9 +32,12 @@ struct ProbedTexture {
     std::vector<double> largest;  // per channel: the largest absolute value
 };
 
+// The physical coordinates of an error or of a probe: {"altitude_km", 0.5}.
+using Place = std::vector<std::pair<std::string, double>>;
+
 // A place that a probe may have.
 struct ProbePlace {
-    std::vector<std::pair<std::string, double>> at;  // physical coordinates
+    Place at;
     std::vector<ProbeLookup> lookups;
 };
 
@@ -60,6 +64,8 @@ struct TakenProbe {
     ProbePlace place;
     ProbeValue value;
 };
+
+Probe as_probe(TakenProbe taken);
 
 struct ProbeSet {
     std::vector<TakenProbe> probes;

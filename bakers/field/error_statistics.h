@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 
 namespace skybake {
 

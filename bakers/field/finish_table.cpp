@@ -7,8 +7,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bakers/field/mip_source.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/smallest_table.h"
+#include "bakers/field/survey_volume.h"
+#include "bakers/field/voxel_bytes.h"
+#include "bakers/math/low_discrepancy.h"
 
 namespace skybake {
 
@@ -46,11 +50,11 @@ LevelChoice choose_level(const TableModel& model, const AccuracyRequest& request
     return choice;
 }
 
-std::optional<Diagnostic> check_range(const Image2<double>& texels, const BakedTable& table,
-                                      const std::function<Place(double x, double y)>& place_of,
-                                      const TableModel& model) {
+std::optional<Diagnostic> check_range(const Image2<double>& texels, const Baked& table,
+                                      const PlaceOf& place_of, const TableModel& model) {
+    const Image2<float>& image = table.image();
     for (std::size_t i = 0; i < texels.texels.size(); ++i) {
-        const float stored = table.image.texels[i];
+        const float stored = image.texels[i];
         const double value = texels.texels[i];
         if (std::isfinite(stored) && value >= model.lowest && value <= model.highest) continue;
         const auto texel = static_cast<int>(i / static_cast<std::size_t>(texels.channels));
@@ -68,15 +72,41 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const BakedT
                            fmt::format("`{}`: the value at {} is {:.6g}, outside [{:g}, {:g}]",
                                        table.name, place, value, model.lowest, model.highest));
         }
-        return failure("E0402",
-                       fmt::format("`{}`: {} of {} values are beyond what {} holds; the first is "
-                                   "{:.6g} at {}",
-                                   table.name, table.range.above_range, texels.texels.size(),
-                                   table.pixel_type == config::PixelType::half ? "half" : "float",
-                                   value, place),
-                       "bake it as float, or bake transmittance");
+        return failure(
+            "E0402",
+            fmt::format("`{}`: {} of {} values are outside {}; the first is {:.6g} at {}",
+                        table.name, table.range.above_range, texels.texels.size(),
+                        range_text(table.pixel_type), value, place),
+            "bake it as float, or bake transmittance");
     }
     return std::nullopt;
+}
+
+// Where the probes of a table may lie: coordinates (x, y) in [0, 1], of which model.probe_place
+// moves some, told by their places.
+ProbeSpace table_space(const TableModel& model, std::array<int, 2> size, PlaceOf place_of) {
+    // Corners, edges, the middle, and places between texels about them, before those that are
+    // spread evenly.
+    static const std::vector<std::array<double, 3>> kFirst = {
+        {0, 0},          {1, 0},          {0, 1},          {1, 1},         {0.5, 0},
+        {0.5, 1},        {0, 0.5},        {1, 0.5},        {0.5, 0.5},     {0.25, 0.125},
+        {0.75, 0.125},   {0.981, 0.0131}, {0.996, 0.0041}, {0.4871, 0.02}, {0.5129, 0.02},
+        {0.4613, 0.297}, {0.6173, 0.711}, {0.873, 0.5491}, {0.127, 0.867}, {0.968, 0.871}};
+    constexpr int kPlaces = 256;
+    ProbeSpace space;
+    space.wanted = kFirst;
+    for (const PointRow& point : low_discrepancy_points(kPlaces, 1)) {
+        space.wanted.push_back({point.x.front(), point.y, 0});
+    }
+    space.place = [model, size,
+                   place_of = std::move(place_of)](const std::array<double, 3>& wanted) {
+        std::array<double, 2> xy = {wanted[0], wanted[1]};
+        if (model.probe_place) xy = model.probe_place(xy[0], xy[1]);
+        return ProbePlace{
+            place_of(xy[0], xy[1]),
+            {{{lookup_u(model, xy[0], size[0]), lookup_v(model, xy[1], size[1]), 0.5}}}};
+    };
+    return space;
 }
 
 }  // namespace
@@ -89,13 +119,11 @@ std::string place_text(const Place& place) {
     return text;
 }
 
-Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest& request,
-                                 const BakeOptions& options,
-                                 const std::function<Place(double x, double y)>& place_of,
-                                 BakedTable table) {
+Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
+                             const BakeOptions& options, const PlaceOf& place_of, Baked table) {
     const PointCounts counts = points_of(request, options.certification);
     const bool certify = options.certification != Certification::off;
-    Outcome<BakedTable> outcome;
+    Outcome<TablePart> outcome;
 
     // The choice is made by points of its own: how a table is certified must not change its texels.
     std::array<int, 2> size = request.size;
@@ -141,7 +169,7 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
     const Image2<double> values = bake_texels(model, level, size, options);
     table.bake_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    table.image = store_texels(values, table.pixel_type, table.range);
+    set_image(store_texels(values, table.pixel_type, table.range), table);
     if (options.cancelled()) return outcome;
     if (const auto problem = check_range(values, table, place_of, model)) {
         outcome.diagnostics.push_back(*problem);
@@ -169,21 +197,185 @@ Outcome<BakedTable> finish_table(const TableModel& model, const AccuracyRequest&
             texels = reference_texels(model, size, counts, options);
         }
         if (options.cancelled()) return outcome;
-        const MeasuredErrors lookup = measure_lookups(model, table.image, points);
-        table.certificate.texel = measure_lookups(model, table.image, *texels).figures;
+        const MeasuredErrors lookup = measure_lookups(model, table.image(), points);
+        table.certificate.texel = measure_lookups(model, table.image(), *texels).figures;
         table.certificate.texel_points = texels->count();
         table.certificate.lookup = lookup.figures;
         table.certificate.lookup_points = points.count();
         table.certificate.worst = place_text(place_of(lookup.worst[0], lookup.worst[1]));
     }
-    const auto weak = add_probes({table_space(model, size, place_of)}, options, table);
-    if (options.cancelled()) return outcome;
-    if (weak) {
-        outcome.diagnostics.push_back(*weak);
-        return outcome;
-    }
-    outcome.value = std::move(table);
+    outcome.value = TablePart{std::move(table), table_space(model, size, place_of)};
     return outcome;
+}
+
+namespace {
+
+ProbedTexture probed_texture(const Image2<float>& image, const Level& level,
+                             config::PixelType type) {
+    ProbedTexture texture;
+    texture.texture = readable_texture(image);
+    texture.texture.use = {level.size, level.repeats, level.nearest};
+    texture.dimensions = 2;
+    texture.type = type;
+    const auto channels = static_cast<std::size_t>(image.channels);
+    texture.largest.assign(channels, 0);
+    for (std::size_t i = 0; i < image.texels.size(); ++i) {
+        double& largest = texture.largest[i % channels];
+        largest = std::max(largest, std::fabs(double{image.texels[i]}));
+    }
+    return texture;
+}
+
+// The places of table `part` of `parts` that are one below the other.
+ProbePlaces below_each_other(ProbePlaces place, int part, int parts) {
+    return [place = std::move(place), part, parts](const std::array<double, 3>& wanted) {
+        ProbePlace result = place(wanted);
+        for (ProbeLookup& lookup : result.lookups) {
+            lookup.uvw[1] = (part + lookup.uvw[1]) / parts;
+        }
+        return result;
+    };
+}
+
+// Of probes of a table, and of each table of several.
+constexpr int kTableProbes = 24;
+constexpr int kProbesOfPart = 12;
+
+// Both are figures of so many points.
+void add_errors(const ErrorFigures& part, int part_points, ErrorFigures& sum, int points) {
+    sum.max = std::fmax(sum.max, part.max);
+    const double squares = sum.rms * sum.rms * points + part.rms * part.rms * part_points;
+    sum.rms = points + part_points > 0 ? std::sqrt(squares / (points + part_points)) : 0;
+}
+
+void add_certificate(const Certificate& part, Certificate& sum) {
+    if (part.lookup.max > sum.lookup.max) sum.worst = part.worst;
+    add_errors(part.texel, part.texel_points, sum.texel, sum.texel_points);
+    add_errors(part.lookup, part.lookup_points, sum.lookup, sum.lookup_points);
+    sum.texel_points += part.texel_points;
+    sum.lookup_points += part.lookup_points;
+}
+
+// All values of a source of one slice.
+void fill_image(const VoxelSource& source, Image2<float>& image) {
+    const auto channels = static_cast<std::size_t>(image.channels);
+    const std::size_t count = image.texels.size() / channels;
+    std::vector<float> planes(image.texels.size());
+    std::vector<float*> targets;
+    for (std::size_t c = 0; c < channels; ++c) targets.push_back(&planes[c * count]);
+    source.fill({{}, {image.width, image.height, 1}}, targets);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            image.texels[i * channels + c] = planes[c * count + i];
+        }
+    }
+}
+
+// Adds levels that are means of the one before, taken before rounding.
+void add_levels(Baked& table) {
+    std::shared_ptr<const VoxelSource> finer = table.levels.front().voxels;
+    while (static_cast<int>(table.levels.size()) < table.mips) {
+        Level level = table.levels.back();
+        const MipSource means(finer, level.size);
+        level.size = next_mip_size(level.size);
+        Image2<float> image(level.size[0], level.size[1], table.image().channels);
+        fill_image(means, image);
+        finer = std::make_shared<HeldTexels>(image);
+        round_values(image.texels.data(), image.texels.size(), table.pixel_type);
+        level.voxels = std::make_shared<HeldTexels>(std::move(image));
+        table.levels.push_back(std::move(level));
+    }
+}
+
+// From 0, or the least value where that is below, to the largest.
+std::vector<std::array<double, 2>> histogram_ranges(const Image2<float>& image) {
+    std::vector<std::array<double, 2>> ranges(static_cast<std::size_t>(image.channels));
+    for (std::size_t i = 0; i < image.texels.size(); ++i) {
+        auto& [least, largest] = ranges[i % ranges.size()];
+        least = std::min(least, double{image.texels[i]});
+        largest = std::max(largest, double{image.texels[i]});
+    }
+    for (auto& [least, largest] : ranges) {
+        if (largest == least) largest = least + 1;
+    }
+    return ranges;
+}
+
+std::optional<Diagnostic> add_probes(const std::vector<ProbeSpace>& spaces,
+                                     const BakeOptions& options, const Baked& table, Level& level) {
+    const int count = std::max(kTableProbes, kProbesOfPart * static_cast<int>(spaces.size()));
+    const Image2<float>& image = static_cast<const HeldTexels&>(*level.voxels).image();
+    ProbeSet set =
+        take_probes(probed_texture(image, level, table.pixel_type), spaces, count, options);
+    if (const auto problem = weak_probes(table.name, set)) return problem;
+    for (TakenProbe& taken : set.probes) level.probes.push_back(as_probe(std::move(taken)));
+    level.catches = std::move(set.catches);
+    return std::nullopt;
+}
+
+// Surveys all levels and chooses their probes.
+std::vector<Diagnostic> look_over(const std::vector<ProbeSpace>& spaces, const BakeOptions& options,
+                                  Baked& table) {
+    // Texels of level 0 were counted before they were rounded.
+    const RangeCounts counted = table.range;
+    const auto ranges = histogram_ranges(table.image());
+    for (std::size_t i = 0; i < table.levels.size(); ++i) {
+        auto problems = survey_level(table, static_cast<int>(i), ranges, options);
+        if (!problems.empty() || options.cancelled()) return problems;
+        if (i == 0) table.range = counted;
+        if (auto weak = add_probes(spaces, options, table, table.levels[i])) return {*weak};
+    }
+    return {};
+}
+
+// The images of all parts below each other.
+Image2<float> stacked_image(const std::vector<TablePart>& parts) {
+    const Image2<float>& first = parts.front().table.image();
+    Image2<float> stack(first.width, first.height * static_cast<int>(parts.size()), first.channels);
+    stack.texels.clear();
+    for (const TablePart& part : parts) {
+        const std::vector<float>& texels = part.table.image().texels;
+        stack.texels.insert(stack.texels.end(), texels.begin(), texels.end());
+    }
+    return stack;
+}
+
+}  // namespace
+
+Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options) {
+    const auto count = static_cast<int>(parts.size());
+    std::vector<ProbeSpace> spaces;
+    for (int k = 0; k < count; ++k) {
+        ProbeSpace& space = parts[static_cast<std::size_t>(k)].space;
+        spaces.push_back({below_each_other(std::move(space.place), k, count), space.wanted});
+    }
+    Image2<float> image = stacked_image(parts);
+    Baked table = std::move(parts.front().table);
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+        const Baked& part = parts[k].table;
+        table.range.below_normal += part.range.below_normal;
+        table.range.above_range += part.range.above_range;
+        table.bake_seconds += part.bake_seconds;
+        add_certificate(part.certificate, table.certificate);
+    }
+    set_image(std::move(image), table);
+    add_levels(table);
+    std::vector<Diagnostic> problems = look_over(spaces, options, table);
+    if (options.cancelled()) return {};
+    if (!problems.empty()) return {{}, std::move(problems)};
+    return {std::move(table), {}};
+}
+
+Outcome<Baked> finish_table(const TableModel& model, const AccuracyRequest& request,
+                            const BakeOptions& options, const PlaceOf& place_of, Baked table) {
+    Outcome<TablePart> part = make_part(model, request, options, place_of, std::move(table));
+    if (!part.value) return {{}, std::move(part.diagnostics)};
+    std::vector<TablePart> parts;
+    parts.push_back(std::move(*part.value));
+    Outcome<Baked> finished = stack_tables(std::move(parts), options);
+    finished.diagnostics.insert(finished.diagnostics.begin(), part.diagnostics.begin(),
+                                part.diagnostics.end());
+    return finished;
 }
 
 }  // namespace skybake

@@ -21,11 +21,11 @@ std::string place_text(const std::array<double, 3>& uvw) {
     return fmt::format("u {:.6g}, v {:.6g}, w {:.6g}", uvw[0], uvw[1], uvw[2]);
 }
 
-void certify(const VolumeFinish& finish, const BakeOptions& options, BakedVolume& volume) {
+void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volume) {
     constexpr int kDearPoints = 64;
     constexpr int kQuickPoints = 1024;
     constexpr int kFullPoints = 16384;
-    const VolumeLevel& level = volume.levels.front();
+    const Level& level = volume.levels.front();
     const int quick_points = finish.dear ? kDearPoints : kQuickPoints;
     const int points = options.certification == Certification::full ? kFullPoints : quick_points;
     const auto voxels =
@@ -49,29 +49,20 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, BakedVolume
 
 }  // namespace
 
-void set_files(const config::VolumeFiles& files, BakedVolume& volume) {
-    volume.pixel_type = files.pixel_type;
-    volume.formats = files.formats;
-    volume.layout = files.layout;
-    volume.columns = files.columns;
-    volume.compression = files.compression;
-    volume.vdb_compression = files.vdb_compression;
-}
-
-void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume) {
+void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
     // Levels of no more floats than this are kept, so that those below need not make them again.
     constexpr std::int64_t kKeptFloats = 1 << 23;
     const auto channels = static_cast<int>(volume.channel_names.size());
     while (static_cast<int>(volume.levels.size()) < count && !options.cancelled()) {
-        const VolumeLevel& finer = volume.levels.back();
-        VolumeLevel level;
+        const Level& finer = volume.levels.back();
+        Level level;
         level.size = next_mip_size(finer.size);
         level.repeats = finer.repeats;
         level.voxels = std::make_shared<MipSource>(finer.voxels, finer.size);
         const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
         if (floats <= kKeptFloats) {
-            level.voxels =
-                std::make_shared<StoredSource>(*level.voxels, level.size, channels, options, "mips");
+            level.voxels = std::make_shared<StoredSource>(*level.voxels, level.size, channels,
+                                                          options, "mips");
         }
         volume.levels.push_back(std::move(level));
     }
@@ -80,24 +71,23 @@ void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume) 
 namespace {
 
 std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinish& finish,
-                                                   const BakeOptions& options,
-                                                   BakedVolume& volume) {
+                                                   const BakeOptions& options, Baked& volume) {
     ProbePlaces place;
     if (finish.probe_place) {
         place = [&finish, number](const std::array<double, 3>& uvw) {
             return finish.probe_place(uvw, number);
         };
     }
-    VolumeLevel& level = volume.levels[static_cast<std::size_t>(number)];
-    level.nearest = is_looked_up_nearest(volume.kind);
+    Level& level = volume.levels[static_cast<std::size_t>(number)];
+    level.nearest = is_looked_up_nearest(volume.axes);
     return add_volume_probes(volume.name, place, volume.pixel_type, options, level);
 }
 
 }  // namespace
 
-config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinish& finish,
-                                           const BakeOptions& options) {
-    config::Outcome<BakedVolume> outcome;
+config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
+                                     const BakeOptions& options) {
+    config::Outcome<Baked> outcome;
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
         if (options.cancelled()) return outcome;
         const auto start = std::chrono::steady_clock::now();

@@ -7,20 +7,17 @@
 #include <string>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/certify_volume.h"
 #include "bakers/field/choose_probes.h"
-#include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/files.h"
 
 namespace skybake {
 
-// How the files are to be, as a recipe says it.
-void set_files(const config::VolumeFiles& files, BakedVolume& volume);
-
 // Adds levels that are box means of volume.levels[0], until there are `count`.
-void add_mip_levels(int count, const BakeOptions& options, BakedVolume& volume);
+void add_mip_levels(int count, const BakeOptions& options, Baked& volume);
 
 struct VolumeFinish {
     std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
@@ -30,7 +27,7 @@ struct VolumeFinish {
     VolumeComparison comparison = {};
     // In place of the reference: for volumes that a runtime looks up in another way than between
     // the eight nearest voxels.
-    std::function<Certificate(const BakedVolume& volume, const BakeOptions& options)> measure = {};
+    std::function<Certificate(const Baked& volume, const BakeOptions& options)> measure = {};
     // The physical place of texture coordinates of a level, which are moved to the nearest that a
     // runtime asks for.
     std::function<ProbePlace(const std::array<double, 3>& uvw, int level)> probe_place = {};
@@ -39,7 +36,7 @@ struct VolumeFinish {
 // Surveys all levels, makes their probes, and measures level 0 against the reference unless
 // options.certification is off. E0401, E0402: a voxel that the pixel type cannot hold; E0407: no
 // probes tell a wrong file. No value and no diagnostics after an interruption.
-config::Outcome<BakedVolume> finish_volume(BakedVolume volume, const VolumeFinish& finish,
-                                           const BakeOptions& options);
+config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
+                                     const BakeOptions& options);
 
 }  // namespace skybake

@@ -20,7 +20,7 @@ using UnitPlace = std::array<double, 3>;  // texture coordinates
 
 constexpr int kVolumeProbes = 24;
 
-ProbedTexture probed_volume(const VolumeLevel& level, config::PixelType type) {
+ProbedTexture probed_volume(const Level& level, config::PixelType type) {
     ProbedTexture texture;
     texture.texture.use = {level.size, level.repeats, level.nearest};
     texture.texture.channels = level.statistics.size();
@@ -38,7 +38,7 @@ ProbedTexture probed_volume(const VolumeLevel& level, config::PixelType type) {
 
 // Within half a voxel of either end of each axis, where lookups that repeat and such that are
 // clamped differ.
-void add_seams(const VolumeLevel& level, std::vector<UnitPlace>& places) {
+void add_seams(const Level& level, std::vector<UnitPlace>& places) {
     constexpr int kEach = 4;
     int index = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -58,7 +58,7 @@ void add_even_places(std::vector<UnitPlace>& places) {
 }
 
 // At most so many of the larger peaks, from all over the volume.
-std::vector<VoxelPeak> chosen_peaks(const VolumeLevel& level) {
+std::vector<VoxelPeak> chosen_peaks(const Level& level) {
     constexpr std::size_t kMostPeaks = 24;
     std::vector<float> largest(level.statistics.size());
     for (const VoxelPeak& peak : level.peaks) {
@@ -78,8 +78,8 @@ std::vector<VoxelPeak> chosen_peaks(const VolumeLevel& level) {
 // The slope from a peak along an axis, to one side: where the value falls below half.
 class Slope {
   public:
-    Slope(const VolumeLevel& level, const StoredVoxels& voxels, const VoxelPeak& peak,
-          std::size_t axis, int side)
+    Slope(const Level& level, const StoredVoxels& voxels, const VoxelPeak& peak, std::size_t axis,
+          int side)
         : level_(level), voxels_(voxels), peak_(peak), axis_(axis), side_(side) {}
 
     // Between the two voxels that it lies between; none where it stays above half up to the edge.
@@ -116,7 +116,7 @@ class Slope {
         return voxels_.at(taps)[static_cast<std::size_t>(peak_.channel)] * 2 >= peak_.value;
     }
 
-    const VolumeLevel& level_;
+    const Level& level_;
     const StoredVoxels& voxels_;
     const VoxelPeak& peak_;
     const std::size_t axis_;
@@ -124,7 +124,7 @@ class Slope {
 };
 
 // The peaks, a little beside them, and the slopes about the first of them.
-void add_peaks(const VolumeLevel& level, config::PixelType type, std::vector<UnitPlace>& places) {
+void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace>& places) {
     constexpr std::size_t kWithSlopes = 8;
     const StoredVoxels voxels(level, type);
     const std::vector<VoxelPeak> peaks = chosen_peaks(level);
@@ -156,9 +156,9 @@ void add_peaks(const VolumeLevel& level, config::PixelType type, std::vector<Uni
 
 // A small level with its voxels in memory: making all of them once is cheaper than making the eight
 // of every lookup.
-VolumeLevel held_if_small(const VolumeLevel& level, const BakeOptions& options) {
+Level held_if_small(const Level& level, const BakeOptions& options) {
     constexpr std::int64_t kSmall = 1 << 18;
-    VolumeLevel held = level;
+    Level held = level;
     const auto channels = static_cast<int>(level.statistics.size());
     if (VoxelBox{{}, level.size}.count() <= kSmall) {
         held.voxels =
@@ -171,33 +171,21 @@ ProbePlace texture_place(const UnitPlace& uvw) {
     return {{{"u", uvw[0]}, {"v", uvw[1]}, {"w", uvw[2]}}, {{uvw}}};
 }
 
-VolumeProbe volume_probe(TakenProbe taken) {
-    VolumeProbe probe;
-    const std::vector<ProbeLookup>& lookups = taken.place.lookups;
-    probe.uvw = lookups.front().uvw;
-    if (lookups.size() > 1) probe.blend = BlendedLookup{lookups[1].uvw, lookups[1].share};
-    probe.value = std::move(taken.value.value);
-    probe.tolerance = std::move(taken.value.tolerance);
-    probe.at = std::move(taken.place.at);
-    return probe;
-}
-
 }  // namespace
 
 std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
                                                     const ProbePlaces& place,
                                                     config::PixelType type,
-                                                    const BakeOptions& options,
-                                                    VolumeLevel& level) {
+                                                    const BakeOptions& options, Level& level) {
     ProbeSpace space{place ? place : texture_place, {}};
-    const VolumeLevel readable = held_if_small(level, options);
+    const Level readable = held_if_small(level, options);
     add_seams(readable, space.wanted);
     add_even_places(space.wanted);
     add_peaks(readable, type, space.wanted);
     ProbeSet set = take_probes(probed_volume(readable, type), {space}, kVolumeProbes, options);
     if (const auto problem = weak_probes(asset, set)) return problem;
     level.probes.clear();
-    for (TakenProbe& taken : set.probes) level.probes.push_back(volume_probe(std::move(taken)));
+    for (TakenProbe& taken : set.probes) level.probes.push_back(as_probe(std::move(taken)));
     level.catches = std::move(set.catches);
     return std::nullopt;
 }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
-#include "bakers/field/volume.h"
 
 namespace skybake {
 
@@ -16,6 +16,6 @@ namespace skybake {
 std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
                                                     const ProbePlaces& place,
                                                     config::PixelType type,
-                                                    const BakeOptions& options, VolumeLevel& level);
+                                                    const BakeOptions& options, Level& level);
 
 }  // namespace skybake

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 
 namespace skybake {
 

@@ -1,7 +1,7 @@
 // Rounding to what a file's pixel type can hold, and counting what it holds badly.
 #pragma once
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "config/sections/files.h"
 
 namespace skybake {

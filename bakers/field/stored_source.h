@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {

@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/trilinear.h"
-#include "bakers/field/volume.h"
 
 namespace skybake {
 
 class StoredVoxels {
   public:
     // The level's statistics are known: one per channel.
-    StoredVoxels(const VolumeLevel& level, config::PixelType type) : level_(level), type_(type) {}
+    StoredVoxels(const Level& level, config::PixelType type) : level_(level), type_(type) {}
 
     std::size_t channels() const { return level_.statistics.size(); }
 
@@ -25,7 +25,7 @@ class StoredVoxels {
                     std::vector<float>& values) const;
     void fetch(const VoxelBox& box, std::size_t from, std::vector<float>& values) const;
 
-    const VolumeLevel& level_;
+    const Level& level_;
     config::PixelType type_;
 };
 

@@ -256,7 +256,7 @@ ValueStatistics statistics_of(const Summary& summary, std::array<double, 2> rang
 
 class Survey {
   public:
-    Survey(const BakedVolume& volume, int level,
+    Survey(const Baked& volume, int level,
            const std::vector<std::array<double, 2>>& histogram_ranges, const BakeOptions& options)
         : volume_(volume),
           level_(volume.levels[static_cast<std::size_t>(level)]),
@@ -282,7 +282,7 @@ class Survey {
 
     const std::optional<Diagnostic>& problem() const { return problem_; }
 
-    void fill(VolumeLevel& level, RangeCounts& range) const {
+    void fill(Level& level, RangeCounts& range) const {
         const double count = static_cast<double>(level_.size[0]) * level_.size[1] * level_.size[2];
         level.statistics.clear();
         for (std::size_t c = 0; c < whole_.size(); ++c) {
@@ -366,8 +366,8 @@ class Survey {
         return result;
     }
 
-    const BakedVolume& volume_;
-    const VolumeLevel& level_;
+    const Baked& volume_;
+    const Level& level_;
     const int number_;
     const std::vector<std::array<double, 2>>& ranges_;
     const BakeOptions& options_;
@@ -381,7 +381,7 @@ class Survey {
 
 }  // namespace
 
-std::vector<Diagnostic> survey_level(BakedVolume& volume, int level,
+std::vector<Diagnostic> survey_level(Baked& volume, int level,
                                      const std::vector<std::array<double, 2>>& histogram_ranges,
                                      const BakeOptions& options) {
     Survey survey(volume, level, histogram_ranges, options);

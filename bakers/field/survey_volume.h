@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -21,7 +21,7 @@ inline constexpr int kHistogramBins = 32;
 // it is NaN or infinite, E0402 where it is beyond the type's range. After an interruption
 // (options.progress->cancelled()) nothing is filled and nothing reported.
 std::vector<config::Diagnostic> survey_level(
-    BakedVolume& volume, int level, const std::vector<std::array<double, 2>>& histogram_ranges,
+    Baked& volume, int level, const std::vector<std::array<double, 2>>& histogram_ranges,
     const BakeOptions& options);
 
 }  // namespace skybake

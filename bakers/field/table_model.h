@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/texel_axis.h"
 #include "bakers/math/bake_options.h"
 

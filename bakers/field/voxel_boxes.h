@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 
 namespace skybake {
 

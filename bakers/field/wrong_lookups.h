@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/field/image.h"
 #include "bakers/field/trilinear.h"
 
 namespace skybake {
@@ -36,6 +37,9 @@ struct ReadableTexture {
     std::size_t channels = 0;
     TexelReader read;
 };
+
+// The texels of an image, which must outlive it; its axes are clamped.
+ReadableTexture readable_texture(const Image2<float>& image);
 
 // Adds `share` of the values at texture coordinates to `sum`, one per channel.
 void add_lookup(const ReadableTexture& texture, const TextureUse& use,

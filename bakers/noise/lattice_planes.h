@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/aligned_floats.h"
 #include "bakers/noise/noise_plan.h"
 

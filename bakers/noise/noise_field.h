@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

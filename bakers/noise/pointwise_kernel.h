@@ -4,7 +4,7 @@
 // noise_specification.h bit for bit.
 #pragma once
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

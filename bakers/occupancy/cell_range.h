@@ -26,7 +26,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy.h"

@@ -17,7 +17,7 @@ namespace {
 using config::Outcome;
 
 // The voxels of a level as stored, channels interleaved.
-std::vector<float> stored_voxels(const BakedVolume& volume, const VolumeLevel& level,
+std::vector<float> stored_voxels(const Baked& volume, const Level& level,
                                  const BakeOptions& options) {
     const auto slice =
         static_cast<std::size_t>(level.size[0]) * static_cast<std::size_t>(level.size[1]);
@@ -42,7 +42,7 @@ std::vector<float> stored_voxels(const BakedVolume& volume, const VolumeLevel& l
     return voxels;
 }
 
-PreviewAsset volume_asset(const BakedVolume& volume, const BakeOptions& options,
+PreviewAsset volume_asset(const Baked& volume, const BakeOptions& options,
                           std::vector<std::string>& notes) {
     ManifestAsset entry = describe(volume);
     entry.timing = {volume.bake_seconds, 0, thread_count(options.threads)};
@@ -54,10 +54,10 @@ PreviewAsset volume_asset(const BakedVolume& volume, const BakeOptions& options,
     return asset;
 }
 
-PreviewAsset table_asset(BakedTable table, const BakeOptions& options) {
+PreviewAsset table_asset(const Baked& table, const BakeOptions& options) {
     ManifestAsset entry = describe(table);
     entry.timing = {table.bake_seconds, 0, thread_count(options.threads)};
-    return {std::move(entry), std::move(table.image), {}};
+    return {std::move(entry), table.image(), {}};
 }
 
 class PreviewBake {
@@ -107,16 +107,13 @@ class PreviewBake {
     }
 
     bool add_baked(const config::Bake& bake) {
-        Outcome<BakedAsset> baked = bake_asset(recipe_, bake, options_);
+        Outcome<Baked> baked = bake_asset(recipe_, bake, options_);
         std::move(baked.diagnostics.begin(), baked.diagnostics.end(),
                   std::back_inserter(diagnostics_));
         if (!baked.value) return false;
-        if (const auto* volume = std::get_if<BakedVolume>(&*baked.value)) {
-            shown_.assets.push_back(volume_asset(*volume, options_, shown_.notes));
-        } else {
-            shown_.assets.push_back(
-                table_asset(std::get<BakedTable>(std::move(*baked.value)), options_));
-        }
+        shown_.assets.push_back(baked.value->is_table()
+                                    ? table_asset(*baked.value, options_)
+                                    : volume_asset(*baked.value, options_, shown_.notes));
         return true;
     }
 

@@ -8,12 +8,11 @@
 #include "bakers/assets/registry.h"
 #include "bakers/io/files/file_diagnostic.h"
 #include "bakers/io/files/file_input.h"
-#include "bakers/io/files/spelling.h"
-#include "bakers/io/formats/exr/exr.h"
-#include "bakers/io/formats/read_volume.h"
+#include "bakers/io/formats/format.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/metadata.h"
 #include "bakers/io/manifest/recorded_recipe.h"
-#include "bakers/preview/file_metadata.h"
 #include "bakers/preview/pictures/report_plots.h"
 
 namespace skybake {
@@ -23,45 +22,37 @@ using config::Diagnostic;
 using config::Outcome;
 namespace fs = std::filesystem;
 
-Outcome<PreviewAsset> load_table(const fs::path& path, const ManifestAsset& entry) {
-    Outcome<ExrImage> image = read_exr(path);
-    if (!image.value) return {{}, std::move(image.diagnostics)};
-    const std::vector<int> size = {image.value->pixels.width, image.value->pixels.height};
-    if (size != entry.size || image.value->channel_names != entry.channels) {
-        return {{},
-                {file_error(
-                    "E0304", path.string(),
-                    fmt::format("`{}` is not of the size that its manifest says", path.string()))}};
-    }
-    return {PreviewAsset{entry, std::move(image.value->pixels), {}}, {}};
-}
-
-// `file` holds level 0 of `entry`.
-Outcome<PreviewAsset> load_volume(const fs::path& path, const ManifestAsset& entry,
-                                  ManifestFile file) {
-    file.level = 0;
-    PreviewAsset asset{entry, {}, {}};
-    std::size_t values = entry.channels.size();
-    for (const int extent : entry.levels[0].size) values *= static_cast<std::size_t>(extent);
-    asset.voxels.resize(values);
+// A level of `entry`, which the file holds.
+Outcome<PreviewAsset> load_texels(const fs::path& path, const ManifestAsset& entry,
+                                  const ManifestFile& file, int level) {
+    const std::array<int, 3>& size = entry.levels[static_cast<std::size_t>(level)].size;
     const std::size_t channels = entry.channels.size();
-    const auto keep = [&](std::int64_t first, std::int64_t count, const float* voxels) {
-        std::copy_n(voxels, static_cast<std::size_t>(count) * channels,
-                    asset.voxels.begin() +
-                        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first) * channels));
+    std::size_t values = channels;
+    for (const int extent : size) values *= static_cast<std::size_t>(extent);
+    std::vector<float> texels(values);
+    const auto keep = [&](std::int64_t first, std::int64_t count, const float* found) {
+        std::copy_n(found, static_cast<std::size_t>(count) * channels,
+                    &texels[static_cast<std::size_t>(first) * channels]);
         return true;
     };
-    const Outcome<bool> read = read_volume(path, entry, file, keep);
+    const Outcome<bool> read = read_asset_file(path, entry, file, level - file.level, keep);
     if (!read.value) return {{}, read.diagnostics};
+    PreviewAsset asset{at_level(entry, static_cast<std::size_t>(level)), {}, {}};
+    if (entry.is_volume()) {
+        asset.voxels = std::move(texels);
+    } else {
+        asset.table = Image2<float>(size[0], size[1], static_cast<int>(channels));
+        asset.table.texels = std::move(texels);
+    }
     return {std::move(asset), {}};
 }
 
 // The file of a level that is read quickest: VDB needs a module and a walk over its tree.
-const ManifestFile* file_of_level(const ManifestAsset& entry, std::size_t level) {
+const ManifestFile* file_of_level(const ManifestAsset& entry, int level) {
     const ManifestFile* found = nullptr;
     for (const ManifestFile& file : entry.files) {
-        const bool has_voxels = volume_format_of(file.format).has_value();
-        if (file.level != static_cast<int>(level) || !has_voxels) continue;
+        const bool is_held = file.level <= level && level < file.level + file.levels;
+        if (!is_held || find_format(file.format) == nullptr) continue;
         if (found == nullptr || found->format == "vdb") found = &file;
     }
     return found;
@@ -95,20 +86,16 @@ bool has_error(const std::vector<Diagnostic>& diagnostics) {
 // notes, too.
 std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& entry,
                                   PreviewAssets& shown) {
-    std::size_t level = 0;
-    if (entry.is_volume()) {
-        const std::optional<std::size_t> fitting = previewed_level(entry);
-        if (fitting != std::size_t{0}) shown.notes.push_back(level_note(entry, fitting));
-        if (!fitting) {
-            shown.assets.push_back({entry, {}, {}});
-            return {};
-        }
-        level = *fitting;
+    const std::optional<std::size_t> level = previewed_level(entry);
+    if (level != std::size_t{0}) shown.notes.push_back(level_note(entry, level));
+    if (!level) {
+        shown.assets.push_back({entry, {}, {}});
+        return {};
     }
-    const ManifestFile* file = file_of_level(entry, level);
+    const auto number = static_cast<int>(*level);
+    const ManifestFile* file = file_of_level(entry, number);
     if (file == nullptr) return {no_file(entry, folder)};
-    auto asset = entry.is_volume() ? load_volume(folder / file->path, at_level(entry, level), *file)
-                                   : load_table(folder / file->path, entry);
+    auto asset = load_texels(folder / file->path, entry, *file, number);
     if (!asset.value) return std::move(asset.diagnostics);
     shown.assets.push_back(std::move(*asset.value));
     const std::optional<Diagnostic> warning = other_bytes(folder / file->path, *file);
@@ -145,16 +132,20 @@ std::string folder_title(const fs::path& folder) {
     return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
+// An asset reduced to what one of its files holds.
+ManifestAsset alone(const ManifestAsset& asset, const ManifestFile& file) {
+    ManifestAsset entry = at_level(asset, static_cast<std::size_t>(file.level));
+    entry.files = {file};
+    entry.files[0].level = 0;
+    return entry;
+}
+
 // The asset of a manifest that a file belongs to, reduced to that file.
 std::optional<ManifestAsset> claimed_entry(const Manifest& manifest, const fs::path& name) {
     for (const ManifestAsset& asset : manifest.assets) {
         for (const ManifestFile& file : asset.files) {
             if (fs::path(file.path).lexically_normal() != name) continue;
-            ManifestAsset entry =
-                asset.is_volume() ? at_level(asset, static_cast<std::size_t>(file.level)) : asset;
-            entry.files = {file};
-            entry.files[0].level = 0;
-            return entry;
+            return alone(asset, file);
         }
     }
     return std::nullopt;
@@ -162,9 +153,11 @@ std::optional<ManifestAsset> claimed_entry(const Manifest& manifest, const fs::p
 
 // Adds one file by what it says of itself.
 std::vector<Diagnostic> add_unclaimed(const fs::path& path, PreviewAssets& shown) {
-    const Outcome<ManifestAsset> entry = entry_from_metadata(path);
+    const Outcome<ManifestAsset> entry = entry_of_file(path);
     if (!entry.value) return entry.diagnostics;
-    return add_asset(path.parent_path(), *entry.value, shown);
+    ManifestFile file = entry.value->files[0];
+    file.path = path.filename().string();
+    return add_asset(path.parent_path(), alone(*entry.value, file), shown);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

@@ -29,7 +29,8 @@ ManifestAsset at_level(const ManifestAsset& asset, std::size_t level) {
     if (level == 0) return asset;
     ManifestAsset reduced = asset;
     reduced.levels = {asset.levels[level]};
-    reduced.size.assign(reduced.levels[0].size.begin(), reduced.levels[0].size.end());
+    const std::array<int, 3>& size = reduced.levels[0].size;
+    reduced.size.assign(size.begin(), size.begin() + static_cast<long>(asset.axes.size()));
     reduced.content_hash = reduced.levels[0].content_hash;
     return reduced;
 }

@@ -51,8 +51,8 @@ constexpr double kStepsPerTile = 600;
 constexpr double kMarchSteps = 500;
 
 // The values of one channel as stored.
-std::vector<float> stored_channel(const BakedVolume& volume, std::size_t channel, int threads) {
-    const VolumeLevel& level = volume.levels.front();
+std::vector<float> stored_channel(const Baked& volume, std::size_t channel, int threads) {
+    const Level& level = volume.levels.front();
     std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
     const BoxSequence boxes(level.size, 1);
     parallel_for(boxes.count(), threads, [&](int i) {
@@ -219,7 +219,7 @@ Outcome<AssetReport> report_occupancy(const config::Recipe& recipe, const config
     if (!inputs.value) return {{}, inputs.diagnostics};
     const std::array<int, 3> asked = of.size;
     of.size = size_within(asked, max_report_values(options.quick));
-    const BakedVolume volume = make_cloud_volume(cloud, of, *inputs.value, {});
+    const Baked volume = make_cloud_volume(cloud, of, *inputs.value, {});
     const std::vector<float> voxels =
         stored_channel(volume, channel_named(volume, asset.channel), options.threads);
     const MarchedVolume marched_volume = marched(cloud, voxels, {of.size, asset.cell});

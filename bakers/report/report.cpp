@@ -42,7 +42,7 @@ constexpr int kRepetitions = 9;
 constexpr int kQuickRepetitions = 3;
 
 // The quadrature level, from 0, that a bake chose; its details count from 1.
-int chosen_level(const BakedTable& table) {
+int chosen_level(const Baked& table) {
     for (const auto& [name, value] : table.details) {
         if (name == "quadrature_level") return static_cast<int>(std::get<double>(value)) - 1;
     }
@@ -68,14 +68,14 @@ Bake without_texel_bound(const Bake& bake) {
     return result;
 }
 
-bool misses_texel_bound(const Outcome<BakedTable>& baked) {
+bool misses_texel_bound(const Outcome<Baked>& baked) {
     return std::any_of(baked.diagnostics.begin(), baked.diagnostics.end(),
                        [](const config::Diagnostic& found) { return found.code == "E0404"; });
 }
 
-Sweep sweep_of(const Bake& bake, const Medium& medium, const BakedTable& baked,
-               std::optional<int> level, const ReportOptions& options) {
-    const std::array<int, 2> size = {baked.image.width, baked.image.height};
+Sweep sweep_of(const Bake& bake, const Medium& medium, const Baked& baked, std::optional<int> level,
+               const ReportOptions& options) {
+    const std::array<int, 2> size = {baked.image().width, baked.image().height};
     if (const auto* asset = bake.find<TransmittanceBake>()) {
         return transmittance_sweep(medium, *asset, size, options.quick);
     }
@@ -88,12 +88,12 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     Outcome<AssetReport> outcome;
     const BakeOptions bake_options{.threads = options.threads, .progress = options.progress};
     AssetReport report;
-    Outcome<BakedTable> baked = bake_table(recipe, subject(bake), bake_options);
+    Outcome<Baked> baked = bake_asset(recipe, subject(bake), bake_options);
     const bool holds = !misses_texel_bound(baked);
     if (!holds) {
         // All the more reason to show what can be had.
         report.notes.push_back("`bake` refuses it: " + baked.diagnostics.front().message);
-        baked = bake_table(recipe, without_texel_bound(subject(bake)), bake_options);
+        baked = bake_asset(recipe, without_texel_bound(subject(bake)), bake_options);
     }
     if (options.progress != nullptr && options.progress->cancelled()) return outcome;
     outcome.diagnostics = std::move(baked.diagnostics);

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/progress.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
@@ -18,7 +17,7 @@ namespace skybake {
 
 // What is measured of a volume's file and not of a table's.
 struct VolumeFile {
-    config::VolumeFormat format = config::VolumeFormat::exr;
+    config::FileFormat format = config::FileFormat::exr;
     std::string compression;  // "zip", "blosc", "none"
     double write_ms = 0;      // processor time of encoding and writing it to memory on one thread
     bool on_bytes_front = false;  // Pareto: file_bytes against lookup.rms, among all rows

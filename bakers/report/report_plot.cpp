@@ -40,7 +40,7 @@ PlotPoint point_of(const ReportRow& row, int family, double cost, double error, 
 }
 
 bool is_named_by_its_file(const ReportRow& row) {
-    return row.volume_file && row.volume_file->format != config::VolumeFormat::bin;
+    return row.volume_file && row.volume_file->format != config::FileFormat::bin;
 }
 
 // What the rows of a sweep of one size differ in.

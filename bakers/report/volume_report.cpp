@@ -21,7 +21,7 @@ constexpr VolumeRepetitions kQuickVolumeRepetitions = {.voxels = 3, .writes = 1}
 constexpr int kPoints = 16384;
 constexpr int kQuickPoints = 1024;
 
-AssetReport describe(const BakedVolume& volume, const VolumeReportSubject& subject, bool quick) {
+AssetReport describe(const Baked& volume, const VolumeReportSubject& subject, bool quick) {
     const VolumeRepetitions repetitions = quick ? kQuickVolumeRepetitions : kVolumeRepetitions;
     AssetReport report;
     report.name = volume.name;
@@ -52,14 +52,14 @@ AssetReport describe(const BakedVolume& volume, const VolumeReportSubject& subje
 
 Outcome<AssetReport> report_volume(const config::Recipe& recipe, const VolumeReportSubject& subject,
                                    const ReportOptions& options) {
-    Outcome<BakedAsset> baked =
+    Outcome<Baked> baked =
         bake_asset(recipe, subject.bake,
                    BakeOptions{.threads = options.threads, .progress = options.progress});
     if (options.progress != nullptr && options.progress->cancelled()) return {};
     Outcome<AssetReport> outcome;
     outcome.diagnostics = std::move(baked.diagnostics);
     if (!baked.value) return outcome;
-    const auto& volume = std::get<BakedVolume>(*baked.value);
+    const Baked& volume = *baked.value;
     AssetReport report = describe(volume, subject, options.quick);
     auto measured = measure_volume_sweep(
         subject.sweep, volume, subject.reference, report.lookup_points,

@@ -15,9 +15,11 @@
 #include "bakers/io/files/folder_lock.h"
 #include "bakers/io/files/stopwatch.h"
 #include "bakers/io/files/temporary_file.h"
-#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/io/formats/format.h"
+#include "bakers/io/manifest/asset_files.h"
+#include "bakers/math/parallel.h"
 #include "bakers/workspace/copy_asset.h"
-#include "bakers/workspace/prepared_asset.h"
+#include "config/assets/asset_kind.h"
 
 namespace skybake {
 namespace {
@@ -65,10 +67,11 @@ class FolderMaker {
     bool has_modules() {
         for (const PlannedAsset& planned : plan_.assets) {
             if (!planned.stale()) continue;
-            for (const std::string& file : file_names(*planned.bake)) {
-                if (fs::path(file).extension() != ".vdb") continue;
-                auto obstacle = vdb_obstacle(bake_.folder / file);
-                return !obstacle || stop({std::move(*obstacle)});
+            for (const config::FileFormat format : config::files_of(*planned.bake).formats) {
+                const auto ask = format_of(format).obstacle;
+                if (ask == nullptr) continue;
+                auto obstacle = ask(bake_.folder / file_name(planned.bake->name, format, 0));
+                if (obstacle) return stop({std::move(*obstacle)});
             }
         }
         return true;
@@ -114,13 +117,13 @@ class FolderMaker {
         const double seconds = stopwatch.seconds();
         stop(std::move(baked.diagnostics));
         if (!baked.value) return false;
-        auto prepared = prepare(std::move(*baked.value), bake_.threads);
-        stop(std::move(prepared.diagnostics));
-        if (!prepared.value) return false;
         if (auto changed = changed_input(planned)) return stop({std::move(*changed)});
-        prepared_[i] = std::move(*prepared.value);
-        sign(planned.identity, entry_of(*prepared_[i]));
-        result_.assets[i].certify_s = seconds - entry_of(*prepared_[i]).timing.bake_s;
+        ManifestAsset entry = describe_with_files(*baked.value);
+        entry.timing.bake_s = baked.value->bake_seconds;
+        entry.timing.threads = thread_count(bake_.threads);
+        sign(planned.identity, entry);
+        result_.assets[i].certify_s = seconds - entry.timing.bake_s;
+        prepared_[i] = PreparedAsset{std::move(*baked.value), std::move(entry)};
         return true;
     }
 
@@ -140,11 +143,13 @@ class FolderMaker {
         for (std::size_t i = 0; i < prepared_.size(); ++i) {
             if (!prepared_[i]) continue;
             const auto progress = observer_.begin(plan_.assets[i].bake->name);
-            auto staged = stage(*prepared_[i], bake_.folder, files_, bake_.threads, *progress);
+            auto& [baked, entry] = *prepared_[i];
+            auto staged =
+                stage_files(baked, entry, bake_.folder, files_, bake_.threads, progress.get());
             if (!staged.value) return stop(std::move(staged.diagnostics));
             if (staged.value->back() == WriteResult::interrupted) return stop_for_interruption();
-            result_.assets[i] = {AssetState::baked, entry_of(*prepared_[i]),
-                                 std::move(*staged.value), result_.assets[i].certify_s};
+            result_.assets[i] = {AssetState::baked, std::move(entry), std::move(*staged.value),
+                                 result_.assets[i].certify_s};
         }
         return true;
     }
@@ -243,6 +248,12 @@ class FolderMaker {
     BakedFolder result_;
     Manifest manifest_;
     AtomicFiles files_;
+    // An asset whose bake has succeeded, and its entry in the manifest; nothing of it has touched
+    // the disk.
+    struct PreparedAsset {
+        Baked baked;
+        ManifestAsset entry;
+    };
     std::vector<std::optional<PreparedAsset>> prepared_;  // none: up to date, or copied
     std::vector<Diagnostic> diagnostics_;
 };

@@ -9,7 +9,7 @@
 #include "bakers/io/files/byte_size_text.h"
 #include "bakers/io/files/file_input.h"
 #include "bakers/io/files/file_names.h"
-#include "config/assets/volume_files.h"
+#include "config/assets/asset_kind.h"
 
 namespace skybake {
 namespace {
@@ -144,7 +144,7 @@ double FolderPlan::memory_mib() const {
     if (!largest) return 0;
     double held = 0;
     for (const PlannedAsset& asset : assets) {
-        if (asset.stale() && &asset != largest && !config::volume_files(*asset.bake)) {
+        if (asset.stale() && &asset != largest && config::kind_of(*asset.bake).facts.is_table) {
             held += asset.estimate.disk_mib;
         }
     }

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
-#include "config/assets/volume_fields.h"
-#include "config/assets/volume_files_decoder.h"
 #include "config/fields/field_reader.h"
 #include "config/fields/shared_ranges.h"
 #include "config/text/key_path.h"
@@ -118,7 +118,7 @@ void check_channels(const DecodedSection& bake, Decoder& decoder) {
 }
 
 // Fills in the distance of view and the number of `mips`; reports channels that make no picture
-// (E0129) and what any volume's files must have (volume_files_decoder.h).
+// (E0129) and what any volume's files must have (file_decoder.h).
 void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::optional<Scene>& scene = recipe.parameters.scene;
     DecodedField& distance = bake.at("view_distance");
@@ -131,7 +131,7 @@ void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe,
     const DecodedField& size = bake.at("size");
     if (!size.value) return;
     const auto voxels = std::get<VoxelCounts>(*size.value);
-    resolve_volume_files(bake, voxels, Halving::down, decoder);
+    resolve_files(bake, voxels, Halving::down, decoder);
     check_voxel_count(bake, voxels, 4, size.source ? size.source->place : bake.place, decoder);
 }
 
@@ -142,7 +142,7 @@ std::vector<Read> reads_of(const Parameters& parameters, const AerialPerspective
 }  // namespace
 
 const AssetKind& asset_kind(Tag<AerialPerspectiveBake>) {
-    static const auto rows = with_file_fields(aerial_perspective_table, {.formats = R"(["exr"])"});
+    static const auto rows = with_file_fields(aerial_perspective_table, {});
     static const AssetKind kind = make_asset_kind<AerialPerspectiveBake>(
         {
             .name = "aerial_perspective",

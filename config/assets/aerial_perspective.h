@@ -16,7 +16,7 @@ enum class AerialContent { in_scatter_and_transmittance, in_scatter, transmittan
 enum class SliceSpacing { linear, squared };
 
 // Light scattered into view rays of a camera, up to distances along them.
-struct AerialPerspectiveBake : VolumeFiles {
+struct AerialPerspectiveBake : AssetFiles {
     std::array<int, 3> size{};  // voxels across, down and along distance
     AerialContent content = AerialContent::in_scatter_and_transmittance;
     Length altitude;  // of the camera, within the atmosphere

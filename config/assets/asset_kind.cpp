@@ -3,7 +3,6 @@
 #include <cassert>
 
 #include "config/assets/assets.h"
-#include "config/assets/volume_files.h"
 
 namespace skybake::config {
 
@@ -25,6 +24,6 @@ const AssetKind& kind_of(const Bake& bake) {
     return *kind;
 }
 
-const VolumeFiles* volume_files(const Bake& bake) { return kind_of(bake).files(bake); }
+const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake); }
 
 }  // namespace skybake::config

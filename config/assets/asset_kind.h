@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,6 +33,7 @@ using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, D
 struct AssetFacts {
     std::string_view name;           // the word of `asset = "..."`
     std::string_view documentation;  // what it is, in a line
+    bool is_table = false;           // of two axes, held in memory; else a volume
     bool needs_atmosphere = false;
     bool of_another_bake = false;  // and is resolved after all others
 };
@@ -45,14 +45,16 @@ struct AssetKind {
     std::function<Bake(const std::string& name, const DecodedSection& section)> bind;
     // What an asset is made from besides its own section.
     std::function<std::vector<Read>(const Parameters& parameters, const Bake& bake)> reads;
-    // What the files of a volume are like; null of a table.
-    const VolumeFiles* (*files)(const Bake& bake) = nullptr;
+    const AssetFiles& (*files)(const Bake& bake) = nullptr;
 };
 
 // All of assets.h, in its order.
 std::span<const AssetKind* const> asset_kinds();
 
 const AssetKind& kind_of(const Bake& bake);
+
+// What the files of a bake are like.
+const AssetFiles& files_of(const Bake& bake);
 
 template <class Asset>
 AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> rows,
@@ -71,10 +73,7 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
     kind.reads = [reads](const Parameters& parameters, const Bake& bake) {
         return reads(parameters, bake.as<Asset>());
     };
-    kind.files = [](const Bake& bake) -> const VolumeFiles* {
-        if constexpr (std::is_base_of_v<VolumeFiles, Asset>) return bake.find<Asset>();
-        return nullptr;
-    };
+    kind.files = [](const Bake& bake) -> const AssetFiles& { return bake.as<Asset>(); };
     return kind;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_decoder.h"
 #include "config/text/key_path.h"
 #include "config/text/suggest.h"
 
@@ -194,6 +195,7 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
             bake.kind->resolve(bake.section, {recipe}, decoder);
         }
+        if (bake.kind->facts.is_table) resolve_table_files(bake.section, decoder);
         for (const std::string_view key : {"layers", "mie_layers", "kinds"}) {
             check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
         }

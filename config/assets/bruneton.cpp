@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
 #include "config/assets/takram_layers.h"
-#include "config/assets/volume_fields.h"
-#include "config/assets/volume_files_decoder.h"
 #include "config/fields/shared_ranges.h"
 #include "config/text/key_path.h"
 
@@ -218,15 +218,16 @@ void warn_of_loader(const DecodedSection& bake, BrunetonTable table, Decoder& de
     if (std::get<VoxelCounts>(*bake.at("size").value) != default_size(table)) unusual = "size";
     if (!is_number("nu_size", 8)) unusual = "nu_size";
     if (!is_number("mips", 1)) unusual = "mips";
-    if (choice_of<VolumeLayout>(bake.at("layout")) != VolumeLayout::stack) unusual = "layout";
+    if (choice_of<SheetLayout>(bake.at("layout")) != SheetLayout::stack) unusual = "layout";
     if (choice_of<PixelType>(bake.at("pixel_type")) != PixelType::half) unusual = "pixel_type";
+    if (!std::get<bool>(*bake.at("flip").value)) unusual = "flip";
     if (!unusual) return;
     const DecodedField& decoded = bake.at(unusual);
     decoder.diagnostics.warning(
         "W0205", decoded.source ? decoded.source->place : bake.place,
         fmt::format("`{}` is not what @takram/three-atmosphere loads",
                     join_path(bake.path, unusual)),
-        "it loads the default sizes, half floats and one stack, without mips");
+        "it loads the default sizes, half floats and one stack upside down, without mips");
 }
 
 // Orders above the first, of which there are none with one.
@@ -257,6 +258,7 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
     const bool has_light = *table != BrunetonTable::transmittance;
     const bool is_flat = !has_light || *table == BrunetonTable::irradiance;
     derive(bake.at("size"), default_size(*table));
+    derive(bake.at("flip"), *convention == BrunetonConvention::takram);
     if (!is_flat) {
         derive(bake.at("sun_cos_zenith_min"),
                *convention == BrunetonConvention::takram ? takram_sun_cosine : bruneton_sun_cosine);
@@ -266,7 +268,7 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
         derive(bake.at("solar_irradiance"),
                default_solar_irradiance(*convention, recipe.wavelengths.size()));
     }
-    resolve_table_files(bake, is_flat ? 2 : 3, 4, decoder);
+    resolve_axes_and_files(bake, is_flat ? 2 : 3, 4, decoder);
     if (!is_flat && bake.at("size").value) {
         check_nu(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
         check_halves(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
@@ -285,7 +287,7 @@ std::vector<Read> reads_of(const Parameters& parameters, const BrunetonBake&) {
 }  // namespace
 
 const AssetKind& asset_kind(Tag<BrunetonBake>) {
-    static const auto rows = with_file_fields(bruneton_table, {.formats = R"(["exr"])"});
+    static const auto rows = with_file_fields(bruneton_table, {.flip = ""});
     static const AssetKind kind = make_asset_kind<BrunetonBake>(
         {
             .name = "bruneton",

@@ -16,7 +16,7 @@ enum class BrunetonMethod { solved, iterated };
 
 // One table of the precomputed scattering of Bruneton & Neyret 2008, as their implementation of
 // 2017 has it.
-struct BrunetonBake : VolumeFiles {
+struct BrunetonBake : AssetFiles {
     BrunetonTable table = BrunetonTable::scattering;
     // Texels along u, v, w. Tables of scattering: nu and the sun's cosine, the view's cosine,
     // altitude; transmittance: zenith angle, altitude, 1; irradiance: the sun's cosine,

@@ -9,11 +9,11 @@
 
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_extent.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/octave_checks.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
-#include "config/assets/volume_fields.h"
-#include "config/assets/volume_files_decoder.h"
 #include "config/fields/named_reference.h"
 #include "config/fields/shared_ranges.h"
 #include "config/sections/cloud_channels.h"
@@ -227,7 +227,7 @@ struct CloudVolumeResolver {
 // Fills in `size` from the cloud's extent and `voxel_size`, `extent` where the two make no whole
 // number of voxels (W0210), and the number of `mips`. Reports a cloud that is not there (E0132), a
 // size that is not given (E0105) or out of range (E0110), what any volume's files must have
-// (volume_files_decoder.h), octaves that are nothing at that size (W0208) or too fine for it
+// (file_decoder.h), octaves that are nothing at that size (W0208) or too fine for it
 // (W0203), towers narrower than a voxel (W0204), and voxels that are not cubes (W0211).
 void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::span<const Cloud> clouds = recipe.parameters.clouds;
@@ -238,7 +238,7 @@ void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decod
     resolver.resolve_size(cloud);
     if (!bake.at("size").value) return;
     const auto size = std::get<VoxelCounts>(*bake.at("size").value);
-    resolve_volume_files(bake, size, Halving::down, decoder);
+    resolve_files(bake, size, Halving::down, decoder);
     if (!cloud) return;
     check_voxel_count(bake, size, resolver.channels_of(*cloud, noises), resolver.size_place(),
                       decoder);

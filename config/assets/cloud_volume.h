@@ -10,7 +10,7 @@
 
 namespace skybake::config {
 
-struct CloudVolumeBake : VolumeFiles {
+struct CloudVolumeBake : AssetFiles {
     std::string cloud;               // NAME of a [clouds.NAME]
     std::array<int, 3> size{};       // voxels along x, y and height
     std::array<Length, 3> extent{};  // that they span, x, y, z; 0: the cloud's

@@ -1,6 +1,7 @@
 #include "config/assets/environment.h"
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
 #include "config/fields/shared_ranges.h"
@@ -28,8 +29,6 @@ const std::array environment_table = {
                      &EnvironmentBake::sun_elevation},
     EnvironmentField{orders_field, &EnvironmentBake::orders},
     EnvironmentField{layers_field, &EnvironmentBake::layers},
-    EnvironmentField{table_pixel_type_field, &EnvironmentBake::pixel_type},
-    EnvironmentField{compression_field, &EnvironmentBake::compression},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake&) {
@@ -39,11 +38,13 @@ std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake&)
 }  // namespace
 
 const AssetKind& asset_kind(Tag<EnvironmentBake>) {
+    static const auto rows = with_file_fields(environment_table, table_files);
     static const AssetKind kind = make_asset_kind<EnvironmentBake>(
         {.name = "environment",
          .documentation = "the sky and the ground around a camera, by longitude and latitude",
+         .is_table = true,
          .needs_atmosphere = true},
-        std::span<const EnvironmentField>(environment_table), reads_of);
+        std::span<const EnvironmentField>(rows), reads_of);
     return kind;
 }
 

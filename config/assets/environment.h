@@ -12,14 +12,12 @@
 
 namespace skybake::config {
 
-struct EnvironmentBake {
+struct EnvironmentBake : AssetFiles {
     std::array<int, 2> size{};  // texels around and from the zenith to straight down
     Length altitude;            // of the camera, which may be in space
     Angle sun_elevation;
     SkyOrders orders = SkyOrders::all;
     std::vector<std::string> layers;  // single: what scatters; empty: every layer
-    PixelType pixel_type = PixelType::float32;
-    Compression compression = Compression::zip;
 };
 
 const AssetKind& asset_kind(Tag<EnvironmentBake>);

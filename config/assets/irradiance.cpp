@@ -1,6 +1,7 @@
 #include "config/assets/irradiance.h"
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
 #include "config/fields/shared_ranges.h"
@@ -60,8 +61,6 @@ const std::array irradiance_table = {
                      .fallback = R"("twilight")",
                      .documentation = "which sun angle and altitude a texel stands for"},
                     &IrradianceBake::mapping},
-    IrradianceField{table_pixel_type_field, &IrradianceBake::pixel_type},
-    IrradianceField{compression_field, &IrradianceBake::compression},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const IrradianceBake&) {
@@ -71,13 +70,15 @@ std::vector<Read> reads_of(const Parameters& parameters, const IrradianceBake&) 
 }  // namespace
 
 const AssetKind& asset_kind(Tag<IrradianceBake>) {
+    static const auto rows = with_file_fields(irradiance_table, table_files);
     static const AssetKind kind = make_asset_kind<IrradianceBake>(
         {
             .name = "irradiance",
             .documentation = "the light that falls on level surfaces",
+            .is_table = true,
             .needs_atmosphere = true,
         },
-        std::span<const IrradianceField>(irradiance_table), reads_of);
+        std::span<const IrradianceField>(rows), reads_of);
     return kind;
 }
 

@@ -13,15 +13,13 @@ namespace skybake::config {
 
 enum class IrradianceContent { direct, sky, total };
 
-struct IrradianceBake {
+struct IrradianceBake : AssetFiles {
     std::array<int, 2> size{};  // texels along the sun cosine, along altitude
     IrradianceContent content = IrradianceContent::total;
     SkyOrders orders = SkyOrders::all;  // sky
     std::vector<std::string> layers;    // single
     double max_texel_error = 0;         // sets the quadrature's counts
     MultipleScatteringMapping mapping = MultipleScatteringMapping::twilight;
-    PixelType pixel_type = PixelType::float32;
-    Compression compression = Compression::zip;
 };
 
 const AssetKind& asset_kind(Tag<IrradianceBake>);

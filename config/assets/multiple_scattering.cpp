@@ -1,6 +1,7 @@
 #include "config/assets/multiple_scattering.h"
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
 #include "config/fields/shared_ranges.h"
@@ -94,8 +95,6 @@ const std::array multiple_scattering_table = {
          .selector = "content",
          .selected_by = moments},
         &MultipleScatteringBake::degree},
-    MultipleScatteringField{table_pixel_type_field, &MultipleScatteringBake::pixel_type},
-    MultipleScatteringField{compression_field, &MultipleScatteringBake::compression},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatteringBake& bake) {
@@ -113,13 +112,15 @@ std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatterin
 }  // namespace
 
 const AssetKind& asset_kind(Tag<MultipleScatteringBake>) {
+    static const auto rows = with_file_fields(multiple_scattering_table, table_files);
     static const AssetKind kind = make_asset_kind<MultipleScatteringBake>(
         {
             .name = "multiple_scattering",
             .documentation = "the light scattered twice or more, per unit of scattering",
+            .is_table = true,
             .needs_atmosphere = true,
         },
-        std::span<const MultipleScatteringField>(multiple_scattering_table), reads_of);
+        std::span<const MultipleScatteringField>(rows), reads_of);
     return kind;
 }
 

@@ -13,7 +13,7 @@ namespace skybake::config {
 enum class MultipleScatteringMethod { converged, as_in_paper, solved };
 enum class MultipleScatteringContent { hillaire, fitted, moments };
 
-struct MultipleScatteringBake {
+struct MultipleScatteringBake : AssetFiles {
     std::array<int, 2> size{};        // texels along the sun cosine, along altitude
     std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
     double max_texel_error = 0;       // sets the quadrature's counts
@@ -21,8 +21,6 @@ struct MultipleScatteringBake {
     MultipleScatteringMethod method = MultipleScatteringMethod::converged;
     MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // solved
     int degree = 2;                                                           // moments
-    PixelType pixel_type = PixelType::float32;
-    Compression compression = Compression::zip;
 };
 
 const AssetKind& asset_kind(Tag<MultipleScatteringBake>);

@@ -1,11 +1,11 @@
 #include "config/assets/noise_volume.h"
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/octave_checks.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
-#include "config/assets/volume_fields.h"
-#include "config/assets/volume_files_decoder.h"
 #include "config/fields/named_reference.h"
 #include "config/fields/shared_ranges.h"
 #include "config/sections/named_sections.h"
@@ -56,7 +56,7 @@ void resolve_noise_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decod
     if (noise) resolve_size(bake, *noise);
     if (!bake.at("size").value) return;
     const auto size = std::get<VoxelCounts>(*bake.at("size").value);
-    resolve_volume_files(bake, size, Halving::down, decoder);
+    resolve_files(bake, size, Halving::down, decoder);
     if (!noise) return;
     const std::size_t channels = noise->pack == NoisePacking::none ? noise->channels.size() : 1;
     const Place place = size_place(bake);
@@ -74,7 +74,7 @@ std::vector<Read> reads_of(const Parameters& parameters, const NoiseVolumeBake& 
 }  // namespace
 
 const AssetKind& asset_kind(Tag<NoiseVolumeBake>) {
-    static const auto rows = with_file_fields(noise_volume_table, {.formats = R"(["exr"])"});
+    static const auto rows = with_file_fields(noise_volume_table, {});
     static const AssetKind kind = make_asset_kind<NoiseVolumeBake>(
         {
             .name = "noise_volume",

@@ -9,7 +9,7 @@
 
 namespace skybake::config {
 
-struct NoiseVolumeBake : VolumeFiles {
+struct NoiseVolumeBake : AssetFiles {
     std::string noise;          // NAME of a [noise.NAME]
     std::array<int, 3> size{};  // voxels along x, y, z
 };

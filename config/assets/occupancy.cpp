@@ -11,10 +11,10 @@
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_extent.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
-#include "config/assets/volume_fields.h"
-#include "config/assets/volume_files_decoder.h"
 #include "config/fields/named_reference.h"
 #include "config/fields/shared_ranges.h"
 #include "config/sections/cloud_channels.h"
@@ -237,7 +237,7 @@ struct OccupancyResolver {
 
 // Fills in the number of `mips`. Reports a name of no cloud volume (E0133), a channel that it has
 // not (E0134), two contents (E0129), cells that do not tile as the volume does (E0150), and what
-// any volume's files must have (volume_files_decoder.h). Warns of cells that are not cubes (W0211).
+// any volume's files must have (file_decoder.h). Warns of cells that are not cubes (W0211).
 void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const OccupancyResolver resolver{bake, recipe, decoder};
     check_pixel_type(bake, decoder);
@@ -249,7 +249,7 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
     if (!cell.value || volume->size[0] == 0) return;
     const int edge = static_cast<int>(std::get<double>(*cell.value));
     const VoxelCounts cells = resolver.cells_of(*volume, edge);
-    resolve_volume_files(bake, cells, Halving::up, decoder);
+    resolve_files(bake, cells, Halving::up, decoder);
     resolver.check_tiling(*volume, edge);
     resolver.check_halving(cells);
     resolver.check_voxels(*volume, edge);

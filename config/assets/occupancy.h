@@ -15,7 +15,7 @@ enum class OccupancyFilter { nearest, trilinear, tricubic };
 enum class OccupancyRule { exact, thesis };
 enum class OccupancyContent { occupied, leap, minimum, maximum };
 
-struct OccupancyBake : VolumeFiles {
+struct OccupancyBake : AssetFiles {
     std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
     std::string channel;  // of that volume; empty: its first
     int cell = 4;         // voxels along each edge of a cell: 1, 2, 4, 8 or 16

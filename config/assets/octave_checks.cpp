@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/assets/volume_files_decoder.h"
+#include "config/assets/file_decoder.h"
 #include "config/sections/octave_sampling.h"
 
 namespace skybake::config {

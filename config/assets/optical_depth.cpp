@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
-#include "config/assets/volume_fields.h"
-#include "config/assets/volume_files_decoder.h"
 #include "config/fields/shared_ranges.h"
 #include "config/text/key_path.h"
 
@@ -148,7 +148,7 @@ void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Deco
     const int axes = *table == OpticalDepthTable::to_top    ? 2
                      : *table == OpticalDepthTable::between ? 3
                                                             : 1;
-    resolve_table_files(bake, axes, most_kinds, decoder);
+    resolve_axes_and_files(bake, axes, most_kinds, decoder);
     const auto coordinates = choice_of<BetweenCoordinates>(bake.at("coordinates"));
     if (axes > 1 && bake.at("size").value) {
         const bool falls = axes == 3 && coordinates == BetweenCoordinates::distance;
@@ -163,8 +163,7 @@ std::vector<Read> reads_of(const Parameters& parameters, const OpticalDepthBake&
 }  // namespace
 
 const AssetKind& asset_kind(Tag<OpticalDepthBake>) {
-    static const auto rows = with_file_fields(
-        optical_depth_table, {.formats = R"(["exr"])", .pixel_type = R"("float")"});
+    static const auto rows = with_file_fields(optical_depth_table, {.pixel_type = R"("float")"});
     static const AssetKind kind = make_asset_kind<OpticalDepthBake>(
         {
             .name = "optical_depth",

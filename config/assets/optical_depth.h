@@ -17,7 +17,7 @@ enum class DepthSampling { exact, equal_attenuation, uniform };
 
 // Column densities, densities and phase functions of up to four kinds of particles, one a channel,
 // after Ai et al. 2014.
-struct OpticalDepthBake : VolumeFiles {
+struct OpticalDepthBake : AssetFiles {
     OpticalDepthTable table = OpticalDepthTable::to_top;
     std::array<int, 3> size{};  // to_top: angle, altitude, 1; between: three; else texels, 1, 1
     std::vector<std::string> kinds;  // layers of the atmosphere

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
 #include "config/fields/named_reference.h"
@@ -84,8 +85,6 @@ const std::array phase_table = {
                 .fallback = "16",
                 .documentation = "Legendre moments up to this degree go into the manifest"},
                &PhaseBake::degree},
-    PhaseField{table_pixel_type_field, &PhaseBake::pixel_type},
-    PhaseField{compression_field, &PhaseBake::compression},
 };
 
 // Particles, or a layer of the atmosphere, of that name, one of them (E0138, E0140, E0141).
@@ -127,12 +126,14 @@ std::vector<Read> reads_of(const Parameters& parameters, const PhaseBake& bake) 
 }  // namespace
 
 const AssetKind& asset_kind(Tag<PhaseBake>) {
+    static const auto rows = with_file_fields(phase_table, table_files);
     static const AssetKind kind = make_asset_kind<PhaseBake>(
         {
             .name = "phase",
             .documentation = "how particles or a layer scatter, by angle",
+            .is_table = true,
         },
-        std::span<const PhaseField>(phase_table), reads_of, resolve_phase);
+        std::span<const PhaseField>(rows), reads_of, resolve_phase);
     return kind;
 }
 

@@ -13,7 +13,7 @@ enum class PhaseContent { phase, inverse_cumulative };
 enum class PhaseSpacing { best, angle, cosine, peaks };
 
 // How particles or a layer scatter by angle.
-struct PhaseBake {
+struct PhaseBake : AssetFiles {
     std::string particles;            // NAME of a [particles.NAME], or
     std::string layer;                // of a layer of the atmosphere
     int size = 0;                     // texels
@@ -21,8 +21,6 @@ struct PhaseBake {
     PhaseContent content = PhaseContent::phase;
     PhaseSpacing spacing = PhaseSpacing::best;  // phase
     int degree = 0;                             // of the Legendre moments in the manifest
-    PixelType pixel_type = PixelType::float32;
-    Compression compression = Compression::zip;
 };
 
 const AssetKind& asset_kind(Tag<PhaseBake>);

@@ -10,35 +10,10 @@
 
 namespace skybake::config {
 
-inline constexpr std::array compression_choices = {
-    Choice{Compression::none, "none", "no compression"},
-    Choice{Compression::zip, "zip", "deflate, 16 lines at a time"},
-    Choice{Compression::zips, "zips", "deflate, line by line"},
-    Choice{Compression::piz, "piz", "wavelet, lossless; best for noise"},
-};
-
 inline constexpr Field asset_field{
     .key = "asset",
     .kind = Kind::text,
     .documentation = "asset to bake; by default the one that the section's name says"};
-
-inline constexpr Field compression_field{
-    .key = "compression",
-    .kind = Kind::choice,
-    .choices = compression_choices,
-    .fallback = R"("zip")",
-    .documentation = "compression of the EXR file, always lossless",
-    .role = Role::files};
-
-inline constexpr std::array table_pixel_type_choices = {
-    Choice{PixelType::float32, "float", "32 bits per channel"},
-    Choice{PixelType::half, "half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
-};
-inline constexpr Field table_pixel_type_field{.key = "pixel_type",
-                                              .kind = Kind::choice,
-                                              .choices = table_pixel_type_choices,
-                                              .fallback = R"("float")",
-                                              .documentation = "type of the numbers in the file"};
 
 inline constexpr std::array orders_choices = {
     Choice{SkyOrders::all, "all", "all light"},

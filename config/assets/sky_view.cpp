@@ -1,6 +1,7 @@
 #include "config/assets/sky_view.h"
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
 #include "config/fields/shared_ranges.h"
@@ -46,8 +47,6 @@ const std::array sky_view_table = {
                   .selector = "orders",
                   .selected_by = with_multiple},
                  &SkyViewBake::sky},
-    SkyViewField{table_pixel_type_field, &SkyViewBake::pixel_type},
-    SkyViewField{compression_field, &SkyViewBake::compression},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const SkyViewBake&) {
@@ -57,13 +56,15 @@ std::vector<Read> reads_of(const Parameters& parameters, const SkyViewBake&) {
 }  // namespace
 
 const AssetKind& asset_kind(Tag<SkyViewBake>) {
+    static const auto rows = with_file_fields(sky_view_table, table_files);
     static const AssetKind kind = make_asset_kind<SkyViewBake>(
         {
             .name = "sky_view",
             .documentation = "the sky as a camera sees it, under given suns",
+            .is_table = true,
             .needs_atmosphere = true,
         },
-        std::span<const SkyViewField>(sky_view_table), reads_of);
+        std::span<const SkyViewField>(rows), reads_of);
     return kind;
 }
 

@@ -12,15 +12,13 @@
 
 namespace skybake::config {
 
-struct SkyViewBake {
+struct SkyViewBake : AssetFiles {
     std::array<int, 2> size{};  // texels along azimuth, along elevation; of one sun
     Length altitude;            // of the camera, which may be in space
     std::vector<Angle> sun_elevations;
     SkyOrders orders = SkyOrders::all;
     std::vector<std::string> layers;  // single: what scatters; empty: every layer
     SkyMethod sky = SkyMethod::solved;
-    PixelType pixel_type = PixelType::float32;
-    Compression compression = Compression::zip;
 };
 
 const AssetKind& asset_kind(Tag<SkyViewBake>);

@@ -45,8 +45,8 @@ SliceSheet squarest_sheet(const std::array<int, 3>& size) {
 
 }  // namespace
 
-SliceSheet slice_sheet(const std::array<int, 3>& size, VolumeLayout layout, int columns) {
-    if (layout == VolumeLayout::stack) return {1, size[2]};
+SliceSheet slice_sheet(const std::array<int, 3>& size, SheetLayout layout, int columns) {
+    if (layout == SheetLayout::stack) return {1, size[2]};
     if (columns > 0) return sheet_of_columns(size, columns);
     const SliceSheet full = full_sheet(size);
     if (longer_edge(size, full) <= largest_image_edge) return full;

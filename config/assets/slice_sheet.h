@@ -31,7 +31,7 @@ struct SliceSheet {
 //   where neither fits, the divisor, unless its image is wider than widest_sheet.
 //
 // Of two images as near to a square the wider one is taken.
-SliceSheet slice_sheet(const std::array<int, 3>& size, VolumeLayout layout, int columns);
+SliceSheet slice_sheet(const std::array<int, 3>& size, SheetLayout layout, int columns);
 
 // Width and height of the image.
 std::array<std::int64_t, 2> sheet_size(const std::array<int, 3>& size, const SliceSheet& sheet);

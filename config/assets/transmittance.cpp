@@ -1,6 +1,7 @@
 #include "config/assets/transmittance.h"
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/file_fields.h"
 #include "config/assets/reads.h"
 #include "config/assets/shared_fields.h"
 #include "config/fields/shared_ranges.h"
@@ -48,8 +49,6 @@ const std::array transmittance_table = {
                         .documentation = "which angle and altitude a texel stands for",
                         .citation = bruneton_2008},
                        &TransmittanceBake::mapping},
-    TransmittanceField{table_pixel_type_field, &TransmittanceBake::pixel_type},
-    TransmittanceField{compression_field, &TransmittanceBake::compression},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const TransmittanceBake&) {
@@ -59,13 +58,15 @@ std::vector<Read> reads_of(const Parameters& parameters, const TransmittanceBake
 }  // namespace
 
 const AssetKind& asset_kind(Tag<TransmittanceBake>) {
+    static const auto rows = with_file_fields(transmittance_table, table_files);
     static const AssetKind kind = make_asset_kind<TransmittanceBake>(
         {
             .name = "transmittance",
             .documentation = "the share of light that arrives from the top of the atmosphere",
+            .is_table = true,
             .needs_atmosphere = true,
         },
-        std::span<const TransmittanceField>(transmittance_table), reads_of);
+        std::span<const TransmittanceField>(rows), reads_of);
     return kind;
 }
 

@@ -12,13 +12,11 @@ namespace skybake::config {
 enum class TransmittanceContent { transmittance, optical_depth };
 enum class TransmittanceMapping { bruneton, ue };
 
-struct TransmittanceBake {
+struct TransmittanceBake : AssetFiles {
     std::array<int, 2> size{};        // texels along the zenith angle, along altitude
     std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
     TransmittanceContent content = TransmittanceContent::transmittance;
     TransmittanceMapping mapping = TransmittanceMapping::bruneton;
-    PixelType pixel_type = PixelType::float32;
-    Compression compression = Compression::zip;
 };
 
 const AssetKind& asset_kind(Tag<TransmittanceBake>);

@@ -189,7 +189,7 @@ TEST(MultipleScatteringHardCase, Case17SizesOneTwoAndOdd) {
         const config::Recipe recipe = test::recipe_of(
             "preset = \"earth\"\n[bake.multiple_scattering]\nsize = " + size + "\n");
         const auto outcome =
-            bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+            bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;
         worst = std::max(worst, outcome.value->certificate.texel.max);
     }
@@ -220,9 +220,10 @@ TEST(MultipleScatteringHardCase, Case21ThreadsAndOrder) {
     const config::Recipe recipe = test::recipe_of(
         "preset = \"tiny_planet\"\n[bake.multiple_scattering]\nmax_texel_error = \"2 %\"\n");
     const auto bake = [&](int threads) {
-        return bake_table(recipe, recipe.parameters.bakes.at(0),
+        return bake_asset(recipe, recipe.parameters.bakes.at(0),
                           {threads, Certification::off, nullptr})
-            .value->image.texels;
+            .value->image()
+            .texels;
     };
     const auto one = bake(1);
     double different = 0;

@@ -11,63 +11,63 @@
 namespace skybake {
 namespace {
 
-config::Outcome<BakedTable> try_bake(const std::string& section,
-                                     const std::string& preset = "earth", int threads = 2) {
+config::Outcome<Baked> try_bake(const std::string& section, const std::string& preset = "earth",
+                                int threads = 2) {
     const config::Recipe recipe =
         test::recipe_of("preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" + section);
-    return bake_table(recipe, recipe.parameters.bakes.at(0),
+    return bake_asset(recipe, recipe.parameters.bakes.at(0),
                       {threads, Certification::quick, nullptr});
 }
 
-BakedTable bake(const std::string& section, const std::string& preset = "earth", int threads = 2) {
+Baked bake(const std::string& section, const std::string& preset = "earth", int threads = 2) {
     const auto outcome = try_bake(section, preset, threads);
     for (const auto& diagnostic : outcome.diagnostics) {
         if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
     }
-    return outcome.value.value_or(BakedTable{});
+    return outcome.value.value_or(Baked{});
 }
 
 TEST(MultipleScatteringTable, HoldsItsTexelErrorForEachPreset) {
     for (const std::string& preset : test::preset_list()) {
-        const BakedTable table = bake("size = [32, 32]\n", preset);
+        const Baked table = bake("size = [32, 32]\n", preset);
         EXPECT_LE(table.certificate.texel.max, 0.002 + 1e-6) << preset;
-        for (const float value : table.image.texels) EXPECT_GE(value, 0) << preset;
+        for (const float value : table.image().texels) EXPECT_GE(value, 0) << preset;
     }
 }
 
 TEST(MultipleScatteringTable, AsksForFewerNodesWhereLessIsWanted) {
-    const BakedTable fine = bake("size = [32, 32]\nmax_texel_error = \"0.2 %\"\n");
-    const BakedTable coarse = bake("size = [32, 32]\nmax_texel_error = \"20 %\"\n");
+    const Baked fine = bake("size = [32, 32]\nmax_texel_error = \"0.2 %\"\n");
+    const Baked coarse = bake("size = [32, 32]\nmax_texel_error = \"20 %\"\n");
     EXPECT_NE(fine.details, coarse.details);
     EXPECT_LE(coarse.certificate.texel.max, 0.2);
     EXPECT_GT(coarse.certificate.texel.max, 0.002);
 }
 
 TEST(MultipleScatteringTable, ConventionsOfItsAxes) {
-    const BakedTable table = bake("size = [32, 32]\n");
+    const Baked table = bake("size = [32, 32]\n");
     // Column 0 is midnight, the last column noon; row 0 the ground.
-    EXPECT_EQ(table.image.texel(0, 0)[0], 0);
-    EXPECT_NEAR(table.image.texel(31, 0)[0], 0.0555880, 2e-4);
-    EXPECT_NEAR(table.image.texel(31, 0)[2], 0.0707287, 2e-4);
-    EXPECT_EQ(table.probes.front().at[0].first, "altitude_km");
-    EXPECT_EQ(table.probes.front().at[1].first, "sun_cos_zenith");
+    EXPECT_EQ(table.image().texel(0, 0)[0], 0);
+    EXPECT_NEAR(table.image().texel(31, 0)[0], 0.0555880, 2e-4);
+    EXPECT_NEAR(table.image().texel(31, 0)[2], 0.0707287, 2e-4);
+    EXPECT_EQ(table.levels[0].probes.front().at[0].first, "altitude_km");
+    EXPECT_EQ(table.levels[0].probes.front().at[1].first, "sun_cos_zenith");
 }
 
 TEST(MultipleScatteringTable, TwilightMappingLowersTheLookupError) {
-    const BakedTable classic = bake("size = [32, 32]\n");
-    const BakedTable twilight = bake("size = [32, 32]\nmapping = \"twilight\"\n");
+    const Baked classic = bake("size = [32, 32]\n");
+    const Baked twilight = bake("size = [32, 32]\nmapping = \"twilight\"\n");
     EXPECT_LT(twilight.certificate.lookup.rms, classic.certificate.lookup.rms);
     EXPECT_FALSE(classic.certificate.advice.empty());
     EXPECT_TRUE(twilight.certificate.advice.empty());
 }
 
 TEST(MultipleScatteringTable, MaxErrorTakesTheSmallestTableThatHolds) {
-    const BakedTable table = bake("max_error = \"10 %\"\nmapping = \"twilight\"\n");
+    const Baked table = bake("max_error = \"10 %\"\nmapping = \"twilight\"\n");
     EXPECT_LE(table.certificate.lookup.max, 0.1);
 }
 
 TEST(MultipleScatteringTable, AsInThePaperSaysHowFarOffItIs) {
-    const BakedTable table = bake("size = [32, 32]\nmethod = \"as_in_paper\"\n");
+    const Baked table = bake("size = [32, 32]\nmethod = \"as_in_paper\"\n");
     EXPECT_GT(table.certificate.texel.rms, 0.05);
 }
 
@@ -86,19 +86,19 @@ TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
         size = [16, 16]
     )");
     const auto outcome =
-        bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     ASSERT_TRUE(outcome.value);
     EXPECT_EQ(outcome.value->channel_names, std::vector<std::string>{"Y"});
-    EXPECT_EQ(outcome.value->image.channels, 1);
-    EXPECT_GT(outcome.value->image.texel(15, 0)[0], 0.03F);
+    EXPECT_EQ(outcome.value->image().channels, 1);
+    EXPECT_GT(outcome.value->image().texel(15, 0)[0], 0.03F);
 }
 
 TEST(MultipleScatteringTable, ThreadsLeaveTheBytesAlone) {
     const std::string section = "size = [17, 9]\nmax_texel_error = \"5 %\"\n";
-    const BakedTable one = bake(section, "earth", 1);
+    const Baked one = bake(section, "earth", 1);
     for (const int threads : {2, 7}) {
-        const BakedTable many = bake(section, "earth", threads);
-        EXPECT_EQ(one.image.texels, many.image.texels);
+        const Baked many = bake(section, "earth", threads);
+        EXPECT_EQ(one.image().texels, many.image().texels);
         EXPECT_EQ(one.certificate.lookup.max, many.certificate.lookup.max);
         EXPECT_EQ(one.certificate.texel.rms, many.certificate.texel.rms);
     }

@@ -235,16 +235,16 @@ TEST(TransmittanceHardCase, Case16HalfRange) {
     const config::Recipe recipe =
         test::recipe_of("preset = \"dense_earth\"\n[bake.transmittance]\npixel_type = \"half\"\n");
     const auto outcome =
-        bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     ASSERT_TRUE(outcome.value);
-    const BakedTable& table = *outcome.value;
+    const Baked& table = *outcome.value;
     // Transmittances that a double holds and a half does not, by their optical depths.
     const config::Recipe depths = test::recipe_of(
         "preset = \"dense_earth\"\n[bake.transmittance]\ncontent = \"optical_depth\"\n");
     const auto depth =
-        bake_table(depths, depths.parameters.bakes.at(0), {1, Certification::off, nullptr});
+        bake_asset(depths, depths.parameters.bakes.at(0), {1, Certification::off, nullptr});
     long below = 0;
-    for (const float tau : depth.value->image.texels) {
+    for (const float tau : depth.value->image().texels) {
         if (tau > 14 * std::log(2.0) && tau < 708) ++below;
     }
     EXPECT_GT(below, 1000);
@@ -260,10 +260,10 @@ TEST(TransmittanceHardCase, Case17SizesOneTwoAndOdd) {
         const config::Recipe recipe =
             test::recipe_of("preset = \"earth\"\n[bake.transmittance]\nsize = " + size + "\n");
         const auto outcome =
-            bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+            bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;
         worst = std::max(worst, outcome.value->certificate.texel.max);
-        for (const Probe& probe : outcome.value->probes) {
+        for (const Probe& probe : outcome.value->levels[0].probes) {
             for (const double value : probe.value) EXPECT_TRUE(value >= 0 && value <= 1) << size;
         }
     }
@@ -273,9 +273,10 @@ TEST(TransmittanceHardCase, Case17SizesOneTwoAndOdd) {
 TEST(TransmittanceHardCase, Case21ThreadsAndOrder) {
     const config::Recipe recipe = test::recipe_of("preset = \"mars\"\n[bake.transmittance]\n");
     const auto bake = [&](int threads) {
-        return bake_table(recipe, recipe.parameters.bakes.at(0),
+        return bake_asset(recipe, recipe.parameters.bakes.at(0),
                           {threads, Certification::off, nullptr})
-            .value->image.texels;
+            .value->image()
+            .texels;
     };
     const auto one = bake(1);
     double different = 0;

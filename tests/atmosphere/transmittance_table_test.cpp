@@ -14,32 +14,32 @@
 namespace skybake {
 namespace {
 
-BakedTable bake(const std::string& section, const std::string& preset = "earth",
-                BakeOptions options = {1, Certification::quick, nullptr}) {
+Baked bake(const std::string& section, const std::string& preset = "earth",
+           BakeOptions options = {1, Certification::quick, nullptr}) {
     const config::Recipe recipe = test::recipe_of(
         "preset = \"" + preset + "\"\n[bake.table]\nasset = \"transmittance\"\n" + section);
-    const auto outcome = bake_table(recipe, recipe.parameters.bakes.at(0), options);
+    const auto outcome = bake_asset(recipe, recipe.parameters.bakes.at(0), options);
     for (const auto& diagnostic : outcome.diagnostics) {
         if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
     }
-    return outcome.value.value_or(BakedTable{});
+    return outcome.value.value_or(Baked{});
 }
 
 TEST(TransmittanceTable, FirstRowIsTheGroundAndFirstColumnStraightUp) {
-    const BakedTable table = bake("size = [256, 64]\n");
+    const Baked table = bake("size = [256, 64]\n");
     const Medium earth = test::preset_medium("earth");
     const Spectrum up = optical_depth_to_top(earth, 0, 6360);
     const Spectrum horizon = optical_depth_to_top(earth, 0, 0);
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_FLOAT_EQ(table.image.texel(0, 0)[c], static_cast<float>(std::exp(-up[c])));
-        EXPECT_FLOAT_EQ(table.image.texel(255, 0)[c], static_cast<float>(std::exp(-horizon[c])));
-        EXPECT_EQ(table.image.texel(0, 63)[c], 1.0F);
+        EXPECT_FLOAT_EQ(table.image().texel(0, 0)[c], static_cast<float>(std::exp(-up[c])));
+        EXPECT_FLOAT_EQ(table.image().texel(255, 0)[c], static_cast<float>(std::exp(-horizon[c])));
+        EXPECT_EQ(table.image().texel(0, 63)[c], 1.0F);
     }
     EXPECT_EQ(table.channel_names, (std::vector<std::string>{"R", "G", "B"}));
 }
 
 TEST(TransmittanceTable, CertifiesTexelsAndLookups) {
-    const BakedTable table = bake("size = [256, 64]\n");
+    const Baked table = bake("size = [256, 64]\n");
     ASSERT_TRUE(table.certified);
     EXPECT_LT(table.certificate.texel.max, 1e-7);
     EXPECT_GT(table.certificate.texel.max, 1e-9);
@@ -49,38 +49,38 @@ TEST(TransmittanceTable, CertifiesTexelsAndLookups) {
 }
 
 TEST(TransmittanceTable, HalfAndOpticalDepth) {
-    const BakedTable half = bake("size = [256, 64]\npixel_type = \"half\"\n");
+    const Baked half = bake("size = [256, 64]\npixel_type = \"half\"\n");
     EXPECT_GT(half.range.below_normal, 0);
     EXPECT_NEAR(half.certificate.texel.max, 0x1p-12, 0x1p-13);
-    const BakedTable depth = bake("size = [256, 64]\ncontent = \"optical_depth\"\n");
-    const BakedTable transmittance = bake("size = [256, 64]\n");
-    for (std::size_t i = 0; i < depth.image.texels.size(); ++i) {
-        EXPECT_NEAR(std::exp(-depth.image.texels[i]), transmittance.image.texels[i], 1e-6);
+    const Baked depth = bake("size = [256, 64]\ncontent = \"optical_depth\"\n");
+    const Baked transmittance = bake("size = [256, 64]\n");
+    for (std::size_t i = 0; i < depth.image().texels.size(); ++i) {
+        EXPECT_NEAR(std::exp(-depth.image().texels[i]), transmittance.image().texels[i], 1e-6);
     }
 }
 
 TEST(TransmittanceTable, UeMappingHasNoHalfTexel) {
-    const BakedTable table = bake("size = [64, 16]\nmapping = \"ue\"\n");
+    const Baked table = bake("size = [64, 16]\nmapping = \"ue\"\n");
     const Medium earth = test::preset_medium("earth");
     const TransmittanceRay ray = transmittance_ray({6360, 100}, {10.5 / 64, 3.5 / 16});
     const Spectrum tau = optical_depth_to_top(earth, ray.altitude_km, ray.s_km);
     for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_FLOAT_EQ(table.image.texel(10, 3)[c], static_cast<float>(std::exp(-tau[c])));
+        EXPECT_FLOAT_EQ(table.image().texel(10, 3)[c], static_cast<float>(std::exp(-tau[c])));
     }
 }
 
 TEST(TransmittanceTable, ProbesCatchAFlipAndAHalfTexelShift) {
-    const BakedTable table = bake("size = [256, 64]\n");
-    EXPECT_GE(table.probes.size(), 16U);
+    const Baked table = bake("size = [256, 64]\n");
+    EXPECT_GE(table.levels[0].probes.size(), 16U);
     int flipped = 0;
     int shifted = 0;
-    for (const Probe& probe : table.probes) {
+    for (const Probe& probe : table.levels[0].probes) {
         std::vector<double> value(3);
-        bilinear(table.image, probe.uv[0], 1 - probe.uv[1], value.data());
+        bilinear(table.image(), probe.uvw[0], 1 - probe.uvw[1], value.data());
         for (std::size_t c = 0; c < 3; ++c) {
             if (std::fabs(value[c] - probe.value[c]) > probe.tolerance[c]) ++flipped;
         }
-        bilinear(table.image, probe.uv[0] + 0.5 / 256, probe.uv[1] + 0.5 / 64, value.data());
+        bilinear(table.image(), probe.uvw[0] + 0.5 / 256, probe.uvw[1] + 0.5 / 64, value.data());
         for (std::size_t c = 0; c < 3; ++c) {
             if (std::fabs(value[c] - probe.value[c]) > probe.tolerance[c]) ++shifted;
         }
@@ -88,25 +88,25 @@ TEST(TransmittanceTable, ProbesCatchAFlipAndAHalfTexelShift) {
         const UnitCoordinates x =
             transmittance_coordinates({6360, 100}, probe.at[0].second, probe.at[1].second);
         constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
-        EXPECT_NEAR(texture_coordinate(kConvention, x.x_mu, 256), probe.uv[0], 1e-9);
-        EXPECT_NEAR(texture_coordinate(kConvention, x.x_r, 64), probe.uv[1], 1e-9);
+        EXPECT_NEAR(texture_coordinate(kConvention, x.x_mu, 256), probe.uvw[0], 1e-9);
+        EXPECT_NEAR(texture_coordinate(kConvention, x.x_r, 64), probe.uvw[1], 1e-9);
     }
     EXPECT_GT(flipped, 20);
     EXPECT_GT(shifted, 20);
 }
 
 TEST(TransmittanceTable, MaxErrorTakesTheSmallestTableThatHolds) {
-    const BakedTable table = bake("max_error = \"1 %\"\n");
+    const Baked table = bake("max_error = \"1 %\"\n");
     EXPECT_LE(table.certificate.lookup.max, 0.01);
-    EXPECT_LT(table.image.texels.size(), 256U * 64 * 3);
-    EXPECT_GT(table.image.texels.size(), 100U);
+    EXPECT_LT(table.image().texels.size(), 256U * 64 * 3);
+    EXPECT_GT(table.image().texels.size(), 100U);
 }
 
 TEST(TransmittanceTable, MaxErrorOutOfReachFailsWithTheFigure) {
     const config::Recipe recipe = test::recipe_of(
         "preset = \"earth\"\n[bake.transmittance]\nmax_error = 2e-7\npixel_type = \"half\"\n");
     const auto outcome =
-        bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     EXPECT_FALSE(outcome.value);
     ASSERT_EQ(outcome.diagnostics.size(), 1U);
     EXPECT_EQ(outcome.diagnostics[0].code, "E0403");
@@ -117,7 +117,7 @@ TEST(TransmittanceTable, DepthBeyondHalfIsRefused) {
         "preset = \"earth\"\n[atmosphere.layers.rayleigh]\nscattering = \"1 /m\"\n"
         "[bake.transmittance]\ncontent = \"optical_depth\"\npixel_type = \"half\"\n");
     const auto outcome =
-        bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     EXPECT_FALSE(outcome.value);
     ASSERT_FALSE(outcome.diagnostics.empty());
     EXPECT_EQ(outcome.diagnostics[0].code, "E0402");
@@ -127,7 +127,7 @@ TEST(TransmittanceTable, ScatteringAndPhaseLeaveItAlone) {
     const auto parameters = [](const std::string& more) {
         const config::Recipe recipe =
             test::recipe_of("preset = \"earth\"\n" + more + "[bake.transmittance]\n");
-        return bake_table(recipe, recipe.parameters.bakes.at(0), {1, Certification::off, nullptr})
+        return bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::off, nullptr})
             .value->parameters;
     };
     const std::string plain = parameters("");
@@ -137,11 +137,11 @@ TEST(TransmittanceTable, ScatteringAndPhaseLeaveItAlone) {
 }
 
 TEST(TransmittanceTable, ThreadsLeaveTheBytesAlone) {
-    const BakedTable one = bake("size = [63, 17]\n", "earth", {1, Certification::quick, nullptr});
+    const Baked one = bake("size = [63, 17]\n", "earth", {1, Certification::quick, nullptr});
     for (const int threads : {2, 7}) {
-        const BakedTable many =
+        const Baked many =
             bake("size = [63, 17]\n", "earth", {threads, Certification::quick, nullptr});
-        EXPECT_EQ(one.image.texels, many.image.texels);
+        EXPECT_EQ(one.image().texels, many.image().texels);
         EXPECT_EQ(one.certificate.lookup.rms, many.certificate.lookup.rms);
     }
 }

@@ -29,10 +29,10 @@ Sky make_earth() {
     PreviewAsset transmittance;
     PreviewAsset multiple_scattering;
     for (const config::Bake& bake : recipe.value->parameters.bakes) {
-        const auto baked = bake_table(*recipe.value, bake, {0, Certification::off, nullptr});
+        const auto baked = bake_asset(*recipe.value, bake, {0, Certification::off, nullptr});
         PreviewAsset& asset = bake.name == "transmittance" ? transmittance : multiple_scattering;
         asset.entry = describe(*baked.value);
-        asset.table = baked.value->image;
+        asset.table = baked.value->image();
     }
     return {make_sky_medium(recipe.value->parameters.atmosphere),
             *make_sky_tables(transmittance, multiple_scattering).value,

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/math/keep_memory.h"
 #include "bakers/math/parallel.h"
 
@@ -77,8 +77,8 @@ std::shared_ptr<const Balls> balls() {
     return source;
 }
 
-BakedVolume volume_of_balls() {
-    BakedVolume volume;
+Baked volume_of_balls() {
+    Baked volume;
     volume.channel_names = {"Y"};
     volume.sparse = true;
     volume.voxel_size_m = {10, 10, 10};
@@ -139,7 +139,7 @@ void measure(benchmark::State& state, Write&& write) {
 }
 
 void write_with_skybake(benchmark::State& state, int threads, std::size_t most_kept_bytes) {
-    const BakedVolume volume = volume_of_balls();
+    const Baked volume = volume_of_balls();
     measure(state, [&](const std::filesystem::path& path) {
         const auto written = write_vdb(volume, 0, {}, threads, nullptr, path, most_kept_bytes);
         if (!written.value) state.SkipWithError(written.diagnostics.at(0).message.c_str());

@@ -8,7 +8,7 @@
 #include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/takram_parameters.h"
-#include "bakers/io/formats/exr/exr_volume.h"
+#include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solved_light_memory.h"
@@ -26,18 +26,18 @@ config::BrunetonBake bake_of(const std::string& preset, const std::string& keys)
     return recipe.parameters.bakes.back().as<config::BrunetonBake>();
 }
 
-BakedVolume baked(const std::string& preset, const std::string& keys, int threads = 2) {
+Baked baked(const std::string& preset, const std::string& keys, int threads = 2) {
     BakeOptions options{.threads = threads, .certification = Certification::off};
-    BakedVolume volume;
+    Baked volume;
     volume.name = "a";
     const auto outcome = bake_bruneton(test::preset_atmosphere(preset), bake_of(preset, keys),
                                        options, std::move(volume));
     for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return outcome.value.value_or(BakedVolume{});
+    return outcome.value.value_or(Baked{});
 }
 
-std::vector<float> voxels_of(const BakedVolume& volume, std::size_t channel) {
-    const VolumeLevel& level = volume.levels.front();
+std::vector<float> voxels_of(const Baked& volume, std::size_t channel) {
+    const Level& level = volume.levels.front();
     std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
     std::vector<float*> targets(volume.channel_names.size(), nullptr);
     targets[channel] = values.data();
@@ -49,8 +49,8 @@ constexpr const char* kSmall = "size = [16, 8, 4]\nnu_size = 4\npixel_type = \"f
 
 TEST(BrunetonVolume, HasTheSameBytesForAnyNumberOfThreads) {
     const auto keys = std::string(kSmall) + "table = \"scattering\"\n";
-    const BakedVolume one = baked("earth", keys, 1);
-    const BakedVolume two = baked("earth", keys, 2);
+    const Baked one = baked("earth", keys, 1);
+    const Baked two = baked("earth", keys, 2);
     ASSERT_EQ(one.levels.size(), 1U);
     EXPECT_EQ(one.levels[0].content_hash, two.levels[0].content_hash);
     EXPECT_EQ(one.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
@@ -58,9 +58,9 @@ TEST(BrunetonVolume, HasTheSameBytesForAnyNumberOfThreads) {
 
 TEST(BrunetonVolume, ScatteringIsTheFirstOrderAndTheRest) {
     // But for what texels of each table are moved by for lookups between them.
-    const BakedVolume all = baked("earth", kSmall);
-    const BakedVolume first = baked("earth", std::string(kSmall) + "orders = 1\n");
-    const BakedVolume rest = baked("earth", std::string(kSmall) + "table = \"higher_orders\"\n");
+    const Baked all = baked("earth", kSmall);
+    const Baked first = baked("earth", std::string(kSmall) + "orders = 1\n");
+    const Baked rest = baked("earth", std::string(kSmall) + "table = \"higher_orders\"\n");
     const auto a = voxels_of(all, 1);
     const auto b = voxels_of(first, 1);
     const auto c = voxels_of(rest, 1);
@@ -75,8 +75,8 @@ TEST(BrunetonVolume, ScatteringIsTheFirstOrderAndTheRest) {
 }
 
 TEST(BrunetonVolume, AlphaIsTheRedOfSingleMie) {
-    const BakedVolume combined = baked("earth", std::string(kSmall) + "orders = 1\n");
-    const BakedVolume mie = baked("earth", std::string(kSmall) + "table = \"single_mie\"\n");
+    const Baked combined = baked("earth", std::string(kSmall) + "orders = 1\n");
+    const Baked mie = baked("earth", std::string(kSmall) + "table = \"single_mie\"\n");
     EXPECT_EQ(voxels_of(combined, 3), voxels_of(mie, 0));
     EXPECT_EQ(mie.channel_names.size(), 3U);
 }
@@ -89,9 +89,9 @@ TEST(BrunetonVolume, SolarIrradianceMultipliesLight) {
 }
 
 TEST(BrunetonVolume, TakramsTablesHaveFourChannelsAndParameters) {
-    const BakedVolume scattering =
+    const Baked scattering =
         baked("takram", "size = [16, 8, 4]\nnu_size = 4\norders = 1\nconvention = \"takram\"\n");
-    EXPECT_TRUE(scattering.flipped);
+    EXPECT_TRUE(scattering.flip);
     ASSERT_TRUE(scattering.companion.has_value());
     EXPECT_EQ(scattering.companion->format, "json");
     const std::string& text = scattering.companion->text;
@@ -99,7 +99,7 @@ TEST(BrunetonVolume, TakramsTablesHaveFourChannelsAndParameters) {
     EXPECT_NE(text.find("\"bottomRadius\": 6360000"), std::string::npos);
     EXPECT_NE(text.find("\"rayleighScattering\": [0.005802, 0.013558, 0.0331]"), std::string::npos);
     EXPECT_NE(text.find("\"muSMin\": -0.5"), std::string::npos);
-    const BakedVolume transmittance =
+    const Baked transmittance =
         baked("takram", "size = [8, 4, 1]\ntable = \"transmittance\"\nconvention = \"takram\"\n");
     EXPECT_FALSE(transmittance.companion.has_value());
     EXPECT_EQ(transmittance.channel_names.size(), 4U);
@@ -107,20 +107,21 @@ TEST(BrunetonVolume, TakramsTablesHaveFourChannelsAndParameters) {
 }
 
 TEST(BrunetonVolume, TakramsImageIsUpsideDownAndReadAsItWas) {
-    const BakedVolume volume =
+    const Baked volume =
         baked("takram",
               "size = [16, 8, 4]\nnu_size = 4\norders = 1\nconvention = \"takram\"\n"
               "pixel_type = \"float\"\n");
     const testing::TemporaryFolder folder;
     for (const auto& [kind, columns] :
-         {std::pair{config::VolumeLayout::stack, 0}, {config::VolumeLayout::atlas, 3}}) {
-        BakedVolume laid_out = volume;
+         {std::pair{config::SheetLayout::stack, 0}, {config::SheetLayout::atlas, 3}}) {
+        Baked laid_out = volume;
         laid_out.layout = kind;
         laid_out.columns = columns;
         testing::write_bytes(folder / "a.exr", "");
-        ASSERT_EQ(write_exr_volume(laid_out, 0, {}, 2, nullptr, folder / "a.exr").value, true);
-        SliceLayout layout = volume_layout({16, 8, 4}, kind, columns);
-        layout.flipped = true;
+        ASSERT_EQ(testing::write_as(config::FileFormat::exr, laid_out, 2, nullptr, folder / "a.exr")
+                      .value,
+                  true);
+        EXPECT_TRUE(laid_out.flip);
         auto image = ExrRows::open(folder / "a.exr");
         ASSERT_TRUE(image.value.has_value());
         std::vector<float> red;
@@ -128,7 +129,8 @@ TEST(BrunetonVolume, TakramsImageIsUpsideDownAndReadAsItWas) {
             for (std::int64_t i = 0; i < count; ++i) red.push_back(values[4 * i]);
             return true;
         };
-        EXPECT_EQ(read_exr_volume(*image.value, {16, 8, 4}, layout, visit).value, true);
+        EXPECT_EQ(exr_format().read(folder / "a.exr", testing::shape_of(laid_out), 0, visit).value,
+                  true);
         EXPECT_EQ(red, voxels_of(volume, 0));
         // The file's first row is the last one of the last slice in the lowest row of cells.
         std::vector<float> row(static_cast<std::size_t>(image.value->width()) * 4);
@@ -138,7 +140,7 @@ TEST(BrunetonVolume, TakramsImageIsUpsideDownAndReadAsItWas) {
 }
 
 TEST(BrunetonVolume, IrradianceFallsFromNoonToNight) {
-    const BakedVolume irradiance = baked(
+    const Baked irradiance = baked(
         "earth", "size = [16, 2, 1]\ntable = \"irradiance\"\npixel_type = \"float\"\norders = 2\n");
     const auto green = voxels_of(irradiance, 1);
     EXPECT_GT(green[15], 0.02);

@@ -66,6 +66,12 @@ with tempfile.TemporaryDirectory() as folder:
     assert events("info", "other")[1]["missing"] == ["transmittance.exr"]
     assert events("info", "out/transmittance.exr")[0] == ["image"]
     assert events("info", "out/plain.vdb")[0] == ["grids"]
+    with open("png.toml", "w", encoding="utf-8") as file:
+        file.write('preset = "earth"\n[bake.transmittance]\nsize = [16, 4]\nformats = ["png"]\n'
+                   'pixel_type = "unorm8"\n')
+    events("bake", "png.toml", "-o", "png")
+    names, last = events("info", "png/transmittance.png")
+    assert names == ["file"] and last["asset"]["kind"] == "transmittance"
     assert events("verify", "out")[1]["passed"]
     assert not events("verify", "other", code=1)[1]["passed"]
     assert events("diff", "out", "out")[1]["equal"]

@@ -179,11 +179,11 @@ TEST(CloudHardCases, BoundsTakeNothingAway) {
     hold("regions proved empty by bounds", "voxel by voxel, voxels unlike", lost, 0);
 }
 
-config::Outcome<BakedVolume> baked(const CloudCase& any, config::PixelType type) {
+config::Outcome<Baked> baked(const CloudCase& any, config::PixelType type) {
     config::CloudVolumeBake bake;
     bake.size = any.size;
     bake.pixel_type = type;
-    BakedVolume volume;
+    Baked volume;
     volume.name = "c";
     return bake_cloud_volume(any.cloud, bake, {&any.base, any.detail_noise(), any.maps}, {},
                              std::move(volume));

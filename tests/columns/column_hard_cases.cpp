@@ -38,7 +38,7 @@ double worst_column(const config::Atmosphere& atmosphere, const std::string& nam
 double lookup_rms(const config::Atmosphere& atmosphere, const config::OpticalDepthBake& bake) {
     const auto kinds = make_column_kinds(atmosphere, bake.kinds);
     const ColumnTable table(bake, column_geometry(kinds));
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
     level.repeats = {false, false, false};
     level.voxels = column_voxels(atmosphere, bake).voxels;

@@ -48,10 +48,10 @@ TEST(ColumnRecipes, SkiesFromStripsAreDarkerThanAllOrders) {
         "preset = 'earth'\n[bake.solved]\nasset = 'sky_view'\nsize = [8, 8]\naltitude = '500 m'\n"
         "sun_elevations = ['30 deg']\n[bake.strips]\nasset = 'sky_view'\nsky = 'strips'\n"
         "size = [8, 8]\naltitude = '500 m'\nsun_elevations = ['30 deg']\n");
-    std::vector<BakedTable> tables;
+    std::vector<Baked> tables;
     for (const config::Bake& bake : recipe.parameters.bakes) {
         if (bake.name != "solved" && bake.name != "strips") continue;
-        auto baked = bake_table(recipe, bake, {.threads = 2, .certification = Certification::off});
+        auto baked = bake_asset(recipe, bake, {.threads = 2, .certification = Certification::off});
         ASSERT_TRUE(baked.value.has_value());
         tables.push_back(std::move(*baked.value));
     }
@@ -60,9 +60,9 @@ TEST(ColumnRecipes, SkiesFromStripsAreDarkerThanAllOrders) {
     EXPECT_NE(tables[1].content.find("strips"), std::string::npos);
     double solved = 0;
     double strips = 0;
-    for (std::size_t i = 0; i < tables[0].image.texels.size(); ++i) {
-        solved += double{tables[0].image.texels[i]};
-        strips += double{tables[1].image.texels[i]};
+    for (std::size_t i = 0; i < tables[0].image().texels.size(); ++i) {
+        solved += double{tables[0].image().texels[i]};
+        strips += double{tables[1].image().texels[i]};
     }
     EXPECT_LT(strips, solved);
     EXPECT_GT(strips, 0.5 * solved);

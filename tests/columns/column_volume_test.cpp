@@ -11,22 +11,22 @@
 namespace skybake::test {
 namespace {
 
-BakedVolume bake(const config::Atmosphere& atmosphere, const config::OpticalDepthBake& bake,
-                 Certification certification = Certification::quick, int threads = 2) {
-    BakedVolume volume;
+Baked bake(const config::Atmosphere& atmosphere, const config::OpticalDepthBake& bake,
+           Certification certification = Certification::quick, int threads = 2) {
+    Baked volume;
     volume.name = "table";
     auto outcome = bake_columns(atmosphere, bake,
                                 BakeOptions{.threads = threads, .certification = certification},
                                 std::move(volume));
     EXPECT_TRUE(outcome.value.has_value());
-    return outcome.value ? std::move(*outcome.value) : BakedVolume{};
+    return outcome.value ? std::move(*outcome.value) : Baked{};
 }
 
 ColumnErrors errors_of(const config::Atmosphere& atmosphere, const config::OpticalDepthBake& bake,
                        int points) {
     const auto kinds = make_column_kinds(atmosphere, bake.kinds);
     const ColumnTable table(bake, column_geometry(kinds));
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
     level.repeats = {false, false, false};
     level.voxels = column_voxels(atmosphere, bake).voxels;

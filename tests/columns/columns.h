@@ -37,7 +37,7 @@ inline config::OpticalDepthBake bake_of(config::OpticalDepthTable table, std::ar
     bake.size = size;
     bake.kinds = std::move(kinds);
     bake.pixel_type = config::PixelType::float32;
-    bake.formats = {config::VolumeFormat::bin};
+    bake.formats = {config::FileFormat::bin};
     bake.compression = config::Compression::none;
     bake.shells = 32;
     bake.max_altitude = {35e3};

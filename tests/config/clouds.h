@@ -65,12 +65,12 @@ inline std::string spell(const Cloud& cloud) {
     return text;
 }
 
-inline std::string spell(const VolumeFiles& files) {
+inline std::string spell(const AssetFiles& files) {
     std::string text =
         fmt::format("{} {} {} {} {} {}", static_cast<int>(files.pixel_type),
                     static_cast<int>(files.layout), files.columns, files.mips,
                     static_cast<int>(files.compression), static_cast<int>(files.vdb_compression));
-    for (const VolumeFormat format : files.formats)
+    for (const FileFormat format : files.formats)
         text += fmt::format(" {}", static_cast<int>(format));
     return text;
 }
@@ -80,7 +80,7 @@ inline std::string spell(const CloudVolumeBake& bake) {
            (bake.extent[0].meters > 0 ? fmt::format("{} {} {} m ", bake.extent[0].meters,
                                                     bake.extent[1].meters, bake.extent[2].meters)
                                       : "") +
-           spell(static_cast<const VolumeFiles&>(bake));
+           spell(static_cast<const AssetFiles&>(bake));
 }
 
 inline std::string spell(const OccupancyBake& bake) {
@@ -88,7 +88,7 @@ inline std::string spell(const OccupancyBake& bake) {
                                    static_cast<int>(bake.filter), static_cast<int>(bake.rule));
     for (const OccupancyContent content : bake.contents)
         text += fmt::format("{} ", static_cast<int>(content));
-    return text + spell(static_cast<const VolumeFiles&>(bake));
+    return text + spell(static_cast<const AssetFiles&>(bake));
 }
 
 }  // namespace skybake::config::testing

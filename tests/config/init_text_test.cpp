@@ -123,12 +123,12 @@ TEST(InitText, TakramsNoisesAreBytes) {
     for (const char* preset : {"takram_shape", "takram_detail"}) {
         const Recipe recipe = valid(noise_init_text(*find_noise_preset(preset)));
         const auto& bake = recipe.parameters.bakes.at(0).as<NoiseVolumeBake>();
-        EXPECT_EQ(bake.formats, std::vector<VolumeFormat>{VolumeFormat::bin}) << preset;
+        EXPECT_EQ(bake.formats, std::vector<FileFormat>{FileFormat::bin}) << preset;
         EXPECT_EQ(bake.pixel_type, PixelType::unorm8) << preset;
     }
     const Recipe nubis = valid(noise_init_text(*find_noise_preset("nubis_shape")));
     const auto& bake = nubis.parameters.bakes.at(0).as<NoiseVolumeBake>();
-    EXPECT_EQ(bake.formats, std::vector<VolumeFormat>{VolumeFormat::exr});
+    EXPECT_EQ(bake.formats, std::vector<FileFormat>{FileFormat::exr});
 }
 
 TEST(InitText, SaysUnitRangeAndMeaning) {

@@ -24,15 +24,15 @@ Diagnostic fault(const std::string& keys) {
 }
 
 using Size = std::array<int, 3>;
-using Formats = std::vector<VolumeFormat>;
+using Formats = std::vector<FileFormat>;
 
 TEST(NoiseVolumeDecoder, HasTheDefaultsOfTheIssue) {
     const NoiseVolumeBake bake = volume("", "size = [32, 16, 8]");
     EXPECT_EQ(bake.noise, "n");
     EXPECT_EQ(bake.size, (Size{32, 16, 8})) << "the noise's";
-    EXPECT_EQ(bake.formats, Formats{VolumeFormat::exr});
+    EXPECT_EQ(bake.formats, Formats{FileFormat::exr});
     EXPECT_EQ(bake.pixel_type, PixelType::half);
-    EXPECT_EQ(bake.layout, VolumeLayout::stack);
+    EXPECT_EQ(bake.layout, SheetLayout::stack);
     EXPECT_EQ(bake.columns, 0);
     EXPECT_EQ(bake.mips, 1);
     EXPECT_EQ(bake.compression, Compression::zip);
@@ -44,7 +44,7 @@ TEST(NoiseVolumeDecoder, ReadsEveryKey) {
         "size = [64, 32, 16]\nformats = ['vdb', 'exr']\npixel_type = 'float'\nlayout = 'atlas'\n"
         "columns = 4\nmips = 3\ncompression = 'piz'\nvdb_compression = 'none'");
     EXPECT_EQ(testing::spell(bake), "n [64, 32, 16] 0 1 4 3 3 0 1 0");
-    EXPECT_EQ(volume("formats = 'bin'\npixel_type = 'unorm8'").formats, Formats{VolumeFormat::bin});
+    EXPECT_EQ(volume("formats = 'bin'\npixel_type = 'unorm8'").formats, Formats{FileFormat::bin});
     EXPECT_EQ(volume("formats = ['bin']\npixel_type = 'unorm16'").pixel_type, PixelType::unorm16);
 }
 
@@ -213,10 +213,10 @@ TEST(NoiseVolumeDecoder, WarnsOfOctavesOfNothing) {
 // Nobody has said how: then so that engines can import it.
 TEST(NoiseVolumeDecoder, AStackThatWouldBeTooHighIsAnAtlas) {
     const NoiseVolumeBake high = volume("size = [64, 256, 128]");
-    EXPECT_EQ(high.layout, VolumeLayout::atlas);
+    EXPECT_EQ(high.layout, SheetLayout::atlas);
     EXPECT_EQ(high.columns, 0) << "each level chooses its own";
-    EXPECT_EQ(volume("size = [64, 128, 128]").layout, VolumeLayout::stack) << "16384 rows fit";
-    EXPECT_EQ(volume("size = [64, 256, 128]\nformats = 'bin'").layout, VolumeLayout::stack);
+    EXPECT_EQ(volume("size = [64, 128, 128]").layout, SheetLayout::stack) << "16384 rows fit";
+    EXPECT_EQ(volume("size = [64, 256, 128]\nformats = 'bin'").layout, SheetLayout::stack);
     const Diagnostic asked = fault("layout = 'stack'\nsize = [64, 256, 128]");
     EXPECT_EQ(asked.code, "W0212");
     EXPECT_EQ(asked.severity, Severity::warning);
@@ -232,7 +232,7 @@ TEST(NoiseVolumeDecoder, WarnsOfEmptyCells) {
     const Diagnostic prime = fault("layout = 'atlas'\nsize = [128, 128, 131]");
     EXPECT_EQ(prime.code, "W0213");
     EXPECT_EQ(prime.label, "131 slices fill no atlas of at most 16384 by 16384 texels");
-    EXPECT_EQ(volume("layout = 'atlas'\nsize = [64, 64, 131]").layout, VolumeLayout::atlas)
+    EXPECT_EQ(volume("layout = 'atlas'\nsize = [64, 64, 131]").layout, SheetLayout::atlas)
         << "in one row";
 }
 

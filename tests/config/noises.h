@@ -63,7 +63,7 @@ inline std::string spell(const NoiseVolumeBake& bake) {
                                    static_cast<int>(bake.pixel_type), static_cast<int>(bake.layout),
                                    bake.columns, bake.mips, static_cast<int>(bake.compression),
                                    static_cast<int>(bake.vdb_compression));
-    for (const VolumeFormat format : bake.formats)
+    for (const FileFormat format : bake.formats)
         text += fmt::format(" {}", static_cast<int>(format));
     return text;
 }

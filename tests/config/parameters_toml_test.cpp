@@ -30,8 +30,13 @@ TEST(ParametersToml, PrintsWhatThePatternsName) {
               "size = [256, 64]\n"
               "content = \"transmittance\"\n"
               "mapping = \"bruneton\"\n"
+              "formats = [\"exr\"]\n"
               "pixel_type = \"float\"\n"
-              "compression = \"zip\"\n");
+              "layout = \"stack\"\n"
+              "flip = false\n"
+              "mips = 1\n"
+              "compression = \"zip\"\n"
+              "vdb_compression = \"blosc\"\n");
     EXPECT_EQ(text_of(recipe, {}), "");
     EXPECT_EQ(text_of(recipe, {"nothing", "atmosphere"}), "");
 }

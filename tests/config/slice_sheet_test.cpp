@@ -11,7 +11,7 @@ namespace {
 using Size = std::array<int, 3>;
 
 std::array<int, 2> atlas_of(const Size& size, int columns = 0) {
-    const SliceSheet sheet = slice_sheet(size, VolumeLayout::atlas, columns);
+    const SliceSheet sheet = slice_sheet(size, SheetLayout::atlas, columns);
     return {sheet.columns, sheet.rows};
 }
 
@@ -20,7 +20,7 @@ std::int64_t longer_edge(const Size& size, const std::array<int, 2>& cells) {
 }
 
 TEST(SliceSheet, AStackIsOneColumn) {
-    const SliceSheet sheet = slice_sheet({128, 64, 32}, VolumeLayout::stack, 0);
+    const SliceSheet sheet = slice_sheet({128, 64, 32}, SheetLayout::stack, 0);
     EXPECT_EQ(sheet.columns, 1);
     EXPECT_EQ(sheet.rows, 32);
 }
@@ -70,7 +70,7 @@ TEST(SliceSheet, LargeVolumesAreFullToo) {
 
 TEST(SliceSheet, SizesDoNotOverflow) {
     const Size size = {16384, 16384, 16384};
-    const SliceSheet sheet = slice_sheet(size, VolumeLayout::stack, 0);
+    const SliceSheet sheet = slice_sheet(size, SheetLayout::stack, 0);
     EXPECT_EQ(sheet_size(size, sheet)[1], std::int64_t{1} << 28);
 }
 

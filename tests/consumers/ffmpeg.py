@@ -49,7 +49,7 @@ def main():
     long_texts = 0
     for name, image in decoded.items():
         check_attributes(failures, name, image)
-        long_texts += "skybake/parameters.1" in image.attributes
+        long_texts += "skybake/asset.1" in image.attributes
         channels = "".join(channel for channel, _, _ in image.channels)
         layout, order = LAYOUTS[channels]
         reference = image if image.can_decode() else decoded[name.removesuffix("_piz")]

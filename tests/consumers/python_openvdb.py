@@ -1,5 +1,7 @@
 """OpenVDB's own Python module finds the voxels where they should be."""
 
+import json
+
 import consumer
 
 try:
@@ -71,7 +73,8 @@ def main():
     failures = consumer.Failures()
     for volume in consumer.baked_volumes():
         grids, metadata = vdb.readAll(volume.path("vdb"))
-        failures.expect(metadata["skybake/content_hash"], volume.asset["content_hash"], "the hash")
+        entry = json.loads(metadata["skybake/asset"])
+        failures.expect(entry["content_hash"], volume.asset["content_hash"], "the hash")
         names = [grid.name for grid in grids]
         failures.expect(sorted(names), sorted(volume.grids()), f"{volume.name}: the grids")
         voxels = volume.voxels()

@@ -1,5 +1,6 @@
 """vdb_print, which comes with OpenVDB, lists what the manifest says."""
 
+import json
 import re
 
 import consumer
@@ -16,7 +17,8 @@ def main():
     for volume in consumer.baked_volumes():
         text = consumer.output_of(vdb_print, "-l", volume.path("vdb"))
         head, *grids = re.split(r"^Name: ", text, flags=re.MULTILINE)
-        failures.expect(field(head, "skybake/content_hash"), volume.asset["content_hash"], "the hash")
+        entry = json.loads(field(head, "skybake/asset") or "{}")
+        failures.expect(entry.get("content_hash"), volume.asset["content_hash"], "the hash")
         # By name, whatever their order in the file.
         found = {grid.splitlines()[0]: grid for grid in grids}
         failures.expect(

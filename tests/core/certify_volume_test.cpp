@@ -20,9 +20,9 @@ using testing::sample_voxel;
 using Place = std::array<double, 3>;
 
 // The level of a volume whose statistics are known.
-VolumeLevel level_of(const std::array<int, 3>& size, int channels, PixelType type,
-                     FunctionVoxels::Function function) {
-    BakedVolume volume = plain_volume(size, channels, type, std::move(function));
+Level level_of(const std::array<int, 3>& size, int channels, PixelType type,
+               FunctionVoxels::Function function) {
+    Baked volume = plain_volume(size, channels, type, std::move(function));
     const std::vector<std::array<double, 2>> ranges(static_cast<std::size_t>(channels), {0, 1});
     EXPECT_TRUE(survey_level(volume, 0, ranges, {}).empty());
     return volume.levels[0];
@@ -31,8 +31,7 @@ VolumeLevel level_of(const std::array<int, 3>& size, int channels, PixelType typ
 TEST(CertifyVolume, ConstantsAreExact) {
     for (const PixelType type : {PixelType::float32, PixelType::half, PixelType::unorm8}) {
         const float value = round_to_pixel_type(0.4, type);
-        const VolumeLevel level =
-            level_of({7, 5, 1}, 1, type, [=](int, int, int, int) { return value; });
+        const Level level = level_of({7, 5, 1}, 1, type, [=](int, int, int, int) { return value; });
         const auto reference = [=](const Place&) { return std::vector<double>{double{value}}; };
         EXPECT_LT(measure_lookups(level, type, reference, 200, {}).figures.max, 1e-15);
         EXPECT_EQ(measure_voxels(level, type, reference, 200, {}).points, 200);
@@ -48,7 +47,7 @@ TEST(CertifyVolume, ConstantsAreExact) {
 // misses: a / 4 at most, sqrt(1/30) a of root mean square.
 TEST(CertifyVolume, FindsAKnownErrorBetweenVoxels) {
     const std::array<int, 3> size = {8, 6, 4};
-    const VolumeLevel level = level_of(size, 1, PixelType::float32, sample_voxel);
+    const Level level = level_of(size, 1, PixelType::float32, sample_voxel);
     const double range = level.statistics[0].max - level.statistics[0].min;
     const double a = 0.01;
     const auto reference = [&](const Place& uvw) {
@@ -71,7 +70,7 @@ TEST(CertifyVolume, FindsAKnownErrorBetweenVoxels) {
 TEST(CertifyVolume, CountsRoundingAtVoxels) {
     const std::array<int, 3> size = {16, 16, 16};
     for (const PixelType type : {PixelType::half, PixelType::unorm8, PixelType::unorm16}) {
-        const VolumeLevel level = level_of(size, 3, type, sample_voxel);
+        const Level level = level_of(size, 3, type, sample_voxel);
         const auto exact = [&](const Place& uvw) {
             std::vector<double> values;
             for (int c = 0; c < 3; ++c) {
@@ -93,7 +92,7 @@ TEST(CertifyVolume, CountsRoundingAtVoxels) {
 
 TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     const std::array<int, 3> size = {5, 7, 9};
-    const VolumeLevel level = level_of(size, 3, PixelType::half, sample_voxel);
+    const Level level = level_of(size, 3, PixelType::half, sample_voxel);
     const auto reference = [](const Place& uvw) {
         return std::vector<double>{uvw[0] + uvw[1] * uvw[2], uvw[2], uvw[0]};
     };

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/field/make_probe.h"
-
 namespace skybake {
 namespace {
 

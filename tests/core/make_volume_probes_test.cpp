@@ -21,20 +21,20 @@ using testing::sample_voxel;
 using UnitPlace = std::array<double, 3>;
 
 // A level that has been surveyed and has its probes.
-VolumeLevel probed(const std::array<int, 3>& size, int channels, PixelType type,
-                   FunctionVoxels::Function function, bool nearest = false, int threads = 1) {
-    BakedVolume volume = plain_volume(size, channels, type, std::move(function));
+Level probed(const std::array<int, 3>& size, int channels, PixelType type,
+             FunctionVoxels::Function function, bool nearest = false, int threads = 1) {
+    Baked volume = plain_volume(size, channels, type, std::move(function));
     const std::vector<std::array<double, 2>> ranges(static_cast<std::size_t>(channels), {0, 1});
     BakeOptions options;
     options.threads = threads;
     EXPECT_TRUE(survey_level(volume, 0, ranges, options).empty());
-    VolumeLevel& level = volume.levels[0];
+    Level& level = volume.levels[0];
     level.nearest = nearest;
     EXPECT_FALSE(add_volume_probes("shape", {}, type, options, level).has_value());
     return level;
 }
 
-bool catches(const VolumeLevel& level, const std::string& fault) {
+bool catches(const Level& level, const std::string& fault) {
     return std::find(level.catches.begin(), level.catches.end(), fault) != level.catches.end();
 }
 
@@ -42,9 +42,9 @@ TEST(VolumeProbes, AreTheStoredVoxelsLookedUpDirectly) {
     for (const std::array<int, 3>& size :
          {std::array<int, 3>{8, 6, 10}, {1, 1, 1}, {3, 1, 2}, {16, 16, 16}}) {
         for (const PixelType type : {PixelType::float32, PixelType::half, PixelType::unorm8}) {
-            const VolumeLevel level = probed(size, 3, type, sample_voxel);
+            const Level level = probed(size, 3, type, sample_voxel);
             EXPECT_GE(level.probes.size(), 16u);
-            for (const VolumeProbe& probe : level.probes) {
+            for (const Probe& probe : level.probes) {
                 ASSERT_EQ(probe.value.size(), 3u);
                 ASSERT_EQ(probe.tolerance.size(), 3u);
                 ASSERT_EQ(probe.at.size(), 3u);
@@ -64,10 +64,10 @@ TEST(VolumeProbes, AreTheStoredVoxelsLookedUpDirectly) {
 // fail: on each axis some probes are apart from what it finds by more than they tolerate.
 TEST(VolumeProbes, CatchWrongLookups) {
     const std::array<int, 3> size = {16, 16, 16};
-    const VolumeLevel level = probed(size, 1, PixelType::half, sample_voxel);
+    const Level level = probed(size, 1, PixelType::half, sample_voxel);
     const auto caught = [&](const auto& change) {
         int count = 0;
-        for (const VolumeProbe& probe : level.probes) {
+        for (const Probe& probe : level.probes) {
             const double found =
                 looked_up(sample_voxel, size, PixelType::half, 0, change(probe.uvw));
             count += std::fabs(found - probe.value[0]) > probe.tolerance[0] ? 1 : 0;
@@ -118,9 +118,9 @@ TEST(VolumeProbes, LieWhereSparseVolumesAreNotEmpty) {
         const int apart = std::max({std::abs(x - 41), std::abs(y - 9), std::abs(z - 50)});
         return apart < 2 ? 1.0F - 0.25F * static_cast<float>(apart) : 0.0F;
     };
-    const VolumeLevel level = probed({64, 64, 64}, 1, PixelType::half, blob);
+    const Level level = probed({64, 64, 64}, 1, PixelType::half, blob);
     int within = 0;
-    for (const VolumeProbe& probe : level.probes) {
+    for (const Probe& probe : level.probes) {
         within += probe.value[0] > 16 * probe.tolerance[0] ? 1 : 0;
     }
     EXPECT_GE(within, 12);
@@ -132,8 +132,8 @@ TEST(VolumeProbes, LieWhereSparseVolumesAreNotEmpty) {
 
 TEST(VolumeProbes, OfNearestVoxelsTellLinearLookups) {
     const auto cell = [](int x, int y, int z, int) { return (x * y + z) % 3 == 0 ? 1.0F : 0.0F; };
-    const VolumeLevel level = probed({8, 8, 4}, 1, PixelType::unorm8, cell, true);
-    for (const VolumeProbe& probe : level.probes) {
+    const Level level = probed({8, 8, 4}, 1, PixelType::unorm8, cell, true);
+    for (const Probe& probe : level.probes) {
         EXPECT_TRUE(probe.value[0] == 0 || probe.value[0] == 1) << probe.value[0];
     }
     EXPECT_TRUE(catches(level, "filter"));
@@ -143,32 +143,31 @@ TEST(VolumeProbes, OfNearestVoxelsTellLinearLookups) {
 
 // What changes no lookup cannot be caught, and is not said to be.
 TEST(VolumeProbes, LeaveOutFaultsThatChangeNothing) {
-    const VolumeLevel constant =
+    const Level constant =
         probed({8, 8, 8}, 1, PixelType::half, [](int, int, int, int) { return 0.5F; });
     EXPECT_EQ(constant.catches, std::vector<std::string>{"zeros"});
-    const VolumeLevel empty =
+    const Level empty =
         probed({8, 8, 8}, 1, PixelType::half, [](int, int, int, int) { return 0.0F; });
     EXPECT_TRUE(empty.catches.empty());
     EXPECT_GE(empty.probes.size(), 16u);
     // The same backwards along x.
-    const VolumeLevel mirrored =
-        probed({8, 8, 8}, 1, PixelType::half,
-               [](int x, int y, int z, int) { return sample_voxel(std::min(x, 7 - x), y, z, 0); });
+    const Level mirrored = probed({8, 8, 8}, 1, PixelType::half, [](int x, int y, int z, int) {
+        return sample_voxel(std::min(x, 7 - x), y, z, 0);
+    });
     EXPECT_FALSE(catches(mirrored, "flip_u"));
     EXPECT_TRUE(catches(mirrored, "flip_v"));
     EXPECT_TRUE(catches(mirrored, "shift_u"));
     EXPECT_TRUE(catches(mirrored, "swap_uv"));
     // The same with x and y exchanged.
-    const VolumeLevel square = probed({8, 8, 8}, 1, PixelType::half, [](int x, int y, int z, int) {
+    const Level square = probed({8, 8, 8}, 1, PixelType::half, [](int x, int y, int z, int) {
         return sample_voxel(std::min(x, y), std::max(x, y), z, 0);
     });
     EXPECT_FALSE(catches(square, "swap_uv"));
     EXPECT_TRUE(catches(square, "swap_uw"));
     EXPECT_TRUE(catches(square, "flip_u"));
     // The same all along z.
-    const VolumeLevel column = probed({8, 8, 8}, 1, PixelType::half, [](int x, int y, int, int) {
-        return sample_voxel(x, y, 0, 0);
-    });
+    const Level column = probed({8, 8, 8}, 1, PixelType::half,
+                                [](int x, int y, int, int) { return sample_voxel(x, y, 0, 0); });
     for (const char* fault : {"flip_w", "shift_w", "wrap_w"}) {
         EXPECT_FALSE(catches(column, fault)) << fault;
     }
@@ -176,8 +175,8 @@ TEST(VolumeProbes, LeaveOutFaultsThatChangeNothing) {
 }
 
 TEST(VolumeProbes, AreTheSameForAnyNumberOfThreads) {
-    const VolumeLevel one = probed({16, 12, 9}, 3, PixelType::half, sample_voxel, false, 1);
-    const VolumeLevel two = probed({16, 12, 9}, 3, PixelType::half, sample_voxel, false, 2);
+    const Level one = probed({16, 12, 9}, 3, PixelType::half, sample_voxel, false, 1);
+    const Level two = probed({16, 12, 9}, 3, PixelType::half, sample_voxel, false, 2);
     ASSERT_EQ(one.probes.size(), two.probes.size());
     EXPECT_EQ(one.catches, two.catches);
     for (std::size_t i = 0; i < one.probes.size(); ++i) {

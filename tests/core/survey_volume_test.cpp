@@ -24,9 +24,9 @@ constexpr std::array<PixelType, 4> kTypes = {PixelType::float32, PixelType::half
                                              PixelType::unorm16};
 
 // The same figures by going from voxel to voxel.
-VolumeLevel by_hand(const BakedVolume& volume, const Ranges& ranges) {
-    const VolumeLevel& level = volume.levels[0];
-    VolumeLevel result = level;
+Level by_hand(const Baked& volume, const Ranges& ranges) {
+    const Level& level = volume.levels[0];
+    Level result = level;
     const std::size_t channels = volume.channel_names.size();
     result.statistics.assign(channels, {});
     std::string bytes;
@@ -73,10 +73,10 @@ TEST(SurveyVolume, AgreesWithAPassFromVoxelToVoxel) {
     for (const PixelType type : kTypes) {
         for (const int channels : {1, 3, 4}) {
             for (const std::array<int, 3> size : {std::array{1, 1, 1}, {13, 1, 7}, {31, 17, 5}}) {
-                BakedVolume volume = plain_volume(size, channels, type);
+                Baked volume = plain_volume(size, channels, type);
                 ASSERT_TRUE(survey_level(volume, 0, ranges, {2}).empty());
-                const VolumeLevel wanted = by_hand(volume, ranges);
-                const VolumeLevel& found = volume.levels[0];
+                const Level wanted = by_hand(volume, ranges);
+                const Level& found = volume.levels[0];
                 EXPECT_EQ(found.content_hash, wanted.content_hash);
                 for (std::size_t c = 0; c < volume.channel_names.size(); ++c) {
                     const ValueStatistics& a = found.statistics[c];
@@ -96,7 +96,7 @@ TEST(SurveyVolume, DoesNotDependOnThreads) {
     std::string hash;
     double mean = 0;
     for (const int threads : {1, 2, 5}) {
-        BakedVolume volume = plain_volume({211, 97, 113}, 4, PixelType::half);
+        Baked volume = plain_volume({211, 97, 113}, 4, PixelType::half);
         ASSERT_TRUE(survey_level(volume, 0, Ranges(4, {0, 1}), {threads}).empty());
         if (threads == 1) {
             hash = volume.levels[0].content_hash;
@@ -110,12 +110,11 @@ TEST(SurveyVolume, DoesNotDependOnThreads) {
 // The message of the diagnostic of a volume whose channel 1 is `bad` at (5, 3, 2), and which has
 // others behind.
 std::string complaint(PixelType type, float bad, std::string& code) {
-    BakedVolume volume =
-        plain_volume({300, 400, 40}, 3, type, [bad](int x, int y, int z, int channel) {
-            if (channel == 1 && x == 5 && y == 3 && z == 20) return bad;
-            const bool behind = (channel == 0 && x == 6 && y == 3 && z == 20) || z == 39;
-            return behind ? std::numeric_limits<float>::infinity() : 0.5F;
-        });
+    Baked volume = plain_volume({300, 400, 40}, 3, type, [bad](int x, int y, int z, int channel) {
+        if (channel == 1 && x == 5 && y == 3 && z == 20) return bad;
+        const bool behind = (channel == 0 && x == 6 && y == 3 && z == 20) || z == 39;
+        return behind ? std::numeric_limits<float>::infinity() : 0.5F;
+    });
     const auto diagnostics = survey_level(volume, 0, Ranges(3, {0, 1}), {2});
     EXPECT_EQ(diagnostics.size(), 1U);
     EXPECT_TRUE(volume.levels[0].content_hash.empty());
@@ -153,24 +152,24 @@ TEST(SurveyVolume, NamesTheFirstValueThatNoFileHolds) {
 
 TEST(SurveyVolume, TakesWhatIsJustInRange) {
     const auto constant = [](float value) { return [value](int, int, int, int) { return value; }; };
-    BakedVolume half = plain_volume({4, 4, 4}, 1, PixelType::half, constant(-65504.0F));
+    Baked half = plain_volume({4, 4, 4}, 1, PixelType::half, constant(-65504.0F));
     EXPECT_TRUE(survey_level(half, 0, {{0, 1}}, {1}).empty());
     EXPECT_EQ(half.levels[0].statistics[0].min, -65504);
     EXPECT_EQ(half.levels[0].statistics[0].histogram, std::vector<std::int64_t>(32, 0));
-    BakedVolume unorm = plain_volume({4, 4, 4}, 1, PixelType::unorm8, constant(1.0F));
+    Baked unorm = plain_volume({4, 4, 4}, 1, PixelType::unorm8, constant(1.0F));
     EXPECT_TRUE(survey_level(unorm, 0, {{0, 1}}, {1}).empty());
     EXPECT_EQ(unorm.levels[0].statistics[0].histogram[31], 64);
-    BakedVolume zero = plain_volume({4, 4, 4}, 1, PixelType::unorm8, constant(-0.0F));
+    Baked zero = plain_volume({4, 4, 4}, 1, PixelType::unorm8, constant(-0.0F));
     EXPECT_TRUE(survey_level(zero, 0, {{0, 1}}, {1}).empty());
     EXPECT_FALSE(std::signbit(zero.levels[0].statistics[0].min));
 }
 
 TEST(SurveyVolume, CountsValuesThatLoseDigits) {
     const auto tiny = [](int x, int, int, int) { return x == 0 ? 0.0F : 1e-5F; };
-    BakedVolume half = plain_volume({3, 4, 4}, 1, PixelType::half, tiny);
+    Baked half = plain_volume({3, 4, 4}, 1, PixelType::half, tiny);
     survey_level(half, 0, {{0, 1}}, {1});
     EXPECT_EQ(half.range.below_normal, 32);
-    BakedVolume single = plain_volume({3, 4, 4}, 1, PixelType::float32, tiny);
+    Baked single = plain_volume({3, 4, 4}, 1, PixelType::float32, tiny);
     survey_level(single, 0, {{0, 1}}, {1});
     EXPECT_EQ(single.range.below_normal, 0);
 }
@@ -191,11 +190,10 @@ class Impatient : public Progress {
 
 TEST(SurveyVolume, AnInterruptionFillsNothing) {
     std::atomic<int> asked = 0;
-    BakedVolume volume =
-        plain_volume({1024, 1024, 1000}, 1, PixelType::half, [&](int, int, int, int) {
-            ++asked;
-            return 0.5F;
-        });
+    Baked volume = plain_volume({1024, 1024, 1000}, 1, PixelType::half, [&](int, int, int, int) {
+        ++asked;
+        return 0.5F;
+    });
     Impatient progress(2);
     EXPECT_TRUE(survey_level(volume, 0, {{0, 1}}, {2, Certification::off, &progress}).empty());
     EXPECT_TRUE(volume.levels[0].content_hash.empty());

@@ -203,7 +203,7 @@ inline void check_cloud(const Cloud& cloud, const Parameters& parameters) {
 }
 
 // Of volumes of this size.
-inline void check_files(const VolumeFiles& files, const std::array<int, 3>& size) {
+inline void check_files(const AssetFiles& files, const std::array<int, 3>& size) {
     double voxels = 1;
     for (const int edge : size) {
         require(edge >= 1 && edge <= 16384, "size in range");
@@ -213,8 +213,8 @@ inline void check_files(const VolumeFiles& files, const std::array<int, 3>& size
     require(!files.formats.empty() && files.formats.size() <= 3, "one to three formats");
     const bool unorm =
         files.pixel_type == PixelType::unorm8 || files.pixel_type == PixelType::unorm16;
-    for (const VolumeFormat format : files.formats) {
-        require(!unorm || format == VolumeFormat::bin, "unorm in bin alone");
+    for (const FileFormat format : files.formats) {
+        require(!unorm || format == FileFormat::bin, "unorm in bin alone");
     }
     require(files.columns >= 0 && files.columns <= size[2], "no more columns than slices");
     require(files.mips >= 1 && files.mips <= 15, "levels in range");

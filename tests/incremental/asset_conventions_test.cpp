@@ -201,11 +201,11 @@ class AssetConventions : public ::testing::Test {
     template <class CoordinatesOf>
     static void expect_probes(const std::string& name, const CoordinatesOf& coordinates_of) {
         const ManifestAsset& entry = asset(name);
-        ASSERT_GE(entry.probes.size(), 16U) << name;
-        for (const Probe& probe : entry.probes) {
+        ASSERT_GE(entry.levels[0].probes.size(), 16U) << name;
+        for (const Probe& probe : entry.levels[0].probes) {
             const std::array<double, 2> uv = coordinates_of(entry, probe);
-            EXPECT_NEAR(uv[0], probe.uv[0], 2e-6) << name;
-            EXPECT_NEAR(uv[1], probe.uv[1], 2e-6) << name;
+            EXPECT_NEAR(uv[0], probe.uvw[0], 2e-6) << name;
+            EXPECT_NEAR(uv[1], probe.uvw[1], 2e-6) << name;
         }
     }
 };
@@ -441,8 +441,9 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
 
 TEST_F(AssetConventions, AxesWrapAsLookupsAreMade) {
     for (const ManifestAsset& entry : manifest().assets) {
-        const std::array<bool, 3> repeats =
-            entry.is_volume() ? repeating_axes(entry.mapping) : std::array<bool, 3>{};
+        const bool is_tile = entry.mapping == "tile";
+        const bool is_layer = entry.mapping == "layer";
+        const std::array<bool, 3> repeats = {is_tile || is_layer, is_tile || is_layer, is_tile};
         for (std::size_t i = 0; i < entry.axes.size(); ++i) {
             EXPECT_EQ(entry.axes[i].wrap == AxisWrap::repeat, repeats[i]) << entry.name << i;
             const bool says_edges =

@@ -18,19 +18,17 @@ ExrImage sample() {
 }
 
 // Rows of an image in memory, in pieces of three.
-RowSource rows(const ExrImage& image) {
-    return {image.pixels.width,
-            image.pixels.height,
+ComparedImage rows(const ExrImage& image) {
+    return {{image.pixels.width, image.pixels.height, image.channel_names.size(), 3,
+             [&image](int first, int count, float* texels) -> std::optional<config::Diagnostic> {
+                 const float* from = image.pixels.texel(0, first);
+                 std::copy_n(from, image.pixels.texel(0, first + count) - from, texels);
+                 return std::nullopt;
+             }},
             image.channel_names,
             image.pixel_type,
             image.compression,
-            image.attributes,
-            3,
-            [&image](int first, int count, float* texels) -> std::optional<config::Diagnostic> {
-                const float* from = image.pixels.texel(0, first);
-                std::copy_n(from, image.pixels.texel(0, first + count) - from, texels);
-                return std::nullopt;
-            }};
+            image.attributes};
 }
 
 ImageDifference compare_images(const ExrImage& first, const ExrImage& second) {
@@ -89,8 +87,10 @@ TEST(Compare, ListsMetadata) {
 
 TEST(Compare, PassesOnWhatCannotBeRead) {
     const ExrImage image = sample();
-    RowSource broken = rows(image);
-    broken.read = [](int, int, float*) { return config::Diagnostic{{}, "E0304", "no", {}, {}}; };
+    ComparedImage broken = rows(image);
+    broken.rows.read = [](int, int, float*) {
+        return config::Diagnostic{{}, "E0304", "no", {}, {}};
+    };
     EXPECT_EQ(testing::first_code(compare_images(rows(image), broken).diagnostics), "E0304");
 }
 

@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/bilinear.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/field/trilinear.h"
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/io/formats/write_table.h"
-#include "bakers/io/formats/write_volume.h"
+#include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
 #include "tests/support/volumes.h"
 
@@ -99,9 +99,9 @@ inline std::vector<Probe> sample_probes(const Image2<float>& image) {
     for (int i = 0; i < 16; ++i) {
         Probe probe;
         probe.at = {{"altitude_km", i * 6.25}, {"cos_zenith", 1 - i / 7.5}};
-        probe.uv = {i / 15.0, 1 - i / 15.0};
+        probe.uvw = {i / 15.0, 1 - i / 15.0, 0.5};
         probe.value.resize(static_cast<std::size_t>(image.channels));
-        bilinear(image, probe.uv[0], probe.uv[1], probe.value.data());
+        bilinear(image, probe.uvw[0], probe.uvw[1], probe.value.data());
         probe.tolerance.assign(probe.value.size(), 1e-9);
         probes.push_back(probe);
     }
@@ -109,11 +109,11 @@ inline std::vector<Probe> sample_probes(const Image2<float>& image) {
 }
 
 // Lookups about the whole tile, many of them across its seams.
-inline std::vector<VolumeProbe> sample_volume_probes(const VolumeLevel& level, std::size_t channels,
-                                                     config::PixelType type) {
-    std::vector<VolumeProbe> probes;
+inline std::vector<Probe> sample_volume_probes(const Level& level, std::size_t channels,
+                                               config::PixelType type) {
+    std::vector<Probe> probes;
     for (int i = 0; i < 16; ++i) {
-        VolumeProbe probe;
+        Probe probe;
         probe.uvw = {i / 16.0, 1 - i * 0.0625, (i * 5 % 16) / 15.0};
         probe.at = {{"x_tile", probe.uvw[0]}, {"y_tile", probe.uvw[1]}, {"z_tile", probe.uvw[2]}};
         probe.value.assign(channels, 0.0);
@@ -134,8 +134,18 @@ inline std::vector<VolumeProbe> sample_volume_probes(const VolumeLevel& level, s
     return probes;
 }
 
-inline BakedTable sample_table(const std::string& name = "transmittance") {
-    BakedTable table;
+// Texels, surveyed, with probes.
+inline void set_sample_image(const Image2<float>& image, Baked& table) {
+    set_image(image, table);
+    const std::vector<std::array<double, 2>> ranges(table.channel_names.size(), {0.0, 1.0});
+    EXPECT_TRUE(survey_level(table, 0, ranges, {2}).empty());
+    table.levels[0].probes = sample_probes(image);
+    table.levels[0].catches = {"zeros", "flip_v"};
+}
+
+inline Baked sample_table(const std::string& name = "transmittance") {
+    Baked table;
+    table.axes.resize(2);
     table.name = name;
     table.kind = "transmittance";
     table.content = "transmittance to the top of the atmosphere, in [0, 1]";
@@ -144,7 +154,6 @@ inline BakedTable sample_table(const std::string& name = "transmittance") {
                      "end points on texel centres", 1, -0.1};
     table.axes[1] = {"altitude_km", "x_r = rho / H", "end points on texel centres", 0, 100};
     table.channel_names = {"R", "G", "B"};
-    table.image = sample_image(16, 8, 3);
     table.certified = true;
     table.certificate = {{1e-7, 3.25e-8},
                          {7.1e-3, 2e-4},
@@ -154,8 +163,7 @@ inline BakedTable sample_table(const std::string& name = "transmittance") {
                          "1 is full transmittance",
                          "cos_zenith -0.01",
                          "a larger size"};
-    table.probes = sample_probes(table.image);
-    table.catches = {"zeros", "flip_v"};
+    set_sample_image(sample_image(16, 8, 3), table);
     table.parameters = "[atmosphere]\nground_radius = \"6360000 m\"\n";
     table.axes[0].constants = {{"ground_radius_km", 6360.0}, {"names", "of a planet"}};
     table.axes[1].constants = {{"tables", std::vector<double>{1, 0.1, -2}}};
@@ -169,13 +177,13 @@ inline Manifest write_sample_bake(const std::filesystem::path& folder,
                                   const std::vector<std::string>& names) {
     Manifest manifest = new_manifest({});
     for (const std::string& name : names) {
-        auto table = encode_table(sample_table(name));
-        EXPECT_TRUE(table.value.has_value());
+        const Baked table = sample_table(name);
+        ManifestAsset asset = describe_with_files(table);
         AtomicFiles files;
-        EXPECT_TRUE(stage_table(*table.value, folder, files).value.has_value());
+        EXPECT_TRUE(stage_files(table, asset, folder, files, 2).value.has_value());
         EXPECT_TRUE(files.commit().empty());
-        table.value->asset.timing.bake_s = 0.004;
-        manifest.assets.push_back(table.value->asset);
+        asset.timing.bake_s = 0.004;
+        manifest.assets.push_back(std::move(asset));
     }
     EXPECT_TRUE(
         write_file_atomically(folder / manifest_name, manifest_json(manifest)).value.has_value());
@@ -183,16 +191,16 @@ inline Manifest write_sample_bake(const std::filesystem::path& folder,
 }
 
 // A volume with all that a volume can have, surveyed; level after level has half the size.
-inline BakedVolume sample_volume(const std::array<int, 3>& size = {12, 10, 7}, int channels = 3,
-                                 config::PixelType type = config::PixelType::half,
-                                 std::vector<config::VolumeFormat> formats =
-                                     {config::VolumeFormat::exr, config::VolumeFormat::bin},
-                                 int levels = 1) {
-    BakedVolume volume = plain_volume(size, channels, type);
+inline Baked sample_volume(const std::array<int, 3>& size = {12, 10, 7}, int channels = 3,
+                           config::PixelType type = config::PixelType::half,
+                           std::vector<config::FileFormat> formats = {config::FileFormat::exr,
+                                                                      config::FileFormat::bin},
+                           int levels = 1) {
+    Baked volume = plain_volume(size, channels, type);
     volume.formats = std::move(formats);
     volume.levels.resize(static_cast<std::size_t>(levels), volume.levels[0]);
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
-        VolumeLevel& level = volume.levels[i];
+        Level& level = volume.levels[i];
         for (std::size_t a = 0; a < 3; ++a) level.size[a] = std::max(1, size[a] >> i);
         const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0.0, 1.0});
         EXPECT_TRUE(survey_level(volume, static_cast<int>(i), ranges, {2}).empty());
@@ -205,18 +213,39 @@ inline BakedVolume sample_volume(const std::array<int, 3>& size = {12, 10, 7}, i
 }
 
 // Writes the volume's files and a manifest of it alone.
-inline Manifest write_sample_volume(const std::filesystem::path& folder,
-                                    const BakedVolume& volume) {
+inline Manifest write_sample_volume(const std::filesystem::path& folder, const Baked& volume) {
     Manifest manifest = new_manifest({});
     ManifestAsset asset = describe_with_files(volume);
     AtomicFiles files;
-    const auto staged = stage_volume(volume, asset, folder, files, 2);
+    const auto staged = stage_files(volume, asset, folder, files, 2);
     EXPECT_TRUE(staged.value.has_value());
     EXPECT_TRUE(files.commit().empty());
     manifest.assets.push_back(std::move(asset));
     EXPECT_TRUE(
         write_file_atomically(folder / manifest_name, manifest_json(manifest)).value.has_value());
     return manifest;
+}
+
+// Writes level 0 of an asset, or all of it, over an existing file, with `{}` for its metadata.
+inline config::Outcome<bool> write_as(config::FileFormat format, const Baked& baked, int threads,
+                                      Progress* progress, const std::filesystem::path& path) {
+    return format_of(format).write({baked, 0, "{}", threads, progress}, path);
+}
+
+inline SheetGrid grid_of(const std::array<int, 3>& size, config::SheetLayout layout, int columns,
+                         bool flip = false) {
+    config::AssetFiles files;
+    files.layout = layout;
+    files.columns = columns;
+    files.flip = flip;
+    return sheet_grid(size, files);
+}
+
+// What a reader must know of a file of the asset.
+inline FileShape shape_of(const Baked& baked) {
+    const std::array<int, 3>& size = baked.levels[0].size;
+    return {size, baked.channel_names.size(), baked.pixel_type, sheet_grid(size, baked),
+            static_cast<int>(baked.levels.size())};
 }
 
 inline std::string first_code(const std::vector<config::Diagnostic>& diagnostics) {

@@ -38,7 +38,7 @@ TEST(Manifest, ReadsBackAsItWasWritten) {
     ASSERT_TRUE(manifest.value.has_value()) << manifest.diagnostics[0].message;
     EXPECT_EQ(manifest_json(*manifest.value), text);
     ASSERT_EQ(manifest.value->assets.size(), 2u);
-    EXPECT_EQ(manifest.value->assets[0].probes.size(), 16u);
+    EXPECT_EQ(manifest.value->assets[0].levels[0].probes.size(), 16u);
     EXPECT_FALSE(manifest.value->assets[1].error.has_value());
     EXPECT_EQ(text.back(), '\n');
 }
@@ -46,10 +46,10 @@ TEST(Manifest, ReadsBackAsItWasWritten) {
 // The text of a manifest with a volume of three levels in two formats.
 std::string volume_text() {
     const TemporaryFolder folder;
-    BakedVolume volume = testing::sample_volume(
+    Baked volume = testing::sample_volume(
         {12, 10, 7}, 3, config::PixelType::half,
-        {config::VolumeFormat::exr, config::VolumeFormat::bin, config::VolumeFormat::vdb}, 3);
-    volume.layout = config::VolumeLayout::atlas;
+        {config::FileFormat::exr, config::FileFormat::bin, config::FileFormat::vdb}, 3);
+    volume.layout = config::SheetLayout::atlas;
     volume.columns = 3;
     volume.seam_error = 1.0 / 3;
     return manifest_json(testing::write_sample_volume(folder.path(), volume));
@@ -204,7 +204,7 @@ TEST(Manifest, SaysWhatToDoAboutOtherFormats) {
     const std::string& message = earlier.diagnostics[0].message;
     EXPECT_NE(message.find("release 0.1.0 wrote format 1"), std::string::npos) << message;
     EXPECT_NE(message.find("bake the recipe into this folder again"), std::string::npos) << message;
-    EXPECT_NE(message_with("\"format\": 2", "\"format\": 3").find("a later one"),
+    EXPECT_NE(message_with("\"format\": 3", "\"format\": 4").find("a later one"),
               std::string::npos);
 }
 

@@ -1,39 +1,41 @@
 #include "bakers/io/manifest/metadata.h"
 
+#include "bakers/io/formats/exr/exr.h"
 #include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {
 namespace {
 
-std::string attribute(const Attributes& attributes, const std::string& name) {
-    for (const auto& [key, value] : attributes) {
-        if (key == name) return value;
+std::string line_of(const Baked& table, const std::string& name) {
+    const ManifestAsset asset = describe_with_files(table);
+    for (const auto& [key, text] : entry_lines(asset, asset.files[0])) {
+        if (key == name) return text;
     }
     return "(none)";
 }
 
-TEST(Metadata, SaysEverythingOfATable) {
-    const BakedTable table = testing::sample_table();
-    const Attributes attributes = exr_attributes(table);
-    EXPECT_EQ(attribute(attributes, "skybake/kind"), "transmittance");
-    EXPECT_EQ(attribute(attributes, "skybake/content"), table.content);
-    EXPECT_EQ(attribute(attributes, "skybake/channels"), "R G B");
-    EXPECT_EQ(attribute(attributes, "skybake/mapping"), "bruneton");
-    EXPECT_EQ(attribute(attributes, "skybake/mapping_u"),
+TEST(Metadata, TellsPeopleEverythingOfATable) {
+    const Baked table = testing::sample_table();
+    EXPECT_EQ(line_of(table, "kind"), "transmittance");
+    EXPECT_EQ(line_of(table, "content"), table.content);
+    EXPECT_EQ(line_of(table, "channels"), "R G B");
+    EXPECT_EQ(line_of(table, "mapping"), "bruneton");
+    EXPECT_EQ(line_of(table, "size"), "16 x 8");
+    EXPECT_EQ(line_of(table, "mapping_u"),
               "cos_zenith from 1 to -0.1, end points on texel centres: "
               "x_mu = (d - d_min) / (d_max - d_min)");
     EXPECT_EQ(
-        attribute(attributes, "skybake/error"),
+        line_of(table, "error"),
         "texel max 1e-07 rms 3.25e-08 (128 points); lookup max 0.0071 rms 0.0002 (1024 points); "
         "reference: adaptive quadrature; scale: 1 is full transmittance; worst at cos_zenith "
         "-0.01");
-    EXPECT_EQ(attribute(attributes, "skybake/details"), "nodes = 12\n");
-    EXPECT_EQ(attribute(attributes, "skybake/range"), "below_normal 0, above_range 0");
-    EXPECT_EQ(attribute(attributes, "skybake/parameters"), table.parameters);
-    EXPECT_NE(attribute(attributes, "skybake/units").find("E = 1"), std::string::npos);
-    EXPECT_EQ(attribute(attributes, "skybake/content_hash"),
-              xxh3_hex(stored_bytes(table.image, table.pixel_type)));
+    EXPECT_EQ(line_of(table, "details"), "nodes = 12\n");
+    EXPECT_EQ(line_of(table, "range"), "below_normal 0, above_range 0");
+    EXPECT_EQ(line_of(table, "parameters"), table.parameters);
+    EXPECT_NE(line_of(table, "units").find("E = 1"), std::string::npos);
+    EXPECT_EQ(line_of(table, "content_hash"),
+              xxh3_hex(stored_bytes(table.image(), table.pixel_type)));
 }
 
 TEST(Metadata, UnitsAreThoseOfTheAsset) {
@@ -50,47 +52,61 @@ TEST(Metadata, UnitsAreThoseOfTheAsset) {
     EXPECT_EQ(units_line({}), "");
 }
 
-TEST(Metadata, NamesFitIntoOldReaders) {
-    for (const auto& [name, value] : exr_attributes(testing::sample_table())) {
-        EXPECT_LE(name.size(), 31u);
-        EXPECT_EQ(name.rfind("skybake/", 0), 0u);
-    }
-}
-
 TEST(Metadata, SaysWhenNothingWasMeasured) {
-    BakedTable table = testing::sample_table();
+    Baked table = testing::sample_table();
     table.certified = false;
-    EXPECT_EQ(attribute(exr_attributes(table), "skybake/error"), "not measured");
+    EXPECT_EQ(line_of(table, "error"), "not measured");
 }
 
 TEST(Metadata, TheContentHashIsOfTheTexelsAlone) {
-    BakedTable table = testing::sample_table();
+    Baked table = testing::sample_table();
     const std::string hash = describe(table).content_hash;
     table.compression = config::Compression::piz;
     table.name = "other";
+    testing::set_sample_image(table.image(), table);
     EXPECT_EQ(describe(table).content_hash, hash);
-    table.image.texels[3] += 1;
+    Image2<float> image = table.image();
+    image.texels[3] += 1;
+    testing::set_sample_image(image, table);
     EXPECT_NE(describe(table).content_hash, hash);
 }
 
-// The file's own values are in its manifest: both come from one description.
+// What a file carries reads back as what the manifest says, in every format that carries it.
 TEST(Metadata, FileAndManifestAgree) {
-    const auto table = encode_table(testing::sample_table());
-    ASSERT_TRUE(table.value.has_value());
-    const auto image = decode_exr(table.value->bytes, "sample.exr");
-    ASSERT_TRUE(image.value.has_value());
-    EXPECT_EQ(image.value->attributes, exr_attributes(table.value->asset));
-    EXPECT_EQ(table.value->asset.files[0].bytes, table.value->bytes.size());
-    EXPECT_EQ(table.value->asset.files[0].xxh3, xxh3_hex(table.value->bytes));
+    const testing::TemporaryFolder folder;
+    Baked table = testing::sample_table();
+    for (const auto& [format, type] : {std::pair{config::FileFormat::exr, config::PixelType::half},
+                                       {config::FileFormat::png, config::PixelType::unorm16}}) {
+        table.formats = {format};
+        table.pixel_type = type;
+        testing::set_sample_image(table.image(), table);
+        const ManifestAsset asset = describe_with_files(table);
+        const std::filesystem::path path = folder / asset.files[0].path;
+        testing::write_bytes(path, "");
+        ASSERT_EQ(write_asset_file(table, asset, asset.files[0], 1, nullptr, path).value, true);
+        const auto entry = entry_of_file(path);
+        ASSERT_TRUE(entry.value.has_value());
+        EXPECT_EQ(file_entry_json(*entry.value, entry.value->files[0]),
+                  file_entry_json(asset, asset.files[0]));
+        EXPECT_EQ(entry.value->name, "transmittance");
+        EXPECT_EQ(entry.value->levels[0].probes.size(), 16u);
+    }
 }
 
-TEST(Metadata, AnUnstorableTableNamesItsFile) {
-    BakedTable table = testing::sample_table();
-    table.pixel_type = config::PixelType::half;
-    table.image.texels[0] = 1e6f;
-    const auto encoded = encode_table(table);
-    ASSERT_EQ(testing::first_code(encoded.diagnostics), "E0402");
-    EXPECT_EQ(encoded.diagnostics[0].where.source, "transmittance.exr");
+TEST(Metadata, FilesOfOthersSayNothing) {
+    const testing::TemporaryFolder folder;
+    ExrImage image;
+    image.pixels = testing::sample_image(2, 2, 1);
+    image.channel_names = {"Y"};
+    for (const char* text : {"", "{}", "[1]", "no JSON", "{\"files\": []}"}) {
+        image.attributes = {{"skybake/asset", text}};
+        testing::write_bytes(folder / "a.exr", *encode_exr(image).value);
+        EXPECT_EQ(testing::first_code(entry_of_file(folder / "a.exr").diagnostics), "E0304")
+            << text;
+    }
+    testing::write_bytes(folder / "a.bin", "1234");
+    EXPECT_EQ(testing::first_code(entry_of_file(folder / "a.bin").diagnostics), "E0304");
+    EXPECT_EQ(testing::first_code(entry_of_file(folder / "b.bin").diagnostics), "E0300");
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(VdbWriteFails, WhereTheDiskIsFull) {
 
 TEST(VdbWriteFails, InTheMiddleOfAFile) {
     const TemporaryFolder folder;
-    const BakedVolume volume = vdb_sample({128, 128, 128}, 2, PixelType::half);
+    const Baked volume = vdb_sample({128, 128, 128}, 2, PixelType::half);
     // In the tree of the first grid, in its voxels, in the second grid.
     for (const rlim_t bytes : {100000U, 3000000U, 5000000U}) {
         const LargestFile limit(bytes);
@@ -67,7 +67,7 @@ TEST(VdbWriteFails, InTheMiddleOfAFile) {
 
 TEST(VdbWriteFails, WhereTheFileCannotBeMade) {
     const TemporaryFolder folder;
-    const BakedVolume volume = vdb_sample({4, 4, 4}, 1, PixelType::half);
+    const Baked volume = vdb_sample({4, 4, 4}, 1, PixelType::half);
     EXPECT_EQ(first_code(write_sample(volume, folder / "none/v.vdb").diagnostics), "E0301");
     EXPECT_EQ(first_code(write_sample(volume, folder.path()).diagnostics), "E0301");
 }
@@ -75,7 +75,7 @@ TEST(VdbWriteFails, WhereTheFileCannotBeMade) {
 TEST(VdbWriteFails, ForValuesThatFilesCannotHold) {
     const TemporaryFolder folder;
     const auto code = [&](float value, PixelType type) {
-        BakedVolume volume = vdb_sample({130, 40, 20}, 2, type);
+        Baked volume = vdb_sample({130, 40, 20}, 2, type);
         volume.levels[0].voxels =
             std::make_shared<testing::FunctionVoxels>([=](int x, int y, int z, int channel) {
                 return x == 129 && y == 33 && z == 7 && channel == 1 ? value : 0.5F;
@@ -97,22 +97,22 @@ TEST(VdbWriteFails, ForValuesThatFilesCannotHold) {
 TEST(VdbWriteFails, ForVolumesThatContradictThemselves) {
     const TemporaryFolder folder;
     const auto code = [&](auto&& change) {
-        BakedVolume volume = vdb_sample({4, 4, 4}, 1, PixelType::half);
+        Baked volume = vdb_sample({4, 4, 4}, 1, PixelType::half);
         change(volume);
         return first_code(write_sample(volume, folder / "v.vdb").diagnostics);
     };
-    EXPECT_EQ(code([](BakedVolume&) {}), "");
-    EXPECT_EQ(code([](BakedVolume& v) { v.levels.clear(); }), "E0500");
-    EXPECT_EQ(code([](BakedVolume& v) { v.levels[0].size[1] = 0; }), "E0500");
-    EXPECT_EQ(code([](BakedVolume& v) { v.levels[0].content_hash = "none"; }), "E0500");
-    EXPECT_EQ(code([](BakedVolume& v) { v.pixel_type = PixelType::unorm8; }), "E0500");
-    EXPECT_EQ(code([](BakedVolume& v) { v.voxel_size_m[1] = 0; }), "E0500");
-    EXPECT_EQ(code([](BakedVolume& v) { v.channel_names.clear(); }), "E0500");
+    EXPECT_EQ(code([](Baked&) {}), "");
+    EXPECT_EQ(code([](Baked& v) { v.levels.clear(); }), "E0500");
+    EXPECT_EQ(code([](Baked& v) { v.levels[0].size[1] = 0; }), "E0500");
+    EXPECT_EQ(code([](Baked& v) { v.levels[0].content_hash = "none"; }), "E0500");
+    EXPECT_EQ(code([](Baked& v) { v.pixel_type = PixelType::unorm8; }), "E0500");
+    EXPECT_EQ(code([](Baked& v) { v.voxel_size_m[1] = 0; }), "E0500");
+    EXPECT_EQ(code([](Baked& v) { v.channel_names.clear(); }), "E0500");
 }
 
 TEST(VdbWriteFails, WhereVoxelsThrow) {
     const TemporaryFolder folder;
-    BakedVolume volume = vdb_sample({64, 64, 64}, 1, PixelType::half);
+    Baked volume = vdb_sample({64, 64, 64}, 1, PixelType::half);
     volume.levels[0].voxels = std::make_shared<testing::FunctionVoxels>(
         [](int, int, int, int) -> float { throw std::bad_alloc(); });
     EXPECT_EQ(first_code(write_sample(volume, folder / "v.vdb").diagnostics), "E0301");
@@ -131,7 +131,7 @@ class CancelledAfter : public Progress {
 TEST(VdbWriteInterrupted, ReturnsEarlyWithoutAnError) {
     const TemporaryFolder folder;
     std::atomic<int> asked = 0;
-    BakedVolume volume = vdb_sample({128, 128, 2048}, 1, PixelType::half);
+    Baked volume = vdb_sample({128, 128, 2048}, 1, PixelType::half);
     volume.levels[0].voxels =
         std::make_shared<testing::FunctionVoxels>([&asked](int x, int y, int z, int) {
             if (x % 128 == 0 && y % 32 == 0 && z % 128 == 0) ++asked;
@@ -157,8 +157,8 @@ TEST(VdbReadFails, WhereThereIsNoFile) {
 }
 
 // A dense volume, one of which few voxels are active, and one of which none is.
-std::vector<BakedVolume> samples(int channels, VdbCompression compression) {
-    std::vector<BakedVolume> all(3, vdb_sample({9, 9, 9}, channels, PixelType::half, compression));
+std::vector<Baked> samples(int channels, VdbCompression compression) {
+    std::vector<Baked> all(3, vdb_sample({9, 9, 9}, channels, PixelType::half, compression));
     for (const std::size_t sparse : {1U, 2U}) {
         all[sparse].sparse = true;
         all[sparse].levels[0].voxels =
@@ -174,7 +174,7 @@ TEST(VdbReadFails, WhereTheFileEndsEarly) {
     const TemporaryFolder folder;
     for (const VdbCompression compression :
          {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
-        for (const BakedVolume& volume : samples(2, compression)) {
+        for (const Baked& volume : samples(2, compression)) {
             ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
             const std::string bytes = testing::read_bytes(folder / "v.vdb");
             ASSERT_TRUE(read_vdb_voxels(folder / "v.vdb", go_on).value.has_value());
@@ -195,7 +195,7 @@ TEST(VdbReadFails, OrGivesOtherValuesWhereBytesDiffer) {
     int refused = 0, changed = 0;
     for (const VdbCompression compression :
          {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
-        for (const BakedVolume& volume : samples(1, compression)) {
+        for (const Baked& volume : samples(1, compression)) {
             ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
             const std::string bytes = testing::read_bytes(folder / "v.vdb");
             for (int i = 0; i < 300; ++i) {
@@ -217,7 +217,7 @@ TEST(VdbReadFails, OrGivesOtherValuesWhereBytesDiffer) {
 // A sparse file says its size, which slabs are allocated for.
 TEST(VdbReadFails, ForSizesThatAreNotThoseOfTheVoxels) {
     const TemporaryFolder folder;
-    const BakedVolume volume = samples(1, VdbCompression::none)[1];
+    const Baked volume = samples(1, VdbCompression::none)[1];
     ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
     const std::string bytes = testing::read_bytes(folder / "v.vdb");
     const std::string name = "skybake/size";

@@ -34,7 +34,7 @@ class Ramp : public VoxelSource {
 
 TEST(VdbMemory, DoesNotGrowWithTheVolume) {
     const testing::TemporaryFolder folder;
-    BakedVolume volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
+    Baked volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
     volume.levels[0].voxels = std::make_shared<Ramp>();
     ASSERT_TRUE(testing::write_sample(volume, folder / "v.vdb").value.has_value());
     const double written = peak_memory_mib();
@@ -59,7 +59,7 @@ class Layers : public VoxelSource {
 
 TEST(VdbMemory, OfASparseVolumeIsWhatIsKept) {
     const testing::TemporaryFolder folder;
-    BakedVolume volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
+    Baked volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
     volume.sparse = true;
     volume.levels[0].voxels = std::make_shared<Layers>();
     testing::write_bytes(folder / "v.vdb", "");

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {
@@ -19,9 +19,9 @@ inline float voxel_with_zeros(int x, int y, int z, int channel) {
     return (x + 2 * y + 3 * z + channel) % 7 == 0 ? 0 : sample_voxel(x, y, z, channel);
 }
 
-inline BakedVolume vdb_sample(const std::array<int, 3>& size, int channels, config::PixelType type,
-                              config::VdbCompression compression = config::VdbCompression::none) {
-    BakedVolume volume = plain_volume(size, channels, type, voxel_with_zeros);
+inline Baked vdb_sample(const std::array<int, 3>& size, int channels, config::PixelType type,
+                        config::VdbCompression compression = config::VdbCompression::none) {
+    Baked volume = plain_volume(size, channels, type, voxel_with_zeros);
     volume.channel_names = {"R", "G", "B", "A"};
     volume.channel_names.resize(static_cast<std::size_t>(channels));
     volume.vdb_compression = compression;
@@ -30,15 +30,15 @@ inline BakedVolume vdb_sample(const std::array<int, 3>& size, int channels, conf
     return volume;
 }
 
-inline config::Outcome<bool> write_sample(const BakedVolume& volume,
-                                          const std::filesystem::path& path, int threads = 2) {
+inline config::Outcome<bool> write_sample(const Baked& volume, const std::filesystem::path& path,
+                                          int threads = 2) {
     std::ofstream(path, std::ios::app);  // the writer wants a file
     const Attributes attributes = {{"skybake/kind", "noise_volume"}, {"skybake/release", "1"}};
     return write_vdb(volume, 0, attributes, threads, nullptr, path);
 }
 
 // What the file is to hold.
-inline float stored_voxel(const BakedVolume& volume, int x, int y, int z, int channel) {
+inline float stored_voxel(const Baked& volume, int x, int y, int z, int channel) {
     return round_to_pixel_type(double{voxel_with_zeros(x, y, z, channel)}, volume.pixel_type);
 }
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
 
@@ -26,17 +26,17 @@ using testing::TemporaryFolder;
 using Size = std::array<int, 3>;
 using Function = FunctionVoxels::Function;
 
-BakedVolume sparse_sample(const Size& size, int channels, Function function,
-                          PixelType type = PixelType::half,
-                          VdbCompression compression = VdbCompression::none) {
-    BakedVolume volume = testing::vdb_sample(size, channels, type, compression);
+Baked sparse_sample(const Size& size, int channels, Function function,
+                    PixelType type = PixelType::half,
+                    VdbCompression compression = VdbCompression::none) {
+    Baked volume = testing::vdb_sample(size, channels, type, compression);
     volume.sparse = true;
     volume.levels[0].voxels = std::make_shared<FunctionVoxels>(std::move(function));
     return volume;
 }
 
 // What the file is to hold of a channel: x fastest, then y, then z.
-std::vector<float> stored_values(const BakedVolume& volume, int channel) {
+std::vector<float> stored_values(const Baked& volume, int channel) {
     const VoxelBox box = {{}, volume.levels[0].size};
     std::vector<float> values(static_cast<std::size_t>(box.count()));
     std::vector<float*> channels(volume.channel_names.size(), nullptr);
@@ -65,7 +65,7 @@ FloatGrid::Ptr sparse_grid(const std::vector<float>& values, const Size& size) {
 }
 
 // The bytes that OpenVDB makes of a tree.
-std::string tree_bytes(const FloatGrid& grid, const BakedVolume& volume) {
+std::string tree_bytes(const FloatGrid& grid, const Baked& volume) {
     std::uint32_t flags = openvdb::io::COMPRESS_ACTIVE_MASK;
     if (volume.vdb_compression == VdbCompression::zip) flags |= openvdb::io::COMPRESS_ZIP;
     if (volume.vdb_compression == VdbCompression::blosc) flags |= openvdb::io::COMPRESS_BLOSC;
@@ -89,14 +89,14 @@ bool are_equal(const FloatGrid& a, const FloatGrid& b) {
     return !other;
 }
 
-std::vector<std::string> grid_names(const BakedVolume& volume) {
+std::vector<std::string> grid_names(const Baked& volume) {
     if (!volume.grid_names.empty()) return volume.grid_names;
     if (volume.channel_names.size() == 1) return {"density"};
     return volume.channel_names;
 }
 
 // What is wrong with a file that write_vdb made of the volume, as OpenVDB reads it.
-std::string wrong_for_openvdb(const BakedVolume& volume, const std::filesystem::path& path) {
+std::string wrong_for_openvdb(const Baked& volume, const std::filesystem::path& path) {
     openvdb::initialize();
     const Size& size = volume.levels[0].size;
     openvdb::io::File file(path.string());
@@ -127,7 +127,7 @@ std::string wrong_for_openvdb(const BakedVolume& volume, const std::filesystem::
 }
 
 // What is wrong with it as read_vdb_voxels reads it.
-std::string wrong_for_us(const BakedVolume& volume, const std::filesystem::path& path) {
+std::string wrong_for_us(const Baked& volume, const std::filesystem::path& path) {
     std::vector<std::vector<float>> wanted;
     for (std::size_t channel = 0; channel < volume.channel_names.size(); ++channel) {
         wanted.push_back(stored_values(volume, static_cast<int>(channel)));
@@ -148,7 +148,7 @@ std::string wrong_for_us(const BakedVolume& volume, const std::filesystem::path&
     return same && voxel == wanted[0].size() ? "" : "the voxels of slabs";
 }
 
-std::string wrong_with(const BakedVolume& volume, int threads = 2) {
+std::string wrong_with(const Baked& volume, int threads = 2) {
     const TemporaryFolder folder;
     const auto written = testing::write_sample(volume, folder / "v.vdb", threads);
     if (!written.value) return written.diagnostics.at(0).message;
@@ -191,7 +191,7 @@ struct Boxes {
     }
 };
 
-BakedVolume random_volume() {
+Baked random_volume() {
     // One axis is so long that the tree has several nodes.
     Size size = {*rc::gen::inRange(1, 30), *rc::gen::inRange(1, 30), *rc::gen::inRange(1, 30)};
     size[*rc::gen::inRange<std::size_t>(0, 3)] = *rc::gen::inRange(1, 400);
@@ -210,7 +210,7 @@ BakedVolume random_volume() {
 }
 
 RC_GTEST_PROP(VdbSparse, HoldsWhatOpenVdbWouldAndGivesItBack, ()) {
-    const BakedVolume volume = random_volume();
+    const Baked volume = random_volume();
     RC_ASSERT(wrong_with(volume) == "");
 }
 
@@ -243,7 +243,7 @@ TEST(VdbSparseCases, ChannelsHaveVoxelsOfTheirOwn) {
         return channel == 2 && x > 100 && y < 9 ? 0.125F : 0.0F;
     };
     EXPECT_EQ(wrong_with(sparse_sample({150, 20, 9}, 4, third)), "");
-    BakedVolume named = sparse_sample({20, 20, 20}, 2, speckle);
+    Baked named = sparse_sample({20, 20, 20}, 2, speckle);
     named.grid_names = {"density", "temperature"};
     EXPECT_EQ(wrong_with(named), "");
 }
@@ -251,7 +251,7 @@ TEST(VdbSparseCases, ChannelsHaveVoxelsOfTheirOwn) {
 // As dense volumes: the same places, the same values.
 TEST(VdbSparseCases, VoxelsNeedNotBeCubes) {
     const TemporaryFolder folder;
-    BakedVolume volume = sparse_sample({20, 20, 20}, 1, speckle);
+    Baked volume = sparse_sample({20, 20, 20}, 1, speckle);
     volume.voxel_size_m = {10, 20, 40};
     ASSERT_TRUE(testing::write_sample(volume, folder / "v.vdb").value);
     openvdb::initialize();
@@ -292,7 +292,7 @@ struct Written {
 Written write_balls(int threads, std::size_t most_kept_bytes) {
     const TemporaryFolder folder;
     const auto balls = std::make_shared<CountedBalls>();
-    BakedVolume volume = sparse_sample({300, 140, 120}, 2, speckle);
+    Baked volume = sparse_sample({300, 140, 120}, 2, speckle);
     volume.levels[0].voxels = balls;
     testing::write_bytes(folder / "v.vdb", "");
     EXPECT_TRUE(
@@ -348,7 +348,7 @@ TEST(VdbSparseWriteFails, WhereTheDiskIsFullOrVoxelsThrow) {
 TEST(VdbSparseWriteFails, ForNamesThatAreNotOnePerGrid) {
     const TemporaryFolder folder;
     const auto code = [&](std::vector<std::string> names) {
-        BakedVolume volume = sparse_sample({4, 4, 4}, 2, speckle);
+        Baked volume = sparse_sample({4, 4, 4}, 2, speckle);
         volume.grid_names = std::move(names);
         return testing::first_code(testing::write_sample(volume, folder / "v.vdb").diagnostics);
     };
@@ -376,7 +376,7 @@ class CancelledAt : public Progress {
 TEST(VdbSparseWriteInterrupted, WhileStripsAreSurveyedAndWhileTheyAreWritten) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "v.vdb", "");
-    const BakedVolume volume = sparse_sample({300, 140, 120}, 1, speckle);
+    const Baked volume = sparse_sample({300, 140, 120}, 1, speckle);
     for (const double fraction : {0.1, 0.4, 0.6, 0.9}) {
         CancelledAt progress(fraction);
         const auto written = write_vdb(volume, 0, {}, 2, &progress, folder / "v.vdb", 0);

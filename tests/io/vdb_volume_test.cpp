@@ -1,5 +1,5 @@
 // Files of write_vdb against OpenVDB's own reader, and against trees that OpenVDB built and wrote.
-#include "bakers/io/formats/vdb/vdb_volume.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ std::vector<Case> cases() {
 }
 
 // The plain way: all of the tree in memory.
-FloatGrid::Ptr dense_grid(const BakedVolume& volume, int channel) {
+FloatGrid::Ptr dense_grid(const Baked& volume, int channel) {
     const auto& size = volume.levels[0].size;
     FloatGrid::Ptr grid = FloatGrid::create(0.0F);
     grid->denseFill(openvdb::CoordBBox(Coord(0), Coord(size[0] - 1, size[1] - 1, size[2] - 1)),
@@ -111,7 +111,7 @@ class VdbVolume : public ::testing::TestWithParam<Case> {
 
     TemporaryFolder folder_;
     const std::filesystem::path path_ = folder_ / "shape.vdb";
-    BakedVolume volume_;
+    Baked volume_;
 };
 INSTANTIATE_TEST_SUITE_P(Sizes, VdbVolume, ::testing::ValuesIn(cases()), name_of);
 
@@ -203,7 +203,7 @@ TEST_P(VdbVolume, SlabsHoldTheVoxels) {
 TEST(VdbVolumeBytes, DependOnNeitherThreadsNorRuns) {
     const TemporaryFolder folder;
     for (const VdbCompression compression : {VdbCompression::none, VdbCompression::blosc}) {
-        const BakedVolume volume = vdb_sample({140, 150, 133}, 2, PixelType::half, compression);
+        const Baked volume = vdb_sample({140, 150, 133}, 2, PixelType::half, compression);
         std::vector<std::string> files;
         for (const int threads : {1, 2, 5, 1}) {
             ASSERT_TRUE(write_sample(volume, folder / "v.vdb", threads).value.has_value());
@@ -222,7 +222,7 @@ TEST(VdbVolumeBytes, TheUuidIsMadeOfTheContentHash) {
 
 TEST(VdbVolumeBytes, ALongerOldFileLeavesNothingBehind) {
     const TemporaryFolder folder;
-    const BakedVolume volume = vdb_sample({4, 4, 4}, 1, PixelType::half);
+    const Baked volume = vdb_sample({4, 4, 4}, 1, PixelType::half);
     ASSERT_TRUE(write_sample(volume, folder / "new.vdb").value);
     testing::write_bytes(folder / "old.vdb", std::string(1 << 20, 'x'));
     ASSERT_TRUE(write_sample(volume, folder / "old.vdb").value);
@@ -239,7 +239,7 @@ TEST(VdbVolumeHalf, IsRoundedToNearestEven) {
                : z == 1 ? halfway
                         : std::nextafter(halfway, INFINITY);
     };
-    BakedVolume volume = vdb_sample({64, 12, 3}, 1, PixelType::half);
+    Baked volume = vdb_sample({64, 12, 3}, 1, PixelType::half);
     volume.levels[0].voxels = std::make_shared<testing::FunctionVoxels>(value);
     const TemporaryFolder folder;
     ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
@@ -260,7 +260,7 @@ TEST(VdbVolumeHalf, IsRoundedToNearestEven) {
 }
 
 TEST(VdbVolumeLevels, LieInTheSameBoxAsTheVolume) {
-    BakedVolume volume = vdb_sample({16, 16, 1}, 1, PixelType::float32);
+    Baked volume = vdb_sample({16, 16, 1}, 1, PixelType::float32);
     volume.levels.push_back(volume.levels[0]);
     volume.levels[1].size = {8, 8, 1};
     const TemporaryFolder folder;
@@ -274,7 +274,7 @@ TEST(VdbVolumeLevels, LieInTheSameBoxAsTheVolume) {
 
 TEST(VdbVolumeInfo, SaysWhatTheFileHolds) {
     const TemporaryFolder folder;
-    const BakedVolume volume = vdb_sample({9, 8, 7}, 4, PixelType::half, VdbCompression::zip);
+    const Baked volume = vdb_sample({9, 8, 7}, 4, PixelType::half, VdbCompression::zip);
     ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
     const auto file = read_vdb(folder / "v.vdb");
     ASSERT_TRUE(file.value.has_value()) << file.diagnostics.at(0).message;

@@ -91,12 +91,12 @@ TEST(Verify, FindsChangedAndMissingMetadata) {
     const TemporaryFolder folder;
     Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
     rewrite(folder.path(), manifest, [](ExrImage& image) {
-        image.attributes.erase(image.attributes.begin());
-        for (auto& [name, value] : image.attributes) {
-            if (name == "skybake/kind") value = "something else";
-        }
+        std::string& entry = image.attributes[0].second;
+        entry.replace(entry.find("transmittance"), 5, "other");
     });
-    EXPECT_EQ(failed_checks(folder.path()), (Checks{"metadata", "metadata"}));
+    EXPECT_EQ(failed_checks(folder.path()), Checks{"metadata"});
+    rewrite(folder.path(), manifest, [](ExrImage& image) { image.attributes.clear(); });
+    EXPECT_EQ(failed_checks(folder.path()), Checks{"metadata"});
 }
 
 TEST(Verify, ComparesSizeChannelsAndType) {
@@ -104,22 +104,24 @@ TEST(Verify, ComparesSizeChannelsAndType) {
     Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
     ManifestAsset& asset = manifest.assets[0];
     asset.size = {8, 16};
-    asset.compression = config::Compression::piz;
-    asset.probes.clear();
-    asset.catches.clear();
+    asset.levels[0].size = {8, 16, 1};
+    asset.files[0].compression = "piz";
+    asset.levels[0].probes.clear();
+    asset.levels[0].catches.clear();
     save(folder.path(), manifest);
-    EXPECT_EQ(failed_checks(folder.path()), (Checks{"size", "compression"}));
+    EXPECT_EQ(failed_checks(folder.path()), (Checks{"size", "compression", "metadata", "voxels"}));
 }
 
 TEST(Verify, ChecksEachProbe) {
     const TemporaryFolder folder;
     Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
-    std::vector<Probe>& probes = manifest.assets[0].probes;
+    std::vector<Probe>& probes = manifest.assets[0].levels[0].probes;
     probes[1].value[2] += 1e-6;
-    probes[2].uv[0] = 1.001;
+    probes[2].uvw[0] = 1.001;
     probes[3].tolerance.pop_back();
     save(folder.path(), manifest);
-    EXPECT_EQ(failed_checks(folder.path()), (Checks{"probe", "probe", "probe"}));
+    EXPECT_EQ(failed_checks(folder.path()),
+              (Checks{"metadata", "probe", "probe", "probe", "probe"}));
 }
 
 TEST(Verify, RunsFurtherChecks) {

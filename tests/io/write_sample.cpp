@@ -8,10 +8,10 @@ int main(int argc, char** argv) {
     manifest.assets[1].error.reset();  // one that was not measured
     auto volume = skybake::testing::sample_volume(
         {12, 10, 7}, 3, skybake::config::PixelType::half,
-        {skybake::config::VolumeFormat::exr, skybake::config::VolumeFormat::bin,
-         skybake::config::VolumeFormat::vdb},
+        {skybake::config::FileFormat::exr, skybake::config::FileFormat::bin,
+         skybake::config::FileFormat::vdb},
         2);
-    volume.layout = skybake::config::VolumeLayout::atlas;
+    volume.layout = skybake::config::SheetLayout::atlas;
     manifest.assets.push_back(skybake::testing::write_sample_volume(argv[1], volume).assets[0]);
     const auto written = skybake::write_file_atomically(
         std::filesystem::path(argv[1]) / skybake::manifest_name, skybake::manifest_json(manifest));

@@ -22,7 +22,7 @@ std::string aerial_recipe(const std::string& keys) {
 struct AerialTrial {
     explicit AerialTrial(const std::string& keys)
         : baked(test::bake_all(aerial_recipe(keys))),
-          texture(texture_of(baked.volume())),
+          texture(texture_of(baked.asset())),
           bake(baked.recipe.parameters.bakes.front().as<config::AerialPerspectiveBake>()),
           view_distance_km(bake.view_distance.kilometers()),
           squared(bake.slices == config::SliceSpacing::squared) {}
@@ -53,7 +53,7 @@ struct AerialTrial {
                                                        squared);
     }
     double range(std::size_t channel) const {
-        const ValueStatistics& s = baked.volume().levels.front().statistics[channel];
+        const ValueStatistics& s = baked.asset().levels.front().statistics[channel];
         return s.max - s.min;
     }
 
@@ -79,13 +79,13 @@ TEST(AerialPerspectiveLookup, FloatLosesLittle) {
             const gpu::vec4 found = trial.in_float(picture, d);
             const std::array<double, 4> wanted =
                 trial.in_double(double{picture.x}, double{picture.y}, double{d});
-            for (std::size_t c = 0; c < trial.baked.volume().channel_names.size(); ++c) {
+            for (std::size_t c = 0; c < trial.baked.asset().channel_names.size(); ++c) {
                 const auto channel = static_cast<gpu::vec4::length_type>(c);
                 loss.add((double{found[channel]} - wanted[c]) / trial.range(c));
             }
         }
-        expect_little_loss(loss, trial.baked.volume().certificate);
-        for (const VolumeProbe& probe : trial.baked.volume().levels.front().probes) {
+        expect_little_loss(loss, trial.baked.asset().certificate);
+        for (const Probe& probe : trial.baked.asset().levels.front().probes) {
             const double w = probe.uvw[2];
             if (w < 0.5 / trial.texture.size[2]) continue;  // before the first slice
             const double d = trial.view_distance_km * (trial.squared ? w * w : w);

@@ -29,7 +29,7 @@ struct ScatteringTrial {
               "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'single_mie'\n"
               "pixel_type = 'float'\nsize = [64, 64, 16]\nnu_size = 4\n"
               "sun_cos_zenith_min = -0.2\n")),
-          texture(texture_of(baked.volume())),
+          texture(texture_of(baked.asset())),
           shell(baked.shell()),
           mapping(shell, texture.size, kSubImages, kDarkestSun) {
         for (const float texel : texture.texels) largest = std::max(largest, double{texel});
@@ -113,14 +113,14 @@ struct ScatteringTrial {
 TEST(BrunetonLookup, FloatLosesLittle) {
     const ScatteringTrial trial;
     expect_little_loss(trial.loss([&](const auto& at) { return trial.in_float(at); }),
-                       trial.baked.volume().certificate);
+                       trial.baked.asset().certificate);
 }
 
 TEST(BrunetonLookup, HoldsTheProbes) {
     const ScatteringTrial trial;
-    const std::vector<VolumeProbe>& probes = trial.baked.volume().levels.front().probes;
+    const std::vector<Probe>& probes = trial.baked.asset().levels.front().probes;
     EXPECT_FALSE(probes.empty());
-    for (const VolumeProbe& probe : probes) {
+    for (const Probe& probe : probes) {
         ScatteringPlace at;
         at.h = static_cast<float>(test::at(probe, "altitude_km"));
         at.mu = static_cast<float>(test::at(probe, "cos_zenith"));
@@ -138,7 +138,7 @@ TEST(BrunetonLookup, DifferencesOfSquaresWouldBeNoticed) {
     const ScatteringTrial trial;
     const test::Loss loss =
         trial.loss([&](const auto& at) { return trial.in_float_by_squares(at); });
-    const ErrorFigures& own = trial.baked.volume().certificate.lookup;
+    const ErrorFigures& own = trial.baked.asset().certificate.lookup;
     EXPECT_FALSE(loss.is_a_tenth_of(own)) << loss.text(own);
 }
 
@@ -169,9 +169,9 @@ TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
     const test::BakedLookup baked = test::bake_all(
         "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'irradiance'\norders = 1\n"
         "pixel_type = 'float'\nsize = [32, 8, 1]\n");
-    const Texture texture = texture_of(baked.volume());
+    const Texture texture = texture_of(baked.asset());
     const Shell shell = baked.shell();
-    const ValueStatistics& red = baked.volume().levels.front().statistics.front();
+    const ValueStatistics& red = baked.asset().levels.front().statistics.front();
     test::Dice dice;
     test::Loss loss;
     for (int i = 0; i < test::kPlaces; ++i) {
@@ -186,8 +186,8 @@ TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
              0.5});
         loss.add((double{found.x} - wanted[0]) / (red.max - red.min));
     }
-    expect_little_loss(loss, baked.volume().certificate);
-    for (const VolumeProbe& probe : baked.volume().levels.front().probes) {
+    expect_little_loss(loss, baked.asset().certificate);
+    for (const Probe& probe : baked.asset().levels.front().probes) {
         const auto h = static_cast<float>(test::at(probe, "altitude_km"));
         const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
         const gpu::vec3 found = gpu::bruneton_lookups::bruneton_irradiance(

@@ -22,7 +22,7 @@ TEST(NoiseLookup, FloatLosesLittle) {
             kShape + (corners ? "sampling = 'corners'\n" : "") +
             "[bake.a]\nasset = 'noise_volume'\nnoise = 'shape'\nsize = [32, 16, 24]\n"
             "pixel_type = 'float'\n");
-        const Texture texture = texture_of(baked.volume());
+        const Texture texture = texture_of(baked.asset());
         const vec3 tile(8, 4, 6);
         test::Dice dice;
         test::Loss loss;
@@ -40,13 +40,13 @@ TEST(NoiseLookup, FloatLosesLittle) {
             }
             const std::array<double, 4> wanted = filtered(texture, place);
             for (std::size_t c = 0; c < 4; ++c) {
-                const ValueStatistics& s = baked.volume().levels.front().statistics[c];
+                const ValueStatistics& s = baked.asset().levels.front().statistics[c];
                 loss.add((double{found[static_cast<vec3::length_type>(c)]} - wanted[c]) /
                          (s.max - s.min));
             }
         }
-        expect_little_loss(loss, baked.volume().certificate);
-        for (const VolumeProbe& probe : baked.volume().levels.front().probes) {
+        expect_little_loss(loss, baked.asset().certificate);
+        for (const Probe& probe : baked.asset().levels.front().probes) {
             const glm::dvec3 place(test::at(probe, "x_tile"), test::at(probe, "y_tile"),
                                    test::at(probe, "z_tile"));
             const vec3 p(place * glm::dvec3(tile));
@@ -69,15 +69,15 @@ TEST(NoiseLookup, ChannelsArePackedAsTheBakerPacksThem) {
     const test::BakedLookup apart = test::bake_all(kShape + detail + bakes);
     const test::BakedLookup packed =
         test::bake_all(kShape + "pack = 'shape'\n" + detail + "pack = 'detail'\n" + bakes);
-    const Texture shape = texture_of(apart.volume(0));
-    const Texture shape_packed = texture_of(packed.volume(0));
+    const Texture shape = texture_of(apart.asset(0));
+    const Texture shape_packed = texture_of(packed.asset(0));
     for (std::size_t i = 0; i < shape_packed.texels.size() && !HasFailure(); ++i) {
         const float* s = shape.texels.data() + 4 * i;
         EXPECT_NEAR(gpu::cloud_lookups::nubis_shape({s[0], s[1], s[2], s[3]}),
                     shape_packed.texels[i], 1e-6);
     }
-    const Texture detail_apart = texture_of(apart.volume(1));
-    const Texture detail_packed = texture_of(packed.volume(1));
+    const Texture detail_apart = texture_of(apart.asset(1));
+    const Texture detail_packed = texture_of(packed.asset(1));
     for (std::size_t i = 0; i < detail_packed.texels.size() && !HasFailure(); ++i) {
         const float* d = detail_apart.texels.data() + 3 * i;
         EXPECT_NEAR(gpu::cloud_lookups::nubis_detail({d[0], d[1], d[2]}), detail_packed.texels[i],
@@ -98,8 +98,8 @@ struct CloudTrial {
                                "\npixel_type = 'float'\n[bake.leap]\n"
                                "asset = 'occupancy'\nof = 'cloud'\ncell = 4\ncontents = ['leap']\n"
                                "pixel_type = 'unorm8'\nformats = ['bin']\n")),
-          cloud(texture_of(baked.volume(0))),
-          leaps(texture_of(baked.volume(1))) {}
+          cloud(texture_of(baked.asset(0))),
+          leaps(texture_of(baked.asset(1))) {}
 
     struct Ray {
         vec3 from, ray;
@@ -130,7 +130,7 @@ struct CloudTrial {
                                                ray.stride, ray.count);
     }
     // In metres from the lower corner of the tile.
-    glm::dvec3 place_of(const VolumeProbe& probe) const {
+    glm::dvec3 place_of(const Probe& probe) const {
         const double base_m = baked.recipe.parameters.clouds.front().base_altitude.meters;
         return {test::at(probe, "x_m"), test::at(probe, "y_m"),
                 test::at(probe, "altitude_m") - base_m};
@@ -199,7 +199,7 @@ int face_of_box(int cell, int leap, bool upwards, int cells, int voxels) {
 }
 
 // What the lookup makes of a probe's cell: how far a ray goes on, along each axis and against it.
-void expect_leaps_of_probe(const CloudTrial& trial, const VolumeProbe& probe, int leap) {
+void expect_leaps_of_probe(const CloudTrial& trial, const Probe& probe, int leap) {
     const glm::dvec3 place = trial.place_of(probe);
     for (int direction = 0; direction < 6; ++direction) {
         const int axis = direction / 2;
@@ -223,7 +223,7 @@ TEST(CloudLeap, HoldsTheProbes) {
     for (const char* size : {"[60, 64, 20]", "[60, 64, 19]"}) {
         const CloudTrial trial(size);
         std::set<int> leaps;
-        for (const VolumeProbe& probe : trial.baked.volume(1).levels.front().probes) {
+        for (const Probe& probe : trial.baked.asset(1).levels.front().probes) {
             const auto leap = static_cast<int>(std::lround(255 * probe.value.front()));
             EXPECT_LE(std::fabs(leap / 255.0 - probe.value.front()), probe.tolerance.front());
             expect_leaps_of_probe(trial, probe, leap);
@@ -252,7 +252,7 @@ TEST(CloudMarch, AddsUpTheDensities) {
 
 TEST(CloudLookup, FloatLosesLittle) {
     const CloudTrial trial;
-    const ValueStatistics& range = trial.baked.volume().levels.front().statistics.front();
+    const ValueStatistics& range = trial.baked.asset().levels.front().statistics.front();
     test::Dice dice;
     test::Loss loss;
     for (int i = 0; i < test::kPlaces; ++i) {
@@ -262,8 +262,8 @@ TEST(CloudLookup, FloatLosesLittle) {
         const double wanted = filtered(trial.cloud, {place.x, place.y, place.z})[0];
         loss.add((double{found} - wanted) / (range.max - range.min));
     }
-    expect_little_loss(loss, trial.baked.volume().certificate);
-    for (const VolumeProbe& probe : trial.baked.volume().levels.front().probes) {
+    expect_little_loss(loss, trial.baked.asset().certificate);
+    for (const Probe& probe : trial.baked.asset().levels.front().probes) {
         const vec3 p(trial.place_of(probe));
         const float found = gpu::cloud_lookups::cloud_density({trial.cloud}, p, trial.tile);
         test::expect_probe(gpu::vec4(found), probe.value, probe.tolerance,

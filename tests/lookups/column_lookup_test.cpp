@@ -27,7 +27,7 @@ struct ColumnTrial {
                                keys)),
           bake(baked.recipe.parameters.bakes.front().as<OpticalDepthBake>()),
           kinds(make_column_kinds(baked.recipe.parameters.atmosphere, bake.kinds)),
-          texture(texture_of(baked.volume())),
+          texture(texture_of(baked.asset())),
           geometry(column_geometry(kinds)),
           table(bake, geometry),
           air{static_cast<float>(geometry.shell.ground_radius_km),
@@ -46,9 +46,9 @@ struct ColumnTrial {
     // of its numbers.
     template <class Lookup>
     void expect_probes(const Lookup& lookup) const {
-        const std::vector<VolumeProbe>& probes = baked.volume().levels.front().probes;
+        const std::vector<Probe>& probes = baked.asset().levels.front().probes;
         EXPECT_FALSE(probes.empty());
-        for (const VolumeProbe& probe : probes) {
+        for (const Probe& probe : probes) {
             const auto [column, length_km] = lookup(probe);
             for (std::size_t k = 0; k < 4; ++k) {
                 const auto column_of = [length = length_km](double stored) {
@@ -127,12 +127,12 @@ TEST(ColumnLookup, FloatLosesLittleToTheTop) {
         const ColumnPath path{double{h}, s, distance_to_top_km(shell, double{h}, s)};
         trial.add_errors(found, trial.in_double(path), loss);
     }
-    expect_little_loss(loss, trial.baked.volume().certificate);
+    expect_little_loss(loss, trial.baked.asset().certificate);
 }
 
 TEST(ColumnLookup, HoldsTheProbesToTheTop) {
     const ColumnTrial trial("size = [128, 64, 1]\n");
-    trial.expect_probes([&](const VolumeProbe& probe) {
+    trial.expect_probes([&](const Probe& probe) {
         const double h = test::at(probe, "altitude_km");
         const double mu = test::at(probe, "cos_zenith");
         const Shell& shell = trial.geometry.shell;
@@ -145,7 +145,7 @@ TEST(ColumnLookup, HoldsTheProbesToTheTop) {
 
 TEST(ColumnLookup, HoldsTheProbesBetweenPoints) {
     const ColumnTrial trial("table = 'between'\nsize = [32, 32, 32]\n");
-    trial.expect_probes([&](const VolumeProbe& probe) {
+    trial.expect_probes([&](const Probe& probe) {
         const double low = test::at(probe, "low_altitude_km");
         const double high = test::at(probe, "high_altitude_km");
         const double angle = test::at(probe, "angle_at_centre_deg") / 180 * std::numbers::pi;
@@ -161,7 +161,7 @@ TEST(ColumnLookup, HoldsTheProbesBetweenPoints) {
 
 TEST(ColumnLookup, HoldsTheProbesAlongRays) {
     const ColumnTrial trial("table = 'between'\ncoordinates = 'distance'\nsize = [32, 32, 32]\n");
-    trial.expect_probes([&](const VolumeProbe& probe) {
+    trial.expect_probes([&](const Probe& probe) {
         const double length_km = test::at(probe, "length_km");
         return std::pair(
             gpu::column_lookups::column_along(
@@ -173,14 +173,14 @@ TEST(ColumnLookup, HoldsTheProbesAlongRays) {
 
 TEST(ColumnLookup, HoldsTheProbesOfDensitiesAndPhases) {
     const ColumnTrial densities("table = 'density'\nsize = [256, 1, 1]\n");
-    for (const VolumeProbe& probe : densities.baked.volume().levels.front().probes) {
+    for (const Probe& probe : densities.baked.asset().levels.front().probes) {
         const double h = test::at(probe, "altitude_km");
         test::expect_probe(gpu::column_lookups::column_density({densities.texture}, densities.air,
                                                                static_cast<float>(h)),
                            probe.value, probe.tolerance, "h " + std::to_string(h));
     }
     const ColumnTrial phases("table = 'phase'\nsize = [256, 1, 1]\n");
-    for (const VolumeProbe& probe : phases.baked.volume().levels.front().probes) {
+    for (const Probe& probe : phases.baked.asset().levels.front().probes) {
         const double degrees = test::at(probe, "scattering_angle_deg");
         const double angle = degrees / 180 * std::numbers::pi;
         test::expect_probe(gpu::column_lookups::column_phase({phases.texture}, {1, 0, 0},
@@ -205,7 +205,7 @@ TEST(ColumnLookup, FloatLosesLittleBetweenPoints) {
         const double s = d > 0 ? 0.5 * (gain * (gain + 2 * (R + low)) / d - d) : R + low;
         trial.add_errors(found, trial.in_double({low, s, d}), loss);
     }
-    expect_little_loss(loss, trial.baked.volume().certificate);
+    expect_little_loss(loss, trial.baked.asset().certificate);
 }
 
 TEST(ColumnLookup, FloatLosesLittleAlongRays) {
@@ -221,7 +221,7 @@ TEST(ColumnLookup, FloatLosesLittleAlongRays) {
         trial.add_errors(found, trial.in_double({h, (R + h) * double{path.mu}, double{path.d}}),
                          loss);
     }
-    expect_little_loss(loss, trial.baked.volume().certificate);
+    expect_little_loss(loss, trial.baked.asset().certificate);
 }
 
 TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
@@ -249,7 +249,7 @@ TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
             filtered(phases.texture, {x_of_u(std::sqrt(exact / std::numbers::pi), 256), 0.5, 0.5});
         for (std::size_t k = 0; k < 4; ++k) {
             const auto channel = static_cast<gpu::vec4::length_type>(k);
-            const ValueStatistics& range = densities.baked.volume().levels.front().statistics[k];
+            const ValueStatistics& range = densities.baked.asset().levels.front().statistics[k];
             density_loss.add((double{density[channel]} - wanted_density[k]) /
                              (range.max - range.min));
             phase_loss.add(double{phase[channel]} / wanted_phase[k] - 1);
@@ -257,10 +257,10 @@ TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
     }
     {
         SCOPED_TRACE("density");
-        expect_little_loss(density_loss, densities.baked.volume().certificate);
+        expect_little_loss(density_loss, densities.baked.asset().certificate);
     }
     SCOPED_TRACE("phase");
-    expect_little_loss(phase_loss, phases.baked.volume().certificate);
+    expect_little_loss(phase_loss, phases.baked.asset().certificate);
 }
 
 }  // namespace

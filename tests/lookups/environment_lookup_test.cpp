@@ -21,7 +21,7 @@ class EnvironmentTrial {
         : baked_(test::bake_all("preset = 'earth'\n[bake.environment]\norders = 'single'\n"
                                 "size = [64, 32]\naltitude = '1 km'\n"
                                 "sun_elevation = '20 deg'\n")),
-          texture_(texture_of(baked_.table())) {
+          texture_(texture_of(baked_.asset())) {
         for (const float texel : texture_.texels) largest_ = std::max(largest_, double{texel});
     }
 
@@ -40,7 +40,7 @@ class EnvironmentTrial {
         return filtered(texture_, {azimuth / (2 * kPi) + 0.5, 0.5 - elevation / kPi, 0.5});
     }
 
-    const BakedTable& table() const { return baked_.table(); }
+    const Baked& table() const { return baked_.asset(); }
     double largest() const { return largest_; }
 
   private:
@@ -64,7 +64,7 @@ TEST(EnvironmentLookup, FloatLosesLittle) {
         }
     }
     expect_little_loss(loss, trial.table().certificate);
-    for (const Probe& probe : trial.table().probes) {
+    for (const Probe& probe : trial.table().levels[0].probes) {
         const vec3 found = trial.in_float(test::at(probe, "azimuth_deg") * kPi / 180,
                                           test::at(probe, "elevation_deg") * kPi / 180, {0, 0, 1});
         test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance, "a probe");

@@ -106,12 +106,9 @@ inline double horizon_angle(const Shell& shell, double altitude_km) {
 // The first asset of a recipe, and what else the lookup must know.
 struct BakedLookup {
     config::Recipe recipe;
-    std::vector<BakedAsset> assets;
+    std::vector<Baked> assets;
 
-    const BakedTable& table(std::size_t i = 0) const { return std::get<BakedTable>(assets.at(i)); }
-    const BakedVolume& volume(std::size_t i = 0) const {
-        return std::get<BakedVolume>(assets.at(i));
-    }
+    const Baked& asset(std::size_t i = 0) const { return assets.at(i); }
     Shell shell() const { return shell_of(make_medium(recipe.parameters.atmosphere)); }
 };
 

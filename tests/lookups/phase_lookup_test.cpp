@@ -50,7 +50,7 @@ struct PhaseTrial {
           baked(test::bake_all("preset = 'earth'\n[particles.fog]\npreset = 'fog'\n[bake.a]\n"
                                "asset = 'phase'\nparticles = 'fog'\nspacing = '" +
                                name() + "'\n")),
-          texture(texture_of(baked.table())) {}
+          texture(texture_of(baked.asset())) {}
 
     std::string name() const {
         return spacing == PhaseSpacing::angle    ? "angle"
@@ -91,10 +91,10 @@ TEST(PhaseLookup, FloatLosesLittle) {
          {PhaseSpacing::angle, PhaseSpacing::cosine, PhaseSpacing::peaks}) {
         const PhaseTrial trial(spacing);
         SCOPED_TRACE(trial.name());
-        EXPECT_EQ(trial.baked.table().mapping, trial.name());
+        EXPECT_EQ(trial.baked.asset().mapping, trial.name());
         expect_little_loss(trial.loss([&](const Pair& pair) { return trial.in_float(pair); }),
-                           trial.baked.table().certificate);
-        for (const Probe& probe : trial.baked.table().probes) {
+                           trial.baked.asset().certificate);
+        for (const Probe& probe : trial.baked.asset().levels[0].probes) {
             const double degrees = test::at(probe, "scattering_angle_deg");
             const Pair pair = pair_of(degrees / 180 * kPi, {1, 0, 0});
             test::expect_probe(gpu::vec4(trial.in_float(pair), 1), probe.value, probe.tolerance,
@@ -109,7 +109,7 @@ TEST(PhaseLookup, CosinesWouldBeNoticed) {
         return gpu::phase_lookups::phase_function(
             {trial.texture}, gpu::phase_by_cosines::phase_by_peaks(pair.a, pair.b));
     });
-    const ErrorFigures& own = trial.baked.table().certificate.lookup;
+    const ErrorFigures& own = trial.baked.asset().certificate.lookup;
     EXPECT_FALSE(loss.is_a_tenth_of(own)) << loss.text(own);
 }
 
@@ -117,7 +117,7 @@ TEST(SampledAngleLookup, FloatLosesLittle) {
     const test::BakedLookup baked = test::bake_all(
         "preset = 'earth'\n[particles.haze]\npreset = 'haze'\n[bake.a]\nasset = 'phase'\n"
         "particles = 'haze'\ncontent = 'inverse_cumulative'\n");
-    const Texture texture = texture_of(baked.table());
+    const Texture texture = texture_of(baked.asset());
     test::Dice dice;
     test::Loss loss;
     const auto half_turns = [](double one_minus) {
@@ -132,8 +132,8 @@ TEST(SampledAngleLookup, FloatLosesLittle) {
                      half_turns(wanted[static_cast<std::size_t>(c)]));
         }
     }
-    expect_little_loss(loss, baked.table().certificate);
-    for (const Probe& probe : baked.table().probes) {
+    expect_little_loss(loss, baked.asset().certificate);
+    for (const Probe& probe : baked.asset().levels[0].probes) {
         const auto share = static_cast<float>(test::at(probe, "share"));
         test::expect_probe(gpu::vec4(gpu::phase_lookups::sampled_angle({texture}, share), 1),
                            probe.value, probe.tolerance, "share " + std::to_string(share));

@@ -26,9 +26,9 @@ constexpr auto kCentres = TexelConvention::end_points_on_texel_centres;
 struct SunTable {
     explicit SunTable(const std::string& recipe, Certification certification = Certification::quick)
         : baked(test::bake_all(recipe, certification)),
-          texture(texture_of(baked.table())),
+          texture(texture_of(baked.asset())),
           shell(baked.shell()),
-          columns(sun_columns(baked.table().mapping == "twilight"
+          columns(sun_columns(baked.asset().mapping == "twilight"
                                   ? MultipleScatteringMapping::twilight
                                   : MultipleScatteringMapping::hillaire,
                               baked.recipe.parameters.scene, shell)),
@@ -88,8 +88,8 @@ TEST(MultipleScatteringLookup, FloatLosesLittle) {
                                          double{h} / table.shell.thickness_km),
                          table.largest, loss);
         }
-        expect_little_loss(loss, table.baked.table().certificate);
-        for (const Probe& probe : table.baked.table().probes) {
+        expect_little_loss(loss, table.baked.asset().certificate);
+        for (const Probe& probe : table.baked.asset().levels[0].probes) {
             const auto h = static_cast<float>(test::at(probe, "altitude_km"));
             const auto mu = static_cast<float>(test::at(probe, "sun_cos_zenith"));
             const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
@@ -190,7 +190,7 @@ TEST(MomentsLookup, FloatLosesLittle) {
 TEST(MomentsLookup, HoldsTheProbes) {
     const CroppedMoments table;
     std::set<int> tables;
-    for (const Probe& probe : table.baked.table().probes) {
+    for (const Probe& probe : table.baked.asset().levels[0].probes) {
         const auto h = static_cast<float>(test::at(probe, "altitude_km"));
         const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
         const int part = moment_index(static_cast<int>(test::at(probe, "l")),
@@ -226,8 +226,8 @@ TEST(IrradianceLookup, FloatLosesLittle) {
                                          std::sqrt(double{h} / table.shell.thickness_km)),
                          table.largest, loss);
         }
-        expect_little_loss(loss, table.baked.table().certificate);
-        for (const Probe& probe : table.baked.table().probes) {
+        expect_little_loss(loss, table.baked.asset().certificate);
+        for (const Probe& probe : table.baked.asset().levels[0].probes) {
             const auto h = static_cast<float>(test::at(probe, "altitude_km"));
             const auto mu = static_cast<float>(test::at(probe, "sun_cos_zenith"));
             test::expect_probe(gpu::vec4(in_float(h, mu), 1), probe.value, probe.tolerance,

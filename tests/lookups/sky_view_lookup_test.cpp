@@ -32,7 +32,7 @@ class SkyViewTrial {
   public:
     explicit SkyViewTrial(double altitude_km)
         : baked_(test::bake_all(recipe_at(altitude_km))),
-          texture_(texture_of(baked_.table())),
+          texture_(texture_of(baked_.asset())),
           shell_(baked_.shell()),
           altitude_km_(altitude_km),
           camera_(shell_, altitude_km) {
@@ -120,7 +120,7 @@ class SkyViewTrial {
                      {0, 0, 1});
     }
 
-    const BakedTable& table() const { return baked_.table(); }
+    const Baked& table() const { return baked_.asset(); }
 
   private:
     static constexpr std::array kSuns = {30.0, -4.0};
@@ -146,7 +146,7 @@ TEST(SkyViewLookup, FloatLosesLittle) {
         const SkyViewTrial trial(altitude_km);
         expect_little_loss(trial.loss([&](const ViewPlace& at) { return trial.in_float(at); }),
                            trial.table().certificate);
-        for (const Probe& probe : trial.table().probes) {
+        for (const Probe& probe : trial.table().levels[0].probes) {
             const ViewPlace at = trial.place_of(probe);
             // On the horizon itself rounding decides between sky and ground.
             if (std::fabs(trial.angle_of(at)) < kUndecided) continue;

@@ -51,19 +51,11 @@ inline std::array<double, 4> filtered(const Texture& texture, const std::array<d
     return value;
 }
 
-inline Texture texture_of(const BakedTable& table) {
-    Texture texture;
-    texture.size = {table.image.width, table.image.height, 1};
-    texture.channels = table.image.channels;
-    texture.texels = table.image.texels;
-    return texture;
-}
-
 // Of level 0, rounded as a file stores it.
-inline Texture texture_of(const BakedVolume& volume) {
-    const VolumeLevel& level = volume.levels.front();
+inline Texture texture_of(const Baked& baked) {
+    const Level& level = baked.levels.front();
     const auto count = static_cast<std::size_t>(VoxelBox{{}, level.size}.count());
-    const std::size_t channels = volume.channel_names.size();
+    const std::size_t channels = baked.channel_names.size();
     std::vector<std::vector<float>> values(channels, std::vector<float>(count));
     std::vector<float*> targets;
     for (std::vector<float>& channel : values) targets.push_back(channel.data());
@@ -74,7 +66,7 @@ inline Texture texture_of(const BakedVolume& volume) {
     texture.repeats = level.repeats;
     for (std::size_t i = 0; i < count; ++i) {
         for (const std::vector<float>& channel : values) {
-            texture.texels.push_back(round_to_pixel_type(double{channel[i]}, volume.pixel_type));
+            texture.texels.push_back(round_to_pixel_type(double{channel[i]}, baked.pixel_type));
         }
     }
     return texture;

@@ -17,7 +17,7 @@ struct TransmittanceTrial {
     explicit TransmittanceTrial(const std::string& planet, bool ue_mapping)
         : baked(test::bake_all("preset = '" + planet + "'\n[bake.transmittance]\nmapping = '" +
                                (ue_mapping ? "ue" : "bruneton") + "'\n")),
-          texture(texture_of(baked.table())),
+          texture(texture_of(baked.asset())),
           shell(baked.shell()),
           ue(ue_mapping) {}
 
@@ -58,7 +58,7 @@ TEST(TransmittanceLookup, FloatLosesLittle) {
                     loss.add(double{found[c]} - wanted[static_cast<std::size_t>(c)]);
                 }
             }
-            expect_little_loss(loss, trial.baked.table().certificate);
+            expect_little_loss(loss, trial.baked.asset().certificate);
         }
     }
 }
@@ -66,7 +66,7 @@ TEST(TransmittanceLookup, FloatLosesLittle) {
 TEST(TransmittanceLookup, HoldsTheProbes) {
     for (const bool ue : {false, true}) {
         const TransmittanceTrial trial("earth", ue);
-        for (const Probe& probe : trial.baked.table().probes) {
+        for (const Probe& probe : trial.baked.asset().levels[0].probes) {
             const auto h = static_cast<float>(test::at(probe, "altitude_km"));
             const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
             test::expect_probe(gpu::vec4(trial.in_float(h, mu), 1), probe.value, probe.tolerance,
@@ -80,11 +80,11 @@ TEST(TransmittanceLookup, HoldsTheProbesOfBrunetonsTable) {
     const BakedLookup baked = test::bake_all(
         "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'transmittance'\n"
         "pixel_type = 'float'\nsize = [64, 16, 1]\n");
-    const Texture texture = texture_of(baked.volume());
+    const Texture texture = texture_of(baked.asset());
     const Shell shell = baked.shell();
-    const std::vector<VolumeProbe>& probes = baked.volume().levels.front().probes;
+    const std::vector<Probe>& probes = baked.asset().levels.front().probes;
     EXPECT_FALSE(probes.empty());
-    for (const VolumeProbe& probe : probes) {
+    for (const Probe& probe : probes) {
         const auto h = static_cast<float>(test::at(probe, "altitude_km"));
         const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
         const gpu::vec3 found =

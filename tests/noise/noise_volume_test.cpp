@@ -33,28 +33,28 @@ config::NoiseVolumeBake bake_of(const std::array<int, 3>& size, int mips = 1) {
     config::NoiseVolumeBake bake;
     bake.noise = "n";
     bake.size = size;
-    bake.formats = {config::VolumeFormat::exr};
+    bake.formats = {config::FileFormat::exr};
     bake.mips = mips;
     return bake;
 }
 
-BakedVolume baked(const config::Noise& noise, const config::NoiseVolumeBake& bake,
-                  const BakeOptions& options = {}) {
+Baked baked(const config::Noise& noise, const config::NoiseVolumeBake& bake,
+            const BakeOptions& options = {}) {
     auto outcome = bake_noise_volume(noise, bake, options, {});
     EXPECT_TRUE(outcome.diagnostics.empty());
     EXPECT_TRUE(outcome.value.has_value());
-    return outcome.value ? std::move(*outcome.value) : BakedVolume{};
+    return outcome.value ? std::move(*outcome.value) : Baked{};
 }
 
 TEST(NoiseVolume, DescribesItsVoxels) {
-    const BakedVolume volume = baked(cloud_shape(), bake_of({32, 24, 16}, 3));
+    const Baked volume = baked(cloud_shape(), bake_of({32, 24, 16}, 3));
     EXPECT_EQ(volume.kind, "noise_volume");
     EXPECT_EQ(volume.channel_names, (std::vector<std::string>{"R", "G", "B"}));
     EXPECT_EQ(volume.seam_error, 0);
     ASSERT_EQ(volume.levels.size(), 3u);
     EXPECT_EQ(volume.levels[1].size, (std::array<int, 3>{16, 12, 8}));
     EXPECT_EQ(volume.levels[2].size, (std::array<int, 3>{8, 6, 4}));
-    for (const VolumeLevel& level : volume.levels) {
+    for (const Level& level : volume.levels) {
         ASSERT_EQ(level.statistics.size(), 3u);
         EXPECT_FALSE(level.content_hash.empty());
         EXPECT_FALSE(level.probes.empty());
@@ -71,9 +71,9 @@ TEST(NoiseVolume, DescribesItsVoxels) {
 }
 
 TEST(NoiseVolume, CertifiesTexelsAndLookups) {
-    const BakedVolume coarse = baked(cloud_shape(), bake_of({16, 16, 16}));
-    const BakedVolume fine = baked(cloud_shape(), bake_of({64, 64, 64}));
-    for (const BakedVolume* volume : {&coarse, &fine}) {
+    const Baked coarse = baked(cloud_shape(), bake_of({16, 16, 16}));
+    const Baked fine = baked(cloud_shape(), bake_of({64, 64, 64}));
+    for (const Baked* volume : {&coarse, &fine}) {
         EXPECT_TRUE(volume->certified);
         const Certificate& certificate = volume->certificate;
         // Voxels are as good as halves, of values up to 1, are.
@@ -94,7 +94,7 @@ TEST(NoiseVolume, MapsCornersByHalfAVoxel) {
          {NoiseSampling::centers, NoiseSampling::corners, NoiseSampling::slices_at_corners}) {
         config::Noise noise = cloud_shape();
         noise.sampling = sampling;
-        const BakedVolume volume = baked(noise, bake_of({20, 12, 28}));
+        const Baked volume = baked(noise, bake_of({20, 12, 28}));
         EXPECT_LE(volume.certificate.texel.max, 0.001);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const bool centered = sampling == NoiseSampling::centers ||
@@ -110,8 +110,8 @@ TEST(NoiseVolume, DoesNotDependOnThreads) {
     one.threads = 1;
     BakeOptions two;
     two.threads = 2;
-    const BakedVolume a = baked(cloud_shape(), bake_of({33, 20, 41}, 4), one);
-    const BakedVolume b = baked(cloud_shape(), bake_of({33, 20, 41}, 4), two);
+    const Baked a = baked(cloud_shape(), bake_of({33, 20, 41}, 4), one);
+    const Baked b = baked(cloud_shape(), bake_of({33, 20, 41}, 4), two);
     ASSERT_EQ(a.levels.size(), b.levels.size());
     for (std::size_t i = 0; i < a.levels.size(); ++i) {
         EXPECT_EQ(a.levels[i].content_hash, b.levels[i].content_hash);
@@ -149,7 +149,7 @@ config::Noise takram_weather() {
 TEST(NoiseVolume, WeatherAsBytesTakesAStep) {
     config::Noise weather = takram_weather();
     config::NoiseVolumeBake bake = bake_of({64, 64, 1});
-    bake.formats = {config::VolumeFormat::bin};
+    bake.formats = {config::FileFormat::bin};
     bake.pixel_type = PixelType::unorm8;
     const auto refused = bake_noise_volume(weather, bake, {}, {});
     ASSERT_FALSE(refused.diagnostics.empty());
@@ -157,22 +157,22 @@ TEST(NoiseVolume, WeatherAsBytesTakesAStep) {
     EXPECT_NE(refused.diagnostics[0].label.find("smoothstep or clamp"), std::string::npos);
 
     weather.channels[0].smoothstep = {0.8, 1.4};
-    const BakedVolume stepped = baked(weather, bake);
+    const Baked stepped = baked(weather, bake);
     EXPECT_EQ(stepped.levels[0].statistics[0].min, 0);
     EXPECT_GT(stepped.levels[0].statistics[0].max, 0.5);
 
     weather.channels[0].smoothstep.reset();
     weather.channels[0].clamp = {0, 1};
-    const BakedVolume clamped = baked(weather, bake);
+    const Baked clamped = baked(weather, bake);
     EXPECT_EQ(clamped.levels[0].statistics[0].max, 1);
 }
 
 TEST(NoiseVolume, PacksIntoOneChannelY) {
     config::Noise noise = cloud_shape();
     noise.pack = config::NoisePacking::detail;
-    const BakedVolume volume = baked(noise, bake_of({16, 16, 16}, 2));
+    const Baked volume = baked(noise, bake_of({16, 16, 16}, 2));
     EXPECT_EQ(volume.channel_names, std::vector<std::string>{"Y"});
-    for (const VolumeLevel& level : volume.levels) EXPECT_EQ(level.statistics.size(), 1u);
+    for (const Level& level : volume.levels) EXPECT_EQ(level.statistics.size(), 1u);
     EXPECT_EQ(volume.levels[0].probes[0].value.size(), 1u);
 }
 

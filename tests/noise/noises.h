@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_plan.h"
 #include "bakers/noise/noise_specification.h"

@@ -27,7 +27,7 @@ using config::PixelType;
 // A cloud volume with a level that need not be surveyed.
 struct Subject {
     std::shared_ptr<cloud::CloudField> field;
-    BakedVolume volume;
+    Baked volume;
 
     Subject(const test::CloudCase& any, PixelType type)
         : field(std::make_shared<cloud::CloudField>(any.plan())) {
@@ -39,7 +39,7 @@ struct Subject {
         volume.pixel_type = type;
         volume.voxel_size_m = {1, 1, 2};
         volume.up_axis = "+z";
-        VolumeLevel level;
+        Level level;
         level.size = any.size;
         level.voxels = field;
         volume.levels.push_back(level);
@@ -55,7 +55,7 @@ OccupancyBake all_contents(int cell) {
     return bake;
 }
 
-test::Planes planes_of(const BakedVolume& volume, std::size_t level = 0) {
+test::Planes planes_of(const Baked& volume, std::size_t level = 0) {
     return test::filled(*volume.levels[level].voxels, {{}, volume.levels[level].size},
                         static_cast<int>(volume.channel_names.size()));
 }
@@ -71,7 +71,7 @@ TEST(OccupancyGrid, HoldsWhatItsVolumeHas) {
         bake.mips = 3;
         const auto outcome = bake_occupancy({subject.volume, 0}, bake, {}, {});
         RC_ASSERT(outcome.value.has_value());
-        const BakedVolume& grid = *outcome.value;
+        const Baked& grid = *outcome.value;
         RC_ASSERT(grid.levels.size() == 3);
         const CellGrid cells{any.size, bake.cell};
         RC_ASSERT(grid.levels[0].size == cells.size());

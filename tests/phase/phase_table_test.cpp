@@ -30,18 +30,19 @@ const std::string kParticles =
     "preset = 'earth'\n[particles.fog]\npreset = 'fog'\n[particles.haze]\npreset = 'haze'\n"
     "[bake.phase]\n";
 
-BakedTable bake(const std::string& keys, int threads = 0) {
+Baked bake(const std::string& keys, int threads = 0) {
     const config::Recipe recipe = test::recipe_of(kParticles + keys);
-    auto baked = bake_table(recipe, recipe.parameters.bakes.back(), BakeOptions{threads});
+    auto baked = bake_asset(recipe, recipe.parameters.bakes.back(), BakeOptions{threads});
     for (const auto& diagnostic : baked.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return baked.value.value_or(BakedTable{});
+    return baked.value.value_or(Baked{});
 }
 
-double lookup(const BakedTable& table, double x, std::size_t channel) {
+double lookup(const Baked& table, double x, std::size_t channel) {
     double values[4];
-    bilinear(table.image,
-             texture_coordinate(TexelConvention::end_points_on_texel_centres, x, table.image.width),
-             0.5, values);
+    bilinear(
+        table.image(),
+        texture_coordinate(TexelConvention::end_points_on_texel_centres, x, table.image().width),
+        0.5, values);
     return values[channel];
 }
 
@@ -65,32 +66,32 @@ TEST(PhaseAxis, SmallAnglesKeepTheirDigits) {
 }
 
 TEST(PhaseTable, ClosedFormsAreExactAndLookUpWell) {
-    const BakedTable table = bake("layer = 'mie'\n");
+    const Baked table = bake("layer = 'mie'\n");
     EXPECT_LT(table.certificate.texel.max, 1e-7);
     EXPECT_LT(table.certificate.lookup.max, 1e-4);
     EXPECT_EQ(table.certificate.reference, "closed form");
 }
 
 TEST(PhaseTable, ErrorBoundsChooseSizeAndSpacing) {
-    const BakedTable coarse = bake("particles = 'fog'\nmax_error = '5 %'\n");
-    const BakedTable fine = bake("particles = 'fog'\nmax_error = '0.5 %'\n");
+    const Baked coarse = bake("particles = 'fog'\nmax_error = '5 %'\n");
+    const Baked fine = bake("particles = 'fog'\nmax_error = '0.5 %'\n");
     EXPECT_LE(coarse.certificate.lookup.max, 0.05);
     EXPECT_LE(fine.certificate.lookup.max, 0.005);
-    EXPECT_LT(coarse.image.width, fine.image.width);
+    EXPECT_LT(coarse.image().width, fine.image().width);
     EXPECT_EQ(coarse.mapping, "peaks");
     // Each spacing of its own needs more for the same.
     for (const char* spacing : {"angle", "cosine"}) {
         const config::Recipe recipe = test::recipe_of(
             kParticles + "particles = 'fog'\nmax_error = '5 %'\nspacing = '" + spacing + "'\n");
-        const auto other = bake_table(recipe, recipe.parameters.bakes.back(), {});
+        const auto other = bake_asset(recipe, recipe.parameters.bakes.back(), {});
         // The cosine gets nowhere near.
-        const int width = other.value ? other.value->image.width : 16384;
-        EXPECT_GT(width, coarse.image.width) << spacing;
+        const int width = other.value ? other.value->image().width : 16384;
+        EXPECT_GT(width, coarse.image().width) << spacing;
     }
 }
 
 TEST(PhaseTable, FogHasItsBowAndGlory) {
-    const BakedTable table = bake("particles = 'fog'\nspacing = 'angle'\nsize = 3601\n");
+    const Baked table = bake("particles = 'fog'\nspacing = 'angle'\nsize = 3601\n");
     const auto at = [&](double degrees) { return lookup(table, degrees / 180, 1); };
     EXPECT_GT(at(142), 2 * at(110));
     EXPECT_GT(at(142), 1.5 * at(160));
@@ -101,8 +102,8 @@ TEST(PhaseTable, FogHasItsBowAndGlory) {
 // The inverse table, looked up, brings a uniform share back through the cumulative distribution.
 TEST(PhaseTable, TheInverseInvertsTheTable) {
     for (const char* of : {"particles = 'haze'\n", "layer = 'mie'\n", "layer = 'rayleigh'\n"}) {
-        const BakedTable phase = bake(std::string(of) + "spacing = 'peaks'\nsize = 4096\n");
-        const BakedTable inverse =
+        const Baked phase = bake(std::string(of) + "spacing = 'peaks'\nsize = 4096\n");
+        const Baked inverse =
             bake(std::string(of) + "content = 'inverse_cumulative'\nsize = 4096\n");
         // The share up to an angle, by the first table's own lookups.
         constexpr int kCells = 20000;
@@ -137,7 +138,7 @@ TEST(PhaseTable, AskingForMoreMakesTheSeriesBetter) {
 }
 
 TEST(PhaseTable, SaysWhatRuntimesComputeWith) {
-    const BakedTable table = bake("particles = 'haze'\ndegree = 4\n");
+    const Baked table = bake("particles = 'haze'\ndegree = 4\n");
     const auto detail = [&](const std::string& key) {
         for (const auto& [name, value] : table.details) {
             if (name == key) return value;
@@ -158,9 +159,9 @@ TEST(PhaseTable, SaysWhatRuntimesComputeWith) {
 }
 
 TEST(PhaseTable, SameBytesForAnyNumberOfThreads) {
-    const BakedTable one = bake("particles = 'haze'\n", 1);
-    const BakedTable two = bake("particles = 'haze'\n", 2);
-    EXPECT_EQ(one.image.texels, two.image.texels);
+    const Baked one = bake("particles = 'haze'\n", 1);
+    const Baked two = bake("particles = 'haze'\n", 2);
+    EXPECT_EQ(one.image().texels, two.image().texels);
     EXPECT_EQ(one.details, two.details);
 }
 

@@ -25,6 +25,7 @@ PreviewAsset volume_of(std::array<int, 3> size, std::vector<std::string> channel
     asset.entry.name = "noise";
     asset.entry.kind = "noise_volume";
     asset.entry.size = {size[0], size[1], size[2]};
+    asset.entry.axes.resize(3);
     asset.entry.channels = std::move(channels);
     asset.entry.levels.resize(1);
     asset.entry.levels[0].size = size;

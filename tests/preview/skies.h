@@ -26,7 +26,7 @@ struct Sky {
 inline void bake_tables(Sky& sky) {
     for (const config::Bake& bake : sky.recipe.parameters.bakes) {
         if (bake.name != "transmittance" && bake.name != "multiple_scattering") continue;
-        const auto baked = bake_table(sky.recipe, bake, {1, Certification::off, nullptr});
+        const auto baked = bake_asset(sky.recipe, bake, {1, Certification::off, nullptr});
         if (!baked.value) {
             for (const config::Diagnostic& diagnostic : baked.diagnostics) {
                 ADD_FAILURE() << bake.name << ": " << diagnostic.message;
@@ -36,7 +36,7 @@ inline void bake_tables(Sky& sky) {
         PreviewAsset& asset =
             bake.name == "transmittance" ? sky.transmittance : sky.multiple_scattering;
         asset.entry = describe(*baked.value);
-        asset.table = baked.value->image;
+        asset.table = baked.value->image();
     }
     sky.medium = make_sky_medium(sky.recipe.parameters.atmosphere);
     auto tables = make_sky_tables(sky.transmittance, sky.multiple_scattering);

@@ -16,13 +16,12 @@ PreviewAsset bake_one(const std::string& section) {
         bake_asset(recipe, recipe.parameters.bakes.at(0), {.certification = Certification::off});
     EXPECT_TRUE(baked.value);
     PreviewAsset asset;
-    if (auto* table = std::get_if<BakedTable>(&*baked.value)) {
-        asset.entry = describe(*table);
-        asset.table = table->image;
+    const Baked& volume = *baked.value;
+    asset.entry = describe(volume);
+    if (volume.is_table()) {
+        asset.table = volume.image();
         return asset;
     }
-    const auto& volume = std::get<BakedVolume>(*baked.value);
-    asset.entry = describe(volume);
     const VoxelBox box{{}, volume.levels[0].size};
     const auto voxels = static_cast<std::size_t>(box.count());
     const std::size_t channels = volume.channel_names.size();

@@ -237,8 +237,8 @@ TEST(SkyTables, LookupsReturnTheProbes) {
                 "earth", {std::string("bake.transmittance.mapping=\"") + mapping + "\"",
                           std::string("bake.transmittance.content=\"") + content + "\""});
             const Shell shell = shell_of(sky.medium.air);
-            ASSERT_FALSE(sky.transmittance.entry.probes.empty());
-            for (const Probe& probe : sky.transmittance.entry.probes) {
+            ASSERT_FALSE(sky.transmittance.entry.levels[0].probes.empty());
+            for (const Probe& probe : sky.transmittance.entry.levels[0].probes) {
                 ASSERT_EQ(probe.at[0].first, "altitude_km");
                 const double altitude = probe.at[0].second;
                 const double s = (shell.ground_radius_km + altitude) * probe.at[1].second;

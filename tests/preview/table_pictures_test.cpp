@@ -34,8 +34,8 @@ std::vector<PreviewAsset> bake_tables(const std::string& preset) {
     for (const config::Bake& bake : recipe.parameters.bakes) {
         auto baked = bake_asset(recipe, bake, options);
         if (!baked.value) continue;  // a planet without scattering has no such table
-        BakedTable& table = std::get<BakedTable>(*baked.value);
-        assets.push_back({describe(table), std::move(table.image), {}});
+        const Baked& table = *baked.value;
+        assets.push_back({describe(table), table.image(), {}});
     }
     return assets;
 }
@@ -55,12 +55,12 @@ TEST(TableGeometry, AgreesWithTheProbes) {
         for (const PreviewAsset& asset : tables_of(preset)) {
             const auto geometry = TableGeometry::of(asset.entry);
             ASSERT_TRUE(geometry.has_value()) << preset << " " << asset.entry.name;
-            ASSERT_FALSE(asset.entry.probes.empty());
-            for (const Probe& probe : asset.entry.probes) {
+            ASSERT_FALSE(asset.entry.levels[0].probes.empty());
+            for (const Probe& probe : asset.entry.levels[0].probes) {
                 const double angle = std::acos(probe.at[1].second) * 180 / std::numbers::pi;
                 const auto uv = geometry->texture_coordinates(probe.at[0].second, angle);
-                EXPECT_NEAR(uv[0], probe.uv[0], 1e-6) << preset << " " << asset.entry.name;
-                EXPECT_NEAR(uv[1], probe.uv[1], 1e-9);
+                EXPECT_NEAR(uv[0], probe.uvw[0], 1e-6) << preset << " " << asset.entry.name;
+                EXPECT_NEAR(uv[1], probe.uvw[1], 1e-9);
             }
         }
     }

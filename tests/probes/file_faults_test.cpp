@@ -6,7 +6,7 @@
 
 #include "bakers/assets/probe_check.h"
 #include "bakers/field/voxel_bytes.h"
-#include "bakers/io/formats/read_volume.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/hash.h"
 #include "tests/incremental/bakes.h"
 #include "tests/probes/texels.h"
@@ -41,11 +41,11 @@ BakedFile file_of_table(const fs::path& folder, const ManifestAsset& asset) {
     file.texels.size = {image.pixels.width, image.pixels.height, 1};
     file.texels.channels = static_cast<std::size_t>(image.pixels.channels);
     file.texels.values.assign(image.pixels.texels.begin(), image.pixels.texels.end());
-    for (const Probe& probe : asset.probes) {
+    for (const Probe& probe : asset.levels[0].probes) {
         file.probes.push_back(
-            {{{{probe.uv[0], probe.uv[1], 0.5}, 1.0}}, probe.value, probe.tolerance});
+            {{{{probe.uvw[0], probe.uvw[1], 0.5}, 1.0}}, probe.value, probe.tolerance});
     }
-    file.catches = asset.catches;
+    file.catches = asset.levels[0].catches;
     return file;
 }
 
@@ -60,11 +60,11 @@ BakedFile file_of_volume(const fs::path& folder, const ManifestAsset& asset,
         file.texels.values.insert(file.texels.values.end(), values, values + total);
         return true;
     };
-    EXPECT_TRUE(read_volume(folder / entry.path, asset, entry, visit).value.value_or(false));
+    EXPECT_TRUE(read_asset_file(folder / entry.path, asset, entry, 0, visit).value.value_or(false));
     const bool tile = asset.mapping == "tile";
     const bool layer = asset.mapping == "layer";
     file.sampler = {{tile || layer, tile || layer, tile}, asset.kind == "occupancy"};
-    for (const VolumeProbe& probe : level.probes) {
+    for (const Probe& probe : level.probes) {
         const double share = probe.blend ? probe.blend->share : 0;
         ProbeOfFile of_file{{{probe.uvw, 1 - share}}, probe.value, probe.tolerance};
         if (probe.blend) of_file.lookups.emplace_back(probe.blend->uvw, share);
@@ -507,13 +507,13 @@ TEST(FileFaults, AreToldByVerifyWhereProbesTellNothing) {
     bake("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 16]\n", folder.path());
     Manifest manifest = *read_manifest(folder.path()).value;
     ASSERT_TRUE(failed_checks(folder.path()).empty());
-    for (Probe& probe : manifest.assets[0].probes) {
+    for (Probe& probe : manifest.assets[0].levels[0].probes) {
         for (double& tolerance : probe.tolerance) tolerance = 10;
     }
     write_bytes(folder / std::string(manifest_name), manifest_json(manifest));
     EXPECT_EQ(failed_checks(folder.path())["catches"],
-              static_cast<int>(manifest.assets[0].catches.size()));
-    EXPECT_GE(manifest.assets[0].catches.size(), 6u);
+              static_cast<int>(manifest.assets[0].levels[0].catches.size()));
+    EXPECT_GE(manifest.assets[0].levels[0].catches.size(), 6u);
 }
 
 }  // namespace

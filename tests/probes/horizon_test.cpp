@@ -55,7 +55,7 @@ size = [16, 16]
 altitude = "400 km"
 sun_elevations = ["20 deg"]
 )");
-    for (const Probe& probe : manifest.assets[0].probes) {
+    for (const Probe& probe : manifest.assets[0].levels[0].probes) {
         EXPECT_GE(degrees_above_horizon(probe.at), 0.00999);
     }
     const double dip = std::acos(kRadiusKm / (kRadiusKm + 400));
@@ -63,7 +63,7 @@ sun_elevations = ["20 deg"]
     const double edge = (dip - dip_to_top) / kDegree;
     for (const std::size_t table : {1u, 2u}) {
         int below = 0;
-        for (const Probe& probe : manifest.assets[table].probes) {
+        for (const Probe& probe : manifest.assets[table].levels[0].probes) {
             const double angle = coordinate(probe.at, "above_horizon_deg");
             EXPECT_GE(std::fabs(angle), 0.00999);
             below += angle < 0 ? 1 : 0;
@@ -105,7 +105,7 @@ formats = ["bin"]
 )");
     int to_ground = 0;
     for (const ManifestAsset& asset : manifest.assets) {
-        for (const VolumeProbe& probe : asset.levels[0].probes) {
+        for (const Probe& probe : asset.levels[0].probes) {
             const double above = degrees_above_horizon(probe.at);
             EXPECT_GE(std::fabs(above), 0.00999) << asset.name;
             if (asset.name == "along") continue;

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "bakers/assets/registry.h"
-#include "bakers/io/formats/write_volume.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "tests/config/recipes.h"
 #include "tests/report/cancelled_at.h"
 
 namespace skybake {
 namespace {
 
+using config::FileFormat;
 using config::PixelType;
-using config::VolumeFormat;
 
 // Values are those of fbm over [0, 1]; cells of 16 to 4 voxels.
 const char* const kNoise =
@@ -82,12 +82,12 @@ TEST(NoiseVolumeReport, HasARowForEachKnob) {
     for (const char* compression : {"none", "zip", "zips", "piz"}) {
         const ReportRow& row = row_of(report, "exr, half", std::string("exr ") + compression);
         EXPECT_EQ(row.volume_file->compression, compression);
-        EXPECT_EQ(row.volume_file->format, VolumeFormat::exr);
+        EXPECT_EQ(row.volume_file->format, FileFormat::exr);
     }
     for (const char* compression : {"none", "zip", "blosc"}) {
         const ReportRow& row = row_of(report, "vdb, half", std::string("vdb ") + compression);
         EXPECT_EQ(row.volume_file->compression, compression);
-        EXPECT_EQ(row.volume_file->format, VolumeFormat::vdb);
+        EXPECT_EQ(row.volume_file->format, FileFormat::vdb);
     }
     for (const char* type : {"float", "half", "unorm16", "unorm8"}) {
         for (const char* size : {"16x16x8", "24x24x12", "32x32x16", "48x48x24", "64x64x32"}) {
@@ -174,11 +174,11 @@ TEST(NoiseVolumeReport, FiguresOfTheRecipeAreThoseThatBakeFinds) {
     const config::Recipe recipe = recipe_of(std::string(kNoise) + kBake);
     const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});
     ASSERT_TRUE(baked.value);
-    const auto& volume = std::get<BakedVolume>(*baked.value);
+    const Baked& volume = *baked.value;
     ManifestAsset asset = describe_with_files(volume);
     const config::testing::TemporaryFolder folder;
     AtomicFiles files;
-    ASSERT_TRUE(stage_volume(volume, asset, folder.path(), files, 1).value);
+    ASSERT_TRUE(stage_files(volume, asset, folder.path(), files, 1).value);
 
     std::vector<const ReportRow*> own;
     for (const ReportRow& row : sample().rows) {

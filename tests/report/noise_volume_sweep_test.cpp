@@ -28,7 +28,7 @@ NoiseVolumeBake bake_of(Size size) {
     NoiseVolumeBake bake;
     bake.noise = "n";
     bake.size = size;
-    bake.formats = {config::VolumeFormat::exr};
+    bake.formats = {config::FileFormat::exr};
     return bake;
 }
 
@@ -81,12 +81,12 @@ TEST(NoiseVolumeSweep, MarksNothingAsTheRecipesWhereItIsSmaller) {
 TEST(NoiseVolumeSweep, StoresUnormInBinAlone) {
     const Noise noise = noise_of(kPerlin);
     NoiseVolumeBake bake = bake_of({16, 16, 16});
-    bake.formats = {config::VolumeFormat::bin};
+    bake.formats = {config::FileFormat::bin};
     bake.pixel_type = PixelType::unorm8;
     const VolumeSweep sweep = noise_volume_sweep(noise, bake, bake.size, true);
     EXPECT_EQ(count_of_recipe(sweep), 1);
     for (const VolumeVariant& variant : sweep.variants) {
-        if (variant.format != config::VolumeFormat::bin) {
+        if (variant.format != config::FileFormat::bin) {
             EXPECT_EQ(variant.pixel_type, PixelType::half) << variant.name;
         }
         if (variant.of_recipe) {

@@ -47,7 +47,7 @@ inline AssetReport sample_volume_report() {
     for (ReportRow& row : report.rows) {
         row.asset = "shape";
         row.size = {64, 32, 16};
-        row.volume_file = VolumeFile{config::VolumeFormat::vdb, "blosc", 7.5, row.of_recipe};
+        row.volume_file = VolumeFile{config::FileFormat::vdb, "blosc", 7.5, row.of_recipe};
     }
     return report;
 }

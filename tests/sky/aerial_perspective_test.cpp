@@ -25,7 +25,7 @@ config::AerialPerspectiveBake camera_at(double altitude_km, double pitch_degrees
     bake.fov = {60 * kDegree};
     bake.aspect = 2;
     bake.view_distance = {64000};
-    bake.formats = {config::VolumeFormat::exr};
+    bake.formats = {config::FileFormat::exr};
     return bake;
 }
 
@@ -155,7 +155,7 @@ TEST(AerialPerspective, IsBakedByARecipe) {
     for (const config::Bake& bake : recipe.parameters.bakes) {
         const auto baked = bake_asset(recipe, bake, {.threads = 2});
         ASSERT_TRUE(baked.value);
-        const auto& volume = std::get<BakedVolume>(*baked.value);
+        const Baked& volume = *baked.value;
         EXPECT_EQ(volume.levels[0].repeats, (std::array<bool, 3>{}));
         EXPECT_TRUE(volume.certified);
         EXPECT_LT(volume.certificate.texel.max, 1e-6);

@@ -87,16 +87,7 @@ struct Values {
     std::vector<std::vector<double>> channels;
 };
 
-Values values_of(const BakedTable& table) {
-    Values values{table.channel_names, {}};
-    values.channels.resize(table.channel_names.size());
-    for (std::size_t i = 0; i < table.image.texels.size(); ++i) {
-        values.channels[i % values.channels.size()].push_back(table.image.texels[i]);
-    }
-    return values;
-}
-
-Values values_of(const BakedVolume& volume) {
+Values values_of(const Baked& volume) {
     const VoxelBox whole{{}, volume.levels.at(0).size};
     Values values{volume.channel_names, {}};
     std::vector<std::vector<float>> planes(
@@ -116,7 +107,7 @@ Values baked(const config::Recipe& recipe, const config::Bake& bake) {
         if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
     }
     if (!outcome.value) return {};
-    return std::visit([](const auto& asset) { return values_of(asset); }, *outcome.value);
+    return values_of(*outcome.value);
 }
 
 // Where the values of channel c of the straight order stand in the turned one.

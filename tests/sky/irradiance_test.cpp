@@ -124,12 +124,12 @@ TEST(IrradianceTable, HoldsItsErrorAndAddsUp) {
     EXPECT_LE(diffuse.value->certificate.texel.max, 0.005);
     EXPECT_LT(direct.value->certificate.texel.max, 1e-6);
     const double brightest =
-        *std::max_element(total.value->image.texels.begin(), total.value->image.texels.end());
-    for (std::size_t i = 0; i < total.value->image.texels.size(); ++i) {
+        *std::max_element(total.value->image().texels.begin(), total.value->image().texels.end());
+    for (std::size_t i = 0; i < total.value->image().texels.size(); ++i) {
         const double sum =
-            double{direct.value->image.texels[i]} + double{diffuse.value->image.texels[i]};
+            double{direct.value->image().texels[i]} + double{diffuse.value->image().texels[i]};
         // Each within half a percent of itself or of a thousandth of the largest.
-        EXPECT_NEAR(total.value->image.texels[i], sum, 0.01 * sum + 1e-5 * brightest);
+        EXPECT_NEAR(total.value->image().texels[i], sum, 0.01 * sum + 1e-5 * brightest);
     }
     const Shell& shell = sky.light().shell();
     EXPECT_DOUBLE_EQ(irradiance_coordinate(shell, irradiance_altitude_km(shell, 0.3)), 0.3);

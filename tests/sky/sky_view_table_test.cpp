@@ -23,9 +23,9 @@ config::SkyViewBake bake_of(std::array<int, 2> size, double altitude_km,
     return bake;
 }
 
-config::Outcome<BakedTable> bake(const SkyLight& light, const config::SkyViewBake& asset,
-                                 Certification certification = Certification::off) {
-    BakedTable table;
+config::Outcome<Baked> bake(const SkyLight& light, const config::SkyViewBake& asset,
+                            Certification certification = Certification::off) {
+    Baked table;
     table.name = "view";
     table.channel_names = {"R", "G", "B"};
     return bake_sky_view(light, asset, {.threads = 1, .certification = certification}, table);
@@ -40,7 +40,7 @@ TEST(SkyViewTable, HoldsWhatTheIntegratorSees) {
     EXPECT_LT(certificate.texel.rms, 5e-4);
     EXPECT_LT(certificate.lookup.rms, 0.02);
     EXPECT_EQ(certificate.texel_points, 512);
-    EXPECT_EQ(baked.value->image.height, 72);
+    EXPECT_EQ(baked.value->image().height, 72);
 }
 
 TEST(SkyViewTable, StacksTheTablesOfItsSuns) {
@@ -48,14 +48,14 @@ TEST(SkyViewTable, StacksTheTablesOfItsSuns) {
     const auto both = bake(sky.light(), bake_of({8, 6}, 0.5, {30, 5}));
     const auto second = bake(sky.light(), bake_of({8, 6}, 0.5, {5}));
     ASSERT_TRUE(both.value && second.value);
-    const Image2<float>& stack = both.value->image;
-    const Image2<float>& alone = second.value->image;
+    const Image2<float>& stack = both.value->image();
+    const Image2<float>& alone = second.value->image();
     EXPECT_TRUE(std::equal(alone.texels.begin(), alone.texels.end(),
                            stack.texels.begin() + static_cast<std::ptrdiff_t>(stack.offset(0, 6))));
     // Each sun has its share of the probes, which find there what its table alone would give.
     int of_second = 0;
-    for (const Probe& probe : both.value->probes) {
-        const bool in_second = probe.uv[1] > 0.5;
+    for (const Probe& probe : both.value->levels[0].probes) {
+        const bool in_second = probe.uvw[1] > 0.5;
         const auto sun = std::find_if(probe.at.begin(), probe.at.end(), [](const auto& place) {
             return place.first == "sun_elevation_deg";
         });
@@ -64,14 +64,14 @@ TEST(SkyViewTable, StacksTheTablesOfItsSuns) {
         if (!in_second) continue;
         ++of_second;
         std::array<double, 3> expected{};
-        bilinear(alone, probe.uv[0], 2 * probe.uv[1] - 1, expected.data());
+        bilinear(alone, probe.uvw[0], 2 * probe.uvw[1] - 1, expected.data());
         for (std::size_t c = 0; c < 3; ++c) {
             EXPECT_NEAR(probe.value[c], expected[c], 1e-12);
             EXPECT_GT(probe.tolerance[c], 0);
         }
     }
     EXPECT_GE(of_second, 12);
-    EXPECT_GE(static_cast<int>(both.value->probes.size()) - of_second, 12);
+    EXPECT_GE(static_cast<int>(both.value->levels[0].probes.size()) - of_second, 12);
 }
 
 TEST(SkyViewTable, IsBlackWithoutAirButForTheGround) {
@@ -79,14 +79,14 @@ TEST(SkyViewTable, IsBlackWithoutAirButForTheGround) {
                       SkyOrders::single);
     const auto single = bake(sky.light(), bake_of({4, 4}, 1, {30, -30}));
     ASSERT_TRUE(single.value);
-    for (const float texel : single.value->image.texels) EXPECT_EQ(texel, 0);
+    for (const float texel : single.value->image().texels) EXPECT_EQ(texel, 0);
     const SkyLight lit(
         make_sky_medium(test::preset_atmosphere("vacuum", {"atmosphere.ground_albedo=0.5"})),
         SkyOrders::all, nullptr);
     const auto all = bake(lit, bake_of({4, 4}, 0, {30}));
     ASSERT_TRUE(all.value);
-    EXPECT_NEAR(*all.value->image.texel(1, 0), 0.5 / std::numbers::pi * 0.5, 1e-7);
-    EXPECT_EQ(*all.value->image.texel(1, 3), 0);
+    EXPECT_NEAR(*all.value->image().texel(1, 0), 0.5 / std::numbers::pi * 0.5, 1e-7);
+    EXPECT_EQ(*all.value->image().texel(1, 3), 0);
 }
 
 TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
@@ -95,7 +95,7 @@ TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
         for (const double altitude : {0.0, 1e-3, 99.9999, 100.0, 100.0001, 1000.0, 1e6}) {
             const auto baked = bake(sky.light(), bake_of(size, altitude, {90, 0, -6, -90}));
             ASSERT_TRUE(baked.value) << altitude;
-            for (const float texel : baked.value->image.texels) {
+            for (const float texel : baked.value->image().texels) {
                 EXPECT_TRUE(std::isfinite(texel) && texel >= 0) << altitude;
             }
         }
@@ -105,7 +105,7 @@ TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
 TEST(SkyViewTable, IsContinuousWhereTheCameraMoves) {
     const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
     const auto view = [&](double altitude) {
-        return bake(sky.light(), bake_of({4, 8}, altitude, {20})).value->image;
+        return bake(sky.light(), bake_of({4, 8}, altitude, {20})).value->image();
     };
     const Image2<float> ground = view(0);
     const Image2<float> above = view(1e-6);
@@ -136,15 +136,15 @@ TEST(SkyViewTable, IsBakedByARecipe) {
     const config::Recipe recipe = test::recipe_of(
         "preset = 'earth'\n[bake.haze]\nasset = 'sky_view'\nsize = [16, 12]\norders = 'single'\n"
         "layers = ['mie']\nsun_elevations = ['30 deg', '5 deg']\n");
-    const auto baked = bake_table(recipe, recipe.parameters.bakes[0], {.threads = 2});
+    const auto baked = bake_asset(recipe, recipe.parameters.bakes[0], {.threads = 2});
     ASSERT_TRUE(baked.value);
     EXPECT_EQ(baked.value->kind, "sky_view");
     EXPECT_NE(baked.value->content.find("single scattering by mie"), std::string::npos);
     EXPECT_NE(baked.value->parameters.find("layers = [\"mie\"]"), std::string::npos);
-    for (const Probe& probe : baked.value->probes) {
+    for (const Probe& probe : baked.value->levels[0].probes) {
         ASSERT_EQ(probe.at.size(), 3u);
         std::vector<double> found(3);
-        bilinear(baked.value->image, probe.uv[0], probe.uv[1], found.data());
+        bilinear(baked.value->image(), probe.uvw[0], probe.uvw[1], found.data());
         for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(found[c], probe.value[c]);
     }
 }

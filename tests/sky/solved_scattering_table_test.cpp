@@ -12,31 +12,31 @@
 namespace skybake {
 namespace {
 
-config::Outcome<BakedTable> bake(const std::string& settings,
-                                 Certification certification = Certification::off) {
+config::Outcome<Baked> bake(const std::string& settings,
+                            Certification certification = Certification::off) {
     const config::Recipe recipe = test::recipe_of(
         "preset = \"earth\"\n[bake.multiple_scattering]\nmethod = \"solved\"\n" + settings);
     BakeOptions options;
     options.certification = certification;
-    return bake_table(recipe, recipe.parameters.bakes.front(), options);
+    return bake_asset(recipe, recipe.parameters.bakes.front(), options);
 }
 
-BakedTable table_of(const std::string& settings, Certification certification = Certification::off) {
-    config::Outcome<BakedTable> outcome = bake(settings, certification);
+Baked table_of(const std::string& settings, Certification certification = Certification::off) {
+    config::Outcome<Baked> outcome = bake(settings, certification);
     for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
         if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
     }
-    return outcome.value.value_or(BakedTable{});
+    return outcome.value.value_or(Baked{});
 }
 
 TEST(SolvedScatteringTable, IsDropIn) {
-    const BakedTable table = table_of("", Certification::quick);
-    EXPECT_EQ(table.image.width, 32);
-    EXPECT_EQ(table.image.height, 32);
+    const Baked table = table_of("", Certification::quick);
+    EXPECT_EQ(table.image().width, 32);
+    EXPECT_EQ(table.image().height, 32);
     EXPECT_EQ(table.axes[0].formula, "x = (mu_s + 1) / 2");
-    for (const float value : table.image.texels) EXPECT_GE(value, 0);
+    for (const float value : table.image().texels) EXPECT_GE(value, 0);
     // Day is of the size of Hillaire's.
-    EXPECT_NEAR(table.image.texel(31, 0)[2], 0.07, 0.01);
+    EXPECT_NEAR(table.image().texel(31, 0)[2], 0.07, 0.01);
     EXPECT_LT(table.certificate.texel.max, 0.02);
     ASSERT_TRUE(table.certificate.sky);
     // 32 texels of linear cosines leave the terminator to chance: the median is what they hold.
@@ -46,27 +46,27 @@ TEST(SolvedScatteringTable, IsDropIn) {
 
 TEST(SolvedScatteringTable, MomentsBeginWithTheMeanRadiance) {
     const std::string size = "size = [24, 9]\nmapping = \"twilight\"\n";
-    const BakedTable mean = table_of(size);
-    const BakedTable moments = table_of(size + "content = \"moments\"\ndegree = 3\n");
-    EXPECT_EQ(moments.image.height, 9 * moment_count(3));
+    const Baked mean = table_of(size);
+    const Baked moments = table_of(size + "content = \"moments\"\ndegree = 3\n");
+    EXPECT_EQ(moments.image().height, 9 * moment_count(3));
     for (int y = 0; y < 9; ++y) {
         for (int x = 0; x < 24; ++x) {
             for (int c = 0; c < 3; ++c) {
                 // Solved to the same degree, 4, at least.
-                EXPECT_EQ(moments.image.texel(x, y)[c], mean.image.texel(x, y)[c]);
+                EXPECT_EQ(moments.image().texel(x, y)[c], mean.image().texel(x, y)[c]);
             }
         }
     }
-    for (const Probe& probe : moments.probes) {
+    for (const Probe& probe : moments.levels[0].probes) {
         double value[3];
-        bilinear(moments.image, probe.uv[0], probe.uv[1], value);
+        bilinear(moments.image(), probe.uvw[0], probe.uvw[1], value);
         for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(value[c], probe.value[c]);
     }
 }
 
 // A scene's suns alone: texels are closer.
 TEST(SolvedScatteringTable, ScenesCropTheSuns) {
-    const BakedTable cropped = table_of(
+    const Baked cropped = table_of(
         "[scene]\naltitude = [\"0 km\", \"3 km\"]\nsun_elevation = [\"20 deg\", \"70 deg\"]\n",
         Certification::quick);
     EXPECT_GT(cropped.axes[0].first, 0);

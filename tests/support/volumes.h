@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 
 namespace skybake::testing {
 
@@ -50,10 +50,10 @@ inline std::vector<std::string> channel_names(int channels) {
 }
 
 // A volume of one level that has not been surveyed.
-inline BakedVolume plain_volume(const std::array<int, 3>& size, int channels,
-                                config::PixelType type,
-                                FunctionVoxels::Function function = sample_voxel) {
-    BakedVolume volume;
+inline Baked plain_volume(const std::array<int, 3>& size, int channels, config::PixelType type,
+                          FunctionVoxels::Function function = sample_voxel) {
+    Baked volume;
+    volume.axes.resize(3);
     volume.name = "shape";
     volume.kind = "noise_volume";
     volume.content = "noise, without unit";
@@ -63,7 +63,7 @@ inline BakedVolume plain_volume(const std::array<int, 3>& size, int channels,
     volume.axes[2] = {"z", "w = z", "voxel centres at (i + 1/2) / N", 0, 1};
     volume.channel_names = channel_names(channels);
     volume.pixel_type = type;
-    volume.formats = {config::VolumeFormat::exr};
+    volume.formats = {config::FileFormat::exr};
     volume.voxel_size_m = {25, 25, 25};
     volume.up_axis = "+z";
     volume.levels.resize(1);

@@ -17,16 +17,16 @@ namespace {
 
 using config::AerialPerspectiveBake;
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
+Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
     const bool has_light = asset.content != config::AerialContent::transmittance;
     const SkyLight light(parameters.atmosphere,
                          has_light ? asset.orders : config::SkyOrders::single, asset.layers,
                          options);
     if (options.cancelled()) return {};
     if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
-    return as_asset(bake_aerial_perspective(light, asset, options, colour_names(parameters),
-                                            labelled_sky_volume(parameters, std::move(label))));
+    return bake_aerial_perspective(light, asset, options, colour_names(parameters),
+                                   labelled_sky_volume(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const AerialPerspectiveBake& asset) {
@@ -44,7 +44,7 @@ AssetPlaces places(const Parameters&, const AerialPerspectiveBake& asset, const 
     return single_lookup(
         {"picture_x", "picture_y", "distance_km"}, [whole_km, squared](const Place& at) {
             const double share = at[2].second / whole_km;
-            return VolumeUvw{at[0].second, at[1].second, squared ? std::sqrt(share) : share};
+            return Uvw{at[0].second, at[1].second, squared ? std::sqrt(share) : share};
         });
 }
 

@@ -149,7 +149,7 @@ std::string content_text(const AerialPerspectiveBake& bake) {
 
 // The camera in the digits that people write. Distance is view_distance_km times w to the
 // `exponent`.
-void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, BakedVolume& volume) {
+void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, Baked& volume) {
     const double heading = to_digits(bake.heading.radians * kDegrees, 9);
     const double pitch = to_digits(bake.pitch.radians * kDegrees, 9);
     const double fov = to_digits(bake.fov.radians * kDegrees, 9);
@@ -168,7 +168,7 @@ void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, Baked
 }
 
 void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>& colour_names,
-              BakedVolume& volume) {
+              Baked& volume) {
     const std::string convention = "clamps; voxel i samples (i + 1/2) / size";
     const bool squared = bake.slices == config::SliceSpacing::squared;
     volume.kind = "aerial_perspective";
@@ -233,11 +233,11 @@ std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialC
     return result;
 }
 
-config::Outcome<BakedVolume> bake_aerial_perspective(const SkyLight& light,
-                                                     const AerialPerspectiveBake& bake,
-                                                     const BakeOptions& options,
-                                                     const std::vector<std::string>& colour_names,
-                                                     BakedVolume volume) {
+config::Outcome<Baked> bake_aerial_perspective(const SkyLight& light,
+                                               const AerialPerspectiveBake& bake,
+                                               const BakeOptions& options,
+                                               const std::vector<std::string>& colour_names,
+                                               Baked volume) {
     describe(bake, colour_names, volume);
     const AerialCamera camera(bake);
     const auto start = std::chrono::steady_clock::now();
@@ -264,9 +264,9 @@ config::Outcome<BakedVolume> bake_aerial_perspective(const SkyLight& light,
                            {"distance_km", camera.distance_km(uvw[2])}},
                           {{uvw}}};
     };
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
-    level.repeats = repeating_axes(volume.mapping);
+    level.repeats = repeating_axes(volume.axes);
     level.voxels = froxels;
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_mapping.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/aerial_perspective.h"
@@ -23,10 +23,10 @@ std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialC
 
 // The froxels of one camera, aerial_perspective_mapping.h. Held in memory. `volume` brings name,
 // parameters and details; `colour_names` are {"R", "G", "B"} or {"Y"}.
-config::Outcome<BakedVolume> bake_aerial_perspective(const SkyLight& light,
-                                                     const config::AerialPerspectiveBake& bake,
-                                                     const BakeOptions& options,
-                                                     const std::vector<std::string>& colour_names,
-                                                     BakedVolume volume);
+config::Outcome<Baked> bake_aerial_perspective(const SkyLight& light,
+                                               const config::AerialPerspectiveBake& bake,
+                                               const BakeOptions& options,
+                                               const std::vector<std::string>& colour_names,
+                                               Baked volume);
 
 }  // namespace skybake

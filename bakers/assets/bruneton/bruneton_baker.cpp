@@ -22,10 +22,10 @@ using config::BrunetonTable;
 
 constexpr auto kAtTexelCentres = TexelConvention::end_points_on_texel_centres;
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const BrunetonBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
-    return as_asset(bake_bruneton(parameters.atmosphere, asset, options,
-                                  labelled_sky_volume(parameters, std::move(label))));
+Outcome<Baked> bake(const Parameters& parameters, const BrunetonBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    return bake_bruneton(parameters.atmosphere, asset, options,
+                         labelled_sky_volume(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const BrunetonBake& asset) {
@@ -41,8 +41,8 @@ AssetPlaces places(const Parameters& parameters, const BrunetonBake& asset, cons
     const Shell shell = shell_of(parameters.atmosphere);
     const std::array<int, 3> size = asset.size;
     const auto flat = [size](double x, double y) {
-        return VolumeUvw{texture_coordinate(kAtTexelCentres, x, size[0]),
-                         texture_coordinate(kAtTexelCentres, y, size[1]), 0.5};
+        return Uvw{texture_coordinate(kAtTexelCentres, x, size[0]),
+                   texture_coordinate(kAtTexelCentres, y, size[1]), 0.5};
     };
     if (asset.table == BrunetonTable::transmittance) {
         return single_lookup({"altitude_km", "cos_zenith"}, [shell, flat](const Place& at) {
@@ -56,13 +56,14 @@ AssetPlaces places(const Parameters& parameters, const BrunetonBake& asset, cons
         });
     }
     const ScatteringMapping mapping(shell, size, asset.nu_size, asset.sun_cos_zenith_min);
-    return VolumePlaces{{"altitude_km", "cos_zenith", "sun_cos_zenith", "nu", "ground"},
-                        [mapping](const Place& at, int) {
-                            return scattering_lookups(
-                                mapping,
-                                scattering_place(mapping, at[0].second, at[1].second, at[2].second,
-                                                 at[3].second, at[4].second != 0));
-                        }};
+    return AssetPlaces{{"altitude_km", "cos_zenith", "sun_cos_zenith", "nu", "ground"},
+                       [mapping](const Probe& probe, int) {
+                           const Place& at = probe.at;
+                           return scattering_lookups(
+                               mapping,
+                               scattering_place(mapping, at[0].second, at[1].second, at[2].second,
+                                                at[3].second, at[4].second != 0));
+                       }};
 }
 
 // The sub-images along u stay whole.

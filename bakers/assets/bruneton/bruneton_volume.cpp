@@ -59,9 +59,8 @@ void describe_light(const BrunetonBake& bake, Conventions& conventions) {
     conventions.radiance_unit = of_one ? "1/sr" : "solar_irradiance/sr";
 }
 
-Outcome<BakedVolume> bake_irradiance(SkyMedium medium, const SolvedLight* light,
-                                     const BrunetonBake& bake, const BakeOptions& options,
-                                     BakedVolume volume) {
+Outcome<Baked> bake_irradiance(SkyMedium medium, const SolvedLight* light, const BrunetonBake& bake,
+                               const BakeOptions& options, Baked volume) {
     const SkyMedium of_orders = medium;
     std::unique_ptr<const HigherOrders> higher;
     if (light != nullptr) {
@@ -82,8 +81,8 @@ std::optional<SolverSettings> light_settings(const BrunetonBake& bake) {
     return settings;
 }
 
-Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& asked,
-                                   const BakeOptions& options, BakedVolume volume) {
+Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& asked,
+                             const BakeOptions& options, Baked volume) {
     BrunetonBake bake = asked;
     const bool iterated = bake.method == config::BrunetonMethod::iterated;
     if (iterated && bake.orders == 0) bake.orders = kIteratedOrders;
@@ -95,7 +94,6 @@ Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere, const B
     volume.up_axis = "+z";
     describe_light(bake, volume.conventions);
     set_files(bake, volume);
-    volume.flipped = bake.convention == BrunetonConvention::takram;
     if (config::has_companion(bake)) {
         volume.companion = CompanionFile{"json", takram_parameters(atmosphere, bake)};
     }

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/bruneton.h"
@@ -14,9 +14,9 @@
 namespace skybake {
 
 // `volume` has its name, parameters and details. E0405: light that could not be solved for.
-config::Outcome<BakedVolume> bake_bruneton(const config::Atmosphere& atmosphere,
-                                           const config::BrunetonBake& bake,
-                                           const BakeOptions& options, BakedVolume volume);
+config::Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere,
+                                     const config::BrunetonBake& bake, const BakeOptions& options,
+                                     Baked volume);
 
 // How the light is solved for that is scattered once more to make orders 2 and up; none where a
 // table has none of these.

@@ -12,8 +12,8 @@
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/bruneton/held_voxels.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
+#include "bakers/field/choose_probes.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/make_probe.h"
 #include "bakers/field/texel_axis.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/light/solver/sun_axis.h"
@@ -39,7 +39,7 @@ double coordinate_of(double u, int count) {
     return std::clamp((u * count - 0.5) / (count - 1), 0.0, 1.0);
 }
 
-void describe_flat_axes(const Shell& shell, BakedVolume& volume) {
+void describe_flat_axes(const Shell& shell, Baked& volume) {
     for (AxisMapping& axis : volume.axes) {
         if (axis.quantity != "none") axis.constants = shell_constants(shell);
     }
@@ -59,9 +59,9 @@ ProbePlace probe_place_of(const FlatPlace& place, const std::array<int, 3>& size
     return result;
 }
 
-config::Outcome<BakedVolume> bake_flat(const FlatTable& table, const FlatPlace& place,
-                                       const config::BrunetonBake& bake, const BakeOptions& options,
-                                       BakedVolume volume) {
+config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
+                                 const config::BrunetonBake& bake, const BakeOptions& options,
+                                 Baked volume) {
     const auto start = std::chrono::steady_clock::now();
     const std::size_t channels = volume.channel_names.size();
     const auto texels =
@@ -79,9 +79,9 @@ config::Outcome<BakedVolume> bake_flat(const FlatTable& table, const FlatPlace& 
         const double largest = texels->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
-    level.repeats = repeating_axes(volume.mapping);
+    level.repeats = repeating_axes(volume.axes);
     level.voxels = texels;
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);
@@ -158,10 +158,9 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
     return {row_of(kFlatNodes), row_of(kReferenceNodes), colours};
 }
 
-config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
-                                                         const config::BrunetonBake& bake,
-                                                         const BakeOptions& options,
-                                                         BakedVolume volume) {
+config::Outcome<Baked> bake_bruneton_transmittance(const Medium& medium,
+                                                   const config::BrunetonBake& bake,
+                                                   const BakeOptions& options, Baked volume) {
     volume.content = "transmittance from a point to the top of the atmosphere (dimensionless)";
     volume.mapping = "bruneton_transmittance";
     volume.axes = {{{"distance_to_top_km",
@@ -186,10 +185,9 @@ config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
     return bake_flat(flat_transmittance(medium), place, bake, options, std::move(volume));
 }
 
-config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
-                                                      const config::BrunetonBake& bake,
-                                                      const BakeOptions& options,
-                                                      BakedVolume volume) {
+config::Outcome<Baked> bake_bruneton_irradiance(const SkyLight& light,
+                                                const config::BrunetonBake& bake,
+                                                const BakeOptions& options, Baked volume) {
     const double thickness_km = light.shell().thickness_km;
     volume.content =
         "irradiance of a level surface that faces up, by the sky without the sun, times the "

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bakers/assets/bruneton/held_voxels.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/certify_volume.h"
-#include "bakers/field/volume.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/bruneton.h"
@@ -39,15 +39,13 @@ VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>&
                                std::size_t channels);
 
 // `volume` has its name, parameters, details and channels; takram's has an A of 1.
-config::Outcome<BakedVolume> bake_bruneton_transmittance(const Medium& medium,
-                                                         const config::BrunetonBake& bake,
-                                                         const BakeOptions& options,
-                                                         BakedVolume volume);
+config::Outcome<Baked> bake_bruneton_transmittance(const Medium& medium,
+                                                   const config::BrunetonBake& bake,
+                                                   const BakeOptions& options, Baked volume);
 
 // By the orders of `light`, times the solar irradiance.
-config::Outcome<BakedVolume> bake_bruneton_irradiance(const SkyLight& light,
-                                                      const config::BrunetonBake& bake,
-                                                      const BakeOptions& options,
-                                                      BakedVolume volume);
+config::Outcome<Baked> bake_bruneton_irradiance(const SkyLight& light,
+                                                const config::BrunetonBake& bake,
+                                                const BakeOptions& options, Baked volume);
 
 }  // namespace skybake

@@ -8,7 +8,7 @@
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_reference.h"
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {

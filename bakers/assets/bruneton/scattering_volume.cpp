@@ -50,7 +50,7 @@ std::string content_text(const BrunetonBake& bake, const ScatteringContent& cont
 }
 
 // What follows from the sun's axis: D(1), D(0), and the largest share A that is on it.
-void describe_axes(const ScatteringMapping& mapping, BakedVolume& volume) {
+void describe_axes(const ScatteringMapping& mapping, Baked& volume) {
     const Shell& shell = mapping.shell();
     for (AxisMapping& axis : volume.axes) axis.constants = shell_constants(shell);
     Facts& along_u = volume.axes[0].constants;
@@ -61,7 +61,7 @@ void describe_axes(const ScatteringMapping& mapping, BakedVolume& volume) {
 }
 
 void describe(const BrunetonBake& bake, const ScatteringContent& content,
-              const ScatteringMapping& mapping, BakedVolume& volume) {
+              const ScatteringMapping& mapping, Baked& volume) {
     volume.content = content_text(bake, content);
     volume.mapping = "bruneton_scattering";
     volume.axes = {
@@ -96,10 +96,10 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content,
 
 }  // namespace
 
-config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
-                                             const std::shared_ptr<const SolvedLight>& light,
-                                             const BrunetonBake& bake, const BakeOptions& options,
-                                             BakedVolume volume) {
+config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
+                                       const std::shared_ptr<const SolvedLight>& light,
+                                       const BrunetonBake& bake, const BakeOptions& options,
+                                       Baked volume) {
     const ScatteringContent content(medium, bake);
     const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
                                     bake.sun_cos_zenith_min);
@@ -129,7 +129,7 @@ config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
         const double largest = table->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
-    finish.measure = [&](const BakedVolume& baked, const BakeOptions& how) {
+    finish.measure = [&](const Baked& baked, const BakeOptions& how) {
         return measure_scattering(*table, mapping, exact_texel(content, reference),
                                   largest_values(*table), baked.pixel_type,
                                   scattering_points(how.certification), how);
@@ -137,9 +137,9 @@ config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
     finish.probe_place = [&mapping](const std::array<double, 3>& uvw, int) {
         return scattering_probe_place(mapping, uvw);
     };
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
-    level.repeats = repeating_axes(volume.mapping);
+    level.repeats = repeating_axes(volume.axes);
     level.voxels = table;
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);

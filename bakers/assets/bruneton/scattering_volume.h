@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "bakers/air/sky_medium.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/bruneton.h"
@@ -14,9 +14,9 @@ namespace skybake {
 
 // `volume` has its name, parameters, details and channels; without `light` there are no higher
 // orders.
-config::Outcome<BakedVolume> bake_scattering(const SkyMedium& medium,
-                                             const std::shared_ptr<const SolvedLight>& light,
-                                             const config::BrunetonBake& bake,
-                                             const BakeOptions& options, BakedVolume volume);
+config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
+                                       const std::shared_ptr<const SolvedLight>& light,
+                                       const config::BrunetonBake& bake, const BakeOptions& options,
+                                       Baked volume);
 
 }  // namespace skybake

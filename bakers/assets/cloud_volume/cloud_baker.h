@@ -18,8 +18,8 @@ std::vector<InputFile> cloud_volume_inputs(const config::Parameters& parameters,
                                            const config::CloudVolumeBake& asset);
 
 // Of a volume of this extent over the cloud's base.
-VolumePlaces cloud_places(const config::Cloud& cloud, const VolumeUvw& extent_m);
+AssetPlaces cloud_places(const config::Cloud& cloud, const Uvw& extent_m);
 
-VolumeUvw extent_m_of(const config::Cloud& cloud);
+Uvw extent_m_of(const config::Cloud& cloud);
 
 }  // namespace skybake

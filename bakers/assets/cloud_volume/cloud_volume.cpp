@@ -28,9 +28,9 @@ using config::Cloud;
 using config::CloudVolumeBake;
 using config::Outcome;
 
-std::array<AxisMapping, 3> axes_of(const Cloud& cloud) {
+std::vector<AxisMapping> axes_of(const Cloud& cloud) {
     const double base = cloud.base_altitude.meters;
-    std::array<AxisMapping, 3> axes;
+    std::vector<AxisMapping> axes(3);
     for (std::size_t i = 0; i < 2; ++i) {
         axes[i].quantity = i == 0 ? "x_m" : "y_m";
         axes[i].last = cloud.extent[i].meters;
@@ -64,7 +64,7 @@ std::string content_of(const Cloud& cloud) {
 }
 
 // What a runtime needs to know beyond the axes.
-void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, BakedVolume& volume) {
+void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, Baked& volume) {
     const auto add = [&](const char* key, FactValue value) {
         volume.details.emplace_back(key, std::move(value));
     };
@@ -125,9 +125,8 @@ std::string spell_extent(const std::array<config::Length, 3>& extent) {
     return fmt::format("{} x {} x {} m", extent[0].meters, extent[1].meters, extent[2].meters);
 }
 
-BakedVolume describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake,
-                     const CloudInputs& inputs, std::shared_ptr<const CloudField> field,
-                     BakedVolume volume) {
+Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
+               std::shared_ptr<const CloudField> field, Baked volume) {
     const Cloud cloud = config::stretched(recipe_cloud, bake);
     volume.kind = "cloud_volume";
     volume.content = content_of(cloud);
@@ -149,9 +148,9 @@ BakedVolume describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake,
             "extent", fmt::format("{}, to which the cloud's {} are stretched",
                                   spell_extent(cloud.extent), spell_extent(recipe_cloud.extent)));
     }
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
-    level.repeats = repeating_axes(volume.mapping);
+    level.repeats = repeating_axes(volume.axes);
     level.voxels = std::move(field);
     volume.levels.push_back(std::move(level));
     return volume;
@@ -164,14 +163,14 @@ float filtered_threshold(const Cloud& cloud) {
     return in_file ? 0 : static_cast<float>(cloud.threshold);
 }
 
-BakedVolume make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
-                              const CloudInputs& inputs, BakedVolume volume) {
+Baked make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
+                        Baked volume) {
     return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
 }
 
-Outcome<BakedVolume> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
-                                       const CloudInputs& inputs, const BakeOptions& options,
-                                       BakedVolume volume) {
+Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
+                                 const CloudInputs& inputs, const BakeOptions& options,
+                                 Baked volume) {
     const auto field = make_field(cloud, bake, inputs);
     volume = describe(cloud, bake, inputs, field, std::move(volume));
     volume.seam_error = seam_error(*field, bake.size);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/clouds/cloud_plan.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
@@ -23,14 +23,14 @@ float filtered_threshold(const config::Cloud& cloud);
 
 // What a cloud's files say and its voxels on demand: `volume`, which has a name and parameters,
 // with all the rest but what finish_volume adds.
-BakedVolume make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
-                              const CloudInputs& inputs, BakedVolume volume);
+Baked make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
+                        const CloudInputs& inputs, Baked volume);
 
 // The same, surveyed and certified. E0401, E0402: a voxel that the pixel type cannot hold. No value
 // and no diagnostics after an interruption.
-config::Outcome<BakedVolume> bake_cloud_volume(const config::Cloud& cloud,
-                                               const config::CloudVolumeBake& bake,
-                                               const CloudInputs& inputs,
-                                               const BakeOptions& options, BakedVolume volume);
+config::Outcome<Baked> bake_cloud_volume(const config::Cloud& cloud,
+                                         const config::CloudVolumeBake& bake,
+                                         const CloudInputs& inputs, const BakeOptions& options,
+                                         Baked volume);
 
 }  // namespace skybake

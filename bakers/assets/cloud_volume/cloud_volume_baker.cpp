@@ -17,13 +17,13 @@ using config::Parameters;
 
 namespace {
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const CloudVolumeBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
-    BakedVolume volume = labelled_volume(std::move(label));
+Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    Baked volume = labelled_volume(std::move(label));
     const Outcome<CloudInputs> inputs = cloud_inputs(parameters, asset, volume.details);
     if (!inputs.value) return {{}, inputs.diagnostics};
-    return as_asset(bake_cloud_volume(cloud_named(parameters, asset.cloud), asset, *inputs.value,
-                                      options, std::move(volume)));
+    return bake_cloud_volume(cloud_named(parameters, asset.cloud), asset, *inputs.value, options,
+                             std::move(volume));
 }
 
 AssetPlaces places(const Parameters& parameters, const CloudVolumeBake& asset,
@@ -60,15 +60,15 @@ std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters,
     return files;
 }
 
-VolumePlaces cloud_places(const Cloud& cloud, const VolumeUvw& extent_m) {
+AssetPlaces cloud_places(const Cloud& cloud, const Uvw& extent_m) {
     const double base_m = cloud.base_altitude.meters;
     return single_lookup({"x_m", "y_m", "altitude_m"}, [extent_m, base_m](const Place& at) {
-        return VolumeUvw{at[0].second / extent_m[0], at[1].second / extent_m[1],
-                         (at[2].second - base_m) / extent_m[2]};
+        return Uvw{at[0].second / extent_m[0], at[1].second / extent_m[1],
+                   (at[2].second - base_m) / extent_m[2]};
     });
 }
 
-VolumeUvw extent_m_of(const Cloud& cloud) {
+Uvw extent_m_of(const Cloud& cloud) {
     return {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters};
 }
 

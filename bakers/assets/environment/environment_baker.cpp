@@ -16,25 +16,22 @@ using config::Parameters;
 
 namespace {
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const EnvironmentBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
+Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
     const SkyLight light(parameters.atmosphere, asset.orders, asset.layers, options);
     if (options.cancelled()) return {};
     if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
-    return as_asset(
-        bake_environment(light, asset, options, labelled_table(parameters, std::move(label))));
+    return bake_environment(light, asset, options, labelled_table(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const EnvironmentBake& asset) {
-    return estimate_texels(asset.size, asset.pixel_type, 3e-6,
-                           0.3 + seconds_to_solve(asset.orders));
+    return estimate_texels(asset, asset.size, 3e-6, 0.3 + seconds_to_solve(asset.orders));
 }
 
 AssetPlaces places(const Parameters&, const EnvironmentBake&, const StoredTexels&) {
-    return TablePlaces{
-        2, [](const Probe& probe) {
-            return std::array{probe.at[0].second / 360 + 0.5, 0.5 - probe.at[1].second / 180};
-        }};
+    return single_lookup({"azimuth_deg", "elevation_deg"}, [](const Place& at) {
+        return Uvw{at[0].second / 360 + 0.5, 0.5 - at[1].second / 180, 0.5};
+    });
 }
 
 void draft(EnvironmentBake& asset, int) {

@@ -51,13 +51,14 @@ void fill_row(const SkyViewCamera& camera, int channels, double y, const std::ve
 }
 
 void describe(const EnvironmentBake& bake, const SkyViewCamera& camera, const Shell& shell,
-              BakedTable& table) {
+              Baked& table) {
     table.kind = "environment";
     table.content = fmt::format(
         "radiance of the sky and of the ground around a camera (1/sr) for a solar irradiance of 1, "
         "without the sun's disc: {}",
         light_text(bake.orders, bake.layers));
     table.mapping = "longitude_latitude";
+    table.axes.resize(2);
     table.axes[0] = {"azimuth_deg", "u = azimuth from the sun / 360 degrees + 1/2",
                      "end points on texture edges", -180, 180};
     table.axes[1] = {"elevation_deg", "v = 1/2 - elevation / 180 degrees",
@@ -73,8 +74,7 @@ void describe(const EnvironmentBake& bake, const SkyViewCamera& camera, const Sh
     table.conventions.angle_unit = "deg";
     table.conventions.radiance_unit = "1/sr";
     table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
-    table.pixel_type = bake.pixel_type;
-    table.compression = bake.compression;
+    set_files(bake, table);
     table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
     table.certificate.scale = kRelativeErrorScale;
 }
@@ -111,8 +111,8 @@ TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
     return model;
 }
 
-config::Outcome<BakedTable> bake_environment(const SkyLight& light, const EnvironmentBake& bake,
-                                             const BakeOptions& options, BakedTable table) {
+config::Outcome<Baked> bake_environment(const SkyLight& light, const EnvironmentBake& bake,
+                                        const BakeOptions& options, Baked table) {
     const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
     describe(bake, camera, light.shell(), table);
     AccuracyRequest request;

@@ -1,7 +1,7 @@
 // The sky and the ground around a camera, by longitude and latitude (asset = "environment").
 #pragma once
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
@@ -23,8 +23,7 @@ TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
 
 // The sky from one altitude under one sun, without the sun's disc. `table` brings name, parameters
 // and channel names.
-config::Outcome<BakedTable> bake_environment(const SkyLight& light,
-                                             const config::EnvironmentBake& bake,
-                                             const BakeOptions& options, BakedTable table);
+config::Outcome<Baked> bake_environment(const SkyLight& light, const config::EnvironmentBake& bake,
+                                        const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -19,18 +19,16 @@ namespace {
 
 using config::IrradianceBake;
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const IrradianceBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
+Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
     const SkyLight light(parameters.atmosphere, orders_of(asset), asset.layers, options);
     if (options.cancelled()) return {};
     if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
-    return as_asset(
-        bake_irradiance(light, asset, options, labelled_table(parameters, std::move(label))));
+    return bake_irradiance(light, asset, options, labelled_table(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const IrradianceBake& asset) {
-    return estimate_texels(asset.size, asset.pixel_type, 4e-3,
-                           0.3 + seconds_to_solve(asset.orders));
+    return estimate_texels(asset, asset.size, 4e-3, 0.3 + seconds_to_solve(asset.orders));
 }
 
 AssetPlaces places(const Parameters& parameters, const IrradianceBake& asset,
@@ -38,12 +36,12 @@ AssetPlaces places(const Parameters& parameters, const IrradianceBake& asset,
     constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
     const Shell shell = shell_of(parameters.atmosphere);
     const auto mapping = asset.mapping;
-    return TablePlaces{2, [=](const Probe& probe) {
-                           const double x = sun_coordinate(mapping, probe.at[1].second);
-                           const double y = irradiance_coordinate(shell, probe.at[0].second);
-                           return std::array{texture_coordinate(kConvention, x, stored.size[0]),
-                                             texture_coordinate(kConvention, y, stored.size[1])};
-                       }};
+    return single_lookup({"altitude_km", "sun_cos_zenith"}, [=](const Place& at) {
+        const double x = sun_coordinate(mapping, at[1].second);
+        const double y = irradiance_coordinate(shell, at[0].second);
+        return Uvw{texture_coordinate(kConvention, x, stored.size[0]),
+                   texture_coordinate(kConvention, y, stored.size[1]), 0.5};
+    });
 }
 
 void draft(IrradianceBake& asset, int) {

@@ -51,11 +51,12 @@ std::string content_text(const IrradianceBake& bake) {
     return fmt::format("{}: by the sun and {}", surface, sky);
 }
 
-void describe(const IrradianceBake& bake, const Shell& shell, BakedTable& table) {
+void describe(const IrradianceBake& bake, const Shell& shell, Baked& table) {
     const bool twilight = bake.mapping == config::MultipleScatteringMapping::twilight;
     table.kind = "irradiance";
     table.content = content_text(bake);
     table.mapping = twilight ? "twilight" : "hillaire";
+    table.axes.resize(2);
     table.axes[0] = {"sun_cos_zenith",
                      twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
                      "end points on texel centres", -1, 1};
@@ -65,8 +66,7 @@ void describe(const IrradianceBake& bake, const Shell& shell, BakedTable& table)
     table.axes[1].constants = shell_constants(shell);
     table.conventions.angle_unit = "cosine";
     table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
-    table.pixel_type = bake.pixel_type;
-    table.compression = bake.compression;
+    set_files(bake, table);
     table.certificate.reference =
         fmt::format("the same integral with {} directions above and below the sun, and around",
                     kReferenceNodes.single);
@@ -115,8 +115,8 @@ TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
     return model;
 }
 
-config::Outcome<BakedTable> bake_irradiance(const SkyLight& light, const IrradianceBake& bake,
-                                            const BakeOptions& options, BakedTable table) {
+config::Outcome<Baked> bake_irradiance(const SkyLight& light, const IrradianceBake& bake,
+                                       const BakeOptions& options, Baked table) {
     const auto mapping = bake.mapping;
     describe(bake, light.shell(), table);
     AccuracyRequest request;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/air/ray.h"
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
@@ -25,8 +25,7 @@ TableModel irradiance_model(const SkyLight& light, const config::IrradianceBake&
 config::SkyOrders orders_of(const config::IrradianceBake& bake);
 
 // `table` brings name, parameters and channel names.
-config::Outcome<BakedTable> bake_irradiance(const SkyLight& light,
-                                            const config::IrradianceBake& bake,
-                                            const BakeOptions& options, BakedTable table);
+config::Outcome<Baked> bake_irradiance(const SkyLight& light, const config::IrradianceBake& bake,
+                                       const BakeOptions& options, Baked table);
 
 }  // namespace skybake

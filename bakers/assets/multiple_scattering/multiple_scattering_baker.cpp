@@ -34,15 +34,15 @@ int tables_of(const MultipleScatteringBake& asset) {
     return is_solved(asset) && moments ? moment_count(asset.degree) : 1;
 }
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const MultipleScatteringBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
-    BakedTable table = labelled_table(parameters, std::move(label));
+Outcome<Baked> bake(const Parameters& parameters, const MultipleScatteringBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    Baked table = labelled_table(parameters, std::move(label));
     if (is_solved(asset)) {
-        return as_asset(bake_solved_scattering(parameters.atmosphere, parameters.scene, asset,
-                                               options, std::move(table)));
+        return bake_solved_scattering(parameters.atmosphere, parameters.scene, asset, options,
+                                      std::move(table));
     }
-    return as_asset(bake_multiple_scattering(make_medium(parameters.atmosphere), asset, options,
-                                             std::move(table)));
+    return bake_multiple_scattering(make_medium(parameters.atmosphere), asset, options,
+                                    std::move(table));
 }
 
 Estimate estimate(const Parameters&, const MultipleScatteringBake& asset) {
@@ -50,7 +50,7 @@ Estimate estimate(const Parameters&, const MultipleScatteringBake& asset) {
     const std::array<int, 2> size =
         asset.max_error ? std::array<int, 2>{}
                         : std::array<int, 2>{asset.size[0], asset.size[1] * tables_of(asset)};
-    return estimate_texels(size, asset.pixel_type, 1e-6, 2 * kSecondsToSolve);
+    return estimate_texels(asset, size, 1e-6, 2 * kSecondsToSolve);
 }
 
 // Moments are in the table of the probe's l and m.
@@ -61,18 +61,17 @@ AssetPlaces places(const Parameters& parameters, const MultipleScatteringBake& a
     const SunColumns columns =
         sun_columns(asset.mapping, is_solved(asset) ? parameters.scene : std::nullopt, shell);
     const int tables = tables_of(asset);
-    return TablePlaces{
-        tables > 1 ? 4u : 2u, [=](const Probe& probe) {
-            const int part = tables == 1 ? 0
-                                         : moment_index(static_cast<int>(probe.at[2].second),
-                                                        static_cast<int>(probe.at[3].second));
-            const double v = texture_coordinate(
-                kConvention, probe.at[0].second / shell.thickness_km, stored.size[1] / tables);
-            return std::array{
-                texture_coordinate(kConvention, columns.coordinate(probe.at[1].second),
-                                   stored.size[0]),
-                (part + v) / tables};
-        }};
+    std::vector<std::string> names = {"altitude_km", "sun_cos_zenith"};
+    if (tables > 1) names.insert(names.end(), {"l", "m"});
+    return single_lookup(std::move(names), [=](const Place& at) {
+        const int part = tables == 1 ? 0
+                                     : moment_index(static_cast<int>(at[2].second),
+                                                    static_cast<int>(at[3].second));
+        const double v = texture_coordinate(kConvention, at[0].second / shell.thickness_km,
+                                            stored.size[1] / tables);
+        const double x = columns.coordinate(at[1].second);
+        return Uvw{texture_coordinate(kConvention, x, stored.size[0]), (part + v) / tables, 0.5};
+    });
 }
 
 void draft(MultipleScatteringBake& asset, int) {

@@ -136,9 +136,9 @@ TableModel multiple_scattering_model(const Medium& medium, const MultipleScatter
     return model;
 }
 
-config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
-                                                     const MultipleScatteringBake& bake,
-                                                     const BakeOptions& options, BakedTable table) {
+config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
+                                                const MultipleScatteringBake& bake,
+                                                const BakeOptions& options, Baked table) {
     const double thickness_km = medium.thickness_km;
     const MultipleScatteringMapping mapping = bake.mapping;
     const bool twilight = mapping == MultipleScatteringMapping::twilight;
@@ -149,6 +149,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
         "of "
         "scattering coefficient; multiply by sigma_s alone";
     table.mapping = twilight ? "twilight" : "hillaire";
+    table.axes.resize(2);
     table.axes[0] = {"sun_cos_zenith",
                      twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
                      "end points on texel centres", -1, 1};
@@ -159,8 +160,7 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     table.conventions.angle_unit = "cosine";
     table.conventions.radiance_unit = "1/sr";
     table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
-    table.pixel_type = bake.pixel_type;
-    table.compression = bake.compression;
+    set_files(bake, table);
     table.certificate.reference =
         "the same integral with 44 zenith nodes a part and 512 columns of sunlight";
     table.certificate.scale = kRelativeErrorScale;
@@ -181,10 +181,10 @@ config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
     const TableModel model = multiple_scattering_model(medium, bake, options.threads);
     table.bake_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    config::Outcome<BakedTable> outcome =
+    config::Outcome<Baked> outcome =
         finish_table(model, request, options, place_of, std::move(table));
     // Where the terminator falls between texels no count of nodes helps, another mapping does.
-    if (outcome.value && !twilight && outcome.value->image.width >= 8 &&
+    if (outcome.value && !twilight && outcome.value->image().width >= 8 &&
         outcome.value->certificate.lookup.max > 0.1) {
         outcome.value->certificate.advice =
             "mapping = \"twilight\" puts more texels near sunrise and sunset";

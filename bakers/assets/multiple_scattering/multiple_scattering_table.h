@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/air/medium.h"
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/multiple_scattering.h"
@@ -18,8 +18,8 @@ TableModel multiple_scattering_model(const Medium& medium,
 
 // Hillaire's multiple scattering, multiple_scattering_kernel.h and multiple_scattering_mapping.h.
 // `table` brings name, parameters and channel names.
-config::Outcome<BakedTable> bake_multiple_scattering(const Medium& medium,
-                                                     const config::MultipleScatteringBake& bake,
-                                                     const BakeOptions& options, BakedTable table);
+config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
+                                                const config::MultipleScatteringBake& bake,
+                                                const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/sky_radiance.h"
 #include "config/sections/scene.h"
 

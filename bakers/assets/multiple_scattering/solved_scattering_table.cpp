@@ -14,7 +14,6 @@
 #include "bakers/assets/multiple_scattering/fitted_table.h"
 #include "bakers/assets/multiple_scattering/sky_error.h"
 #include "bakers/field/finish_table.h"
-#include "bakers/field/stack_tables.h"
 #include "bakers/light/check_light.h"
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/light/solved_orders.h"
@@ -101,7 +100,7 @@ TableModel moment_model(const SolvedLight& light, const SolvedLight& finer_light
 }
 
 void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int degree,
-              const Shell& shell, BakedTable& table) {
+              const Shell& shell, Baked& table) {
     const bool twilight = bake.mapping == MultipleScatteringMapping::twilight;
     const int parts = moment_count(degree);
     table.kind = "multiple_scattering";
@@ -119,6 +118,7 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     table.mapping = twilight ? "twilight" : "hillaire";
     const std::string formula = twilight ? "(1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "(mu_s + 1) / 2";
     const bool cropped = columns.first > 0 || columns.last < 1;
+    table.axes.resize(2);
     table.axes[0] = {"sun_cos_zenith",
                      cropped ? fmt::format("x = ({} - {:.17g}) / {:.17g}", formula, columns.first,
                                            columns.last - columns.first)
@@ -138,8 +138,7 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     table.conventions.angle_unit = "cosine";
     table.conventions.radiance_unit = "1/sr";
     table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
-    table.pixel_type = bake.pixel_type;
-    table.compression = bake.compression;
+    set_files(bake, table);
     table.certificate.reference =
         "the same equation on a finer grid of altitudes, directions and rays";
     table.certificate.scale = kRelativeErrorScale;
@@ -153,11 +152,11 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
 }
 
 SkyError measure_sky(const SkyMedium& medium, const std::optional<config::Scene>& scene,
-                     const BakedTable& table, int degree, const SunColumns& columns,
+                     const Baked& table, int degree, const SunColumns& columns,
                      const SolvedLight& finer_light, const BakeOptions& options) {
     const double thickness_km = medium.air.thickness_km;
     const TableOrders orders(
-        medium, table.image, degree,
+        medium, table.image(), degree,
         [&columns, thickness_km](double altitude_km, double sun_cos_zenith) {
             return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / thickness_km};
         });
@@ -189,10 +188,10 @@ SkyError measure_sky(const SkyMedium& medium, const std::optional<config::Scene>
 
 }  // namespace
 
-config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atmosphere,
-                                                   const std::optional<config::Scene>& scene,
-                                                   const MultipleScatteringBake& bake,
-                                                   const BakeOptions& options, BakedTable table) {
+config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
+                                              const std::optional<config::Scene>& scene,
+                                              const MultipleScatteringBake& bake,
+                                              const BakeOptions& options, Baked table) {
     const SkyMedium medium = make_sky_medium(atmosphere);
     const double thickness_km = medium.air.thickness_km;
     const bool moments = bake.content == MultipleScatteringContent::moments;
@@ -200,7 +199,7 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
     const SunColumns columns = sun_columns(bake.mapping, scene, shell_of(medium.air));
     describe(bake, columns, degree, shell_of(medium.air), table);
 
-    config::Outcome<BakedTable> outcome;
+    config::Outcome<Baked> outcome;
     const bool fitted = bake.content == MultipleScatteringContent::fitted;
     if ((fitted || moments) && bake.max_error) {
         config::Diagnostic failure;
@@ -244,8 +243,7 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
     request.choice = {32, 16};
     request.quick = {32, 16};
     request.full = {1024, 16};
-    std::vector<BakedTable> parts;
-    std::vector<ProbeSpace> spaces;
+    std::vector<TablePart> parts;
     for (int l = 0; l <= degree; ++l) {
         for (int m = 0; m <= l; ++m) {
             const auto place_of = [&columns, thickness_km, moments, l, m](double x, double y) {
@@ -257,23 +255,19 @@ config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atm
             const TableModel model =
                 fitted ? fitted_model(texels)
                        : moment_model(light, finer_light, l, m, columns, thickness_km);
-            config::Outcome<BakedTable> part =
-                finish_table(model, request, options, place_of, table);
+            config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);
             outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                        part.diagnostics.end());
             if (!part.value) return outcome;
-            const Image2<float>& image = part.value->image;
-            spaces.push_back(table_space(model, {image.width, image.height}, place_of));
             parts.push_back(std::move(*part.value));
             table.bake_seconds = 0;
         }
     }
-    config::Outcome<BakedTable> stacked =
-        stack_tables(std::move(parts), std::move(spaces), options);
+    config::Outcome<Baked> stacked = stack_tables(std::move(parts), options);
     outcome.diagnostics.insert(outcome.diagnostics.end(), stacked.diagnostics.begin(),
                                stacked.diagnostics.end());
     if (!stacked.value) return outcome;
-    BakedTable& stack = *stacked.value;
+    Baked& stack = *stacked.value;
     if (stack.certified) {
         SkyError sky = measure_sky(medium, scene, stack, degree, columns, finer_light, options);
         if (options.cancelled()) return outcome;

@@ -18,7 +18,7 @@
 
 #include <optional>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/diagnostic.h"
@@ -30,9 +30,9 @@ namespace skybake {
 // `scene` crops the table to the suns that its cameras can see at points of the air. `table` comes
 // labelled. Errors as of finish_table, and E0405 where the solution is no light: negative, or what
 // goes in does not come out.
-config::Outcome<BakedTable> bake_solved_scattering(const config::Atmosphere& atmosphere,
-                                                   const std::optional<config::Scene>& scene,
-                                                   const config::MultipleScatteringBake& bake,
-                                                   const BakeOptions& options, BakedTable table);
+config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
+                                              const std::optional<config::Scene>& scene,
+                                              const config::MultipleScatteringBake& bake,
+                                              const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -33,11 +33,11 @@ std::array<bool, 3> centered_axes(NoiseSampling sampling) {
     return {across, across, sampling == NoiseSampling::centers};
 }
 
-std::array<AxisMapping, 3> axes_of(const std::array<int, 3>& size, NoiseSampling sampling) {
+std::vector<AxisMapping> axes_of(const std::array<int, 3>& size, NoiseSampling sampling) {
     static constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
     static constexpr std::array<const char*, 3> kCoordinates = {"u", "v", "w"};
     const std::array<bool, 3> centered = centered_axes(sampling);
-    std::array<AxisMapping, 3> axes;
+    std::vector<AxisMapping> axes(3);
     for (std::size_t i = 0; i < 3; ++i) {
         axes[i].quantity = fmt::format("{}_tile", kNames[i]);
         axes[i].last = 1;
@@ -138,8 +138,8 @@ std::size_t distinct_octaves(const NoisePlan& plan) {
 
 }  // namespace
 
-Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
-                                       const BakeOptions& options, BakedVolume volume) {
+Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
+                                 const BakeOptions& options, Baked volume) {
     volume.kind = "noise_volume";
     volume.content = "noise, dimensionless; the volume repeats along x, y and z";
     volume.mapping = "tile";
@@ -153,7 +153,7 @@ Outcome<BakedVolume> bake_noise_volume(const Noise& noise, const NoiseVolumeBake
     const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
     volume.details.emplace_back("distinct_octaves",
                                 static_cast<double>(distinct_octaves(field->plan())));
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
     level.voxels = field;
     volume.levels.push_back(std::move(level));

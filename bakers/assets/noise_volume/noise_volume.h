@@ -1,7 +1,7 @@
 // The asset noise_volume: a noise sampled on a tile.
 #pragma once
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/noise_volume.h"
 #include "config/diagnostics/diagnostic.h"
@@ -11,8 +11,8 @@ namespace skybake {
 
 // Fills everything of `volume` but its name and parameters. E0401, E0402: a voxel that the pixel
 // type cannot hold. No value and no diagnostics after an interruption.
-config::Outcome<BakedVolume> bake_noise_volume(const config::Noise& noise,
-                                               const config::NoiseVolumeBake& bake,
-                                               const BakeOptions& options, BakedVolume volume);
+config::Outcome<Baked> bake_noise_volume(const config::Noise& noise,
+                                         const config::NoiseVolumeBake& bake,
+                                         const BakeOptions& options, Baked volume);
 
 }  // namespace skybake

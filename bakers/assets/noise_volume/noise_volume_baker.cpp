@@ -19,10 +19,10 @@ namespace {
 using config::Noise;
 using config::NoiseVolumeBake;
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const NoiseVolumeBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
-    return as_asset(bake_noise_volume(noise_named(parameters, asset.noise), asset, options,
-                                      labelled_volume(std::move(label))));
+Outcome<Baked> bake(const Parameters& parameters, const NoiseVolumeBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    return bake_noise_volume(noise_named(parameters, asset.noise), asset, options,
+                             labelled_volume(std::move(label)));
 }
 
 Estimate estimate(const Parameters& parameters, const NoiseVolumeBake& asset) {
@@ -40,7 +40,7 @@ AssetPlaces places(const Parameters& parameters, const NoiseVolumeBake& asset,
                                           sampling == config::NoiseSampling::centers};
     return single_lookup({"x_tile", "y_tile", "z_tile"},
                          [centered, size = asset.size](const Place& at) {
-                             VolumeUvw uvw;
+                             Uvw uvw;
                              for (std::size_t i = 0; i < 3; ++i) {
                                  uvw[i] = at[i].second + (centered[i] ? 0.0 : 0.5 / size[i]);
                              }

@@ -28,16 +28,15 @@ const CloudVolumeBake& volume_of(const Parameters& parameters, const OccupancyBa
     return bake_named(parameters, asset.of).as<CloudVolumeBake>();
 }
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const OccupancyBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
+Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
     const CloudVolumeBake& of = volume_of(parameters, asset);
     const Cloud& cloud = cloud_named(parameters, of.cloud);
-    BakedVolume volume = labelled_volume(std::move(label));
+    Baked volume = labelled_volume(std::move(label));
     const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
     if (!inputs.value) return {{}, inputs.diagnostics};
-    const BakedVolume voxels = make_cloud_volume(cloud, of, *inputs.value, {});
-    return as_asset(
-        bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume)));
+    const Baked voxels = make_cloud_volume(cloud, of, *inputs.value, {});
+    return bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume));
 }
 
 Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
@@ -56,15 +55,15 @@ Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
 AssetPlaces places(const Parameters& parameters, const OccupancyBake& asset, const StoredTexels&) {
     const CloudVolumeBake of = volume_of(parameters, asset);
     const Cloud cloud = cloud_named(parameters, of.cloud);
-    VolumePlaces places = cloud_places(cloud, extent_m_of(cloud));
-    places.lookups = [cloud, of, cell = asset.cell](const Place& at, int level) {
-        VolumeUvw extent_m = extent_m_of(cloud);
+    AssetPlaces places = cloud_places(cloud, extent_m_of(cloud));
+    places.lookups = [cloud, of, cell = asset.cell](const Probe& probe, int level) {
+        Uvw extent_m = extent_m_of(cloud);
         for (std::size_t i = 0; i < 3; ++i) {
             const int edge = cell << level;
             const int cells = (of.size[i] + edge - 1) / edge;
             extent_m[i] *= static_cast<double>(edge) * cells / of.size[i];
         }
-        return cloud_places(cloud, extent_m).lookups(at, level);
+        return cloud_places(cloud, extent_m).lookups(probe, level);
     };
     return places;
 }

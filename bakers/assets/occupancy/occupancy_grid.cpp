@@ -67,8 +67,8 @@ std::string content_of(const OccupancyBake& bake) {
         bake.cell, fmt::join(grid_names(bake.contents), ", "), is_unorm(bake) ? ", over 255" : "");
 }
 
-std::array<AxisMapping, 3> axes_of(const BakedVolume& of, const CellGrid& grid) {
-    std::array<AxisMapping, 3> axes = of.axes;
+std::vector<AxisMapping> axes_of(const Baked& of, const CellGrid& grid) {
+    std::vector<AxisMapping> axes = of.axes;
     const std::array<int, 3> cells = grid.size();
     for (std::size_t i = 0; i < 3; ++i) {
         const double edge = of.voxel_size_m[i] * grid.cell;
@@ -90,7 +90,7 @@ std::array<AxisMapping, 3> axes_of(const BakedVolume& of, const CellGrid& grid) 
 // The nearest place to texture coordinates that is a quarter of a cell from its middle along each
 // axis: near enough for no rounding to reach the next cell, and off the middle, so that linear
 // lookups differ.
-ProbePlace place_of(const BakedVolume& of, int cell, const std::array<double, 3>& uvw) {
+ProbePlace place_of(const Baked& of, int cell, const std::array<double, 3>& uvw) {
     const CellGrid grid{of.levels.front().size, cell};
     const std::array<int, 3> cells = grid.size();
     ProbePlace place{{}, {{}}};
@@ -115,7 +115,7 @@ std::size_t unsafe_cells(const OccupiedCells& rule, const OccupiedCells& exact) 
     return count;
 }
 
-config::Diagnostic lost_cell(const BakedVolume& volume, const occupancy::LostCell& lost) {
+config::Diagnostic lost_cell(const Baked& volume, const occupancy::LostCell& lost) {
     config::Diagnostic diagnostic;
     diagnostic.code = "E0405";
     diagnostic.message =
@@ -129,8 +129,7 @@ config::Diagnostic lost_cell(const BakedVolume& volume, const occupancy::LostCel
 Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
                                                       const OccupancyBake& bake,
                                                       const CellGrid& grid,
-                                                      const BakeOptions& options,
-                                                      BakedVolume& volume) {
+                                                      const BakeOptions& options, Baked& volume) {
     Outcome<std::shared_ptr<const CellSource>> outcome;
     const ChannelSource source{
         *of.volume.levels.front().voxels, static_cast<int>(channel_named(of.volume, bake.channel)),
@@ -160,12 +159,11 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
     return outcome;
 }
 
-void add_levels(std::shared_ptr<const CellSource> cells, const OccupancyBake& bake,
-                BakedVolume& volume) {
+void add_levels(std::shared_ptr<const CellSource> cells, const OccupancyBake& bake, Baked& volume) {
     for (int level = 0; level < bake.mips; ++level) {
-        VolumeLevel entry;
+        Level entry;
         entry.size = cells->ranges().size;
-        entry.repeats = repeating_axes(volume.mapping);
+        entry.repeats = repeating_axes(volume.axes);
         entry.voxels = cells;
         volume.levels.push_back(std::move(entry));
         if (level + 1 == bake.mips) return;
@@ -188,13 +186,13 @@ std::vector<std::array<double, 2>> histogram_ranges(const OccupancyBake& bake) {
 
 }  // namespace
 
-std::size_t channel_named(const BakedVolume& volume, const std::string& name) {
+std::size_t channel_named(const Baked& volume, const std::string& name) {
     const auto found = std::find(volume.channel_names.begin(), volume.channel_names.end(), name);
     return name.empty() ? 0 : static_cast<std::size_t>(found - volume.channel_names.begin());
 }
 
-Outcome<BakedVolume> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,
-                                    const BakeOptions& options, BakedVolume volume) {
+Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,
+                              const BakeOptions& options, Baked volume) {
     const CellGrid grid{of.volume.levels.front().size, bake.cell};
     volume.kind = "occupancy";
     volume.content = content_of(bake);

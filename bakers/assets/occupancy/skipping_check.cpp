@@ -13,7 +13,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_check.h"
-#include "bakers/io/formats/read_volume.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/recipe/recipe.h"
@@ -59,8 +59,9 @@ const ManifestAsset* asset_named(const Manifest& manifest, const std::string& na
 
 // The file of the volume itself.
 const ManifestFile* first_file(const ManifestAsset& asset) {
-    const auto found = std::find_if(asset.files.begin(), asset.files.end(),
-                                    [](const ManifestFile& file) { return file.level == 0; });
+    const auto found = std::find_if(
+        asset.files.begin(), asset.files.end(),
+        [](const ManifestFile& file) { return file.level == 0 && file.format != "json"; });
     return found != asset.files.end() ? &*found : nullptr;
 }
 
@@ -91,15 +92,15 @@ Outcome<std::vector<std::uint8_t>> occupied_cells(const std::filesystem::path& f
                                                   const Teller& teller) {
     const std::size_t channels = asset.channels.size();
     std::vector<std::uint8_t> occupied;
-    Outcome<bool> read =
-        read_volume(folder / file.path, asset, file,
-                    [&](std::int64_t, std::int64_t count, const float* values) {
-                        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-                            const float value = values[i * channels + teller.channel];
-                            occupied.push_back(teller.is_occupied(value, grid.threshold) ? 1 : 0);
-                        }
-                        return true;
-                    });
+    Outcome<bool> read = read_asset_file(
+        folder / file.path, asset, file, 0,
+        [&](std::int64_t, std::int64_t count, const float* values) {
+            for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+                const float value = values[i * channels + teller.channel];
+                occupied.push_back(teller.is_occupied(value, grid.threshold) ? 1 : 0);
+            }
+            return true;
+        });
     if (!read.value) return {{}, std::move(read.diagnostics)};
     return {std::move(occupied), {}};
 }
@@ -127,11 +128,11 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     OccupancyCheck check(cells, *occupied.value, grid.bake.filter, grid.threshold, channel,
                          static_cast<int>(volume.channels.size()));
     const Outcome<bool> read =
-        read_volume(folder / voxels_file->path, volume, *voxels_file,
-                    [&](std::int64_t first, std::int64_t count, const float* values) {
-                        check.add(first, count, values);
-                        return true;
-                    });
+        read_asset_file(folder / voxels_file->path, volume, *voxels_file, 0,
+                        [&](std::int64_t first, std::int64_t count, const float* values) {
+                            check.add(first, count, values);
+                            return true;
+                        });
     if (!read.value || check.result().lost == 0) return "";
     const occupancy::OccupancyCheckResult& found = check.result();
     return fmt::format(

@@ -6,8 +6,7 @@
 
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_table.h"
-#include "bakers/field/baked_table.h"
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 
 namespace skybake {
 
@@ -21,7 +20,7 @@ class StoredColumns {
   public:
     // All must outlive it. `channels` is the count of colours.
     StoredColumns(const std::vector<ColumnKind>& kinds, int channels, const ColumnTable& table,
-                  const VolumeLevel& level, config::PixelType type);
+                  const Level& level, config::PixelType type);
 
     // As transmittances().
     std::vector<double> transmittances_of(const ColumnPath& path) const;
@@ -31,7 +30,7 @@ class StoredColumns {
     const std::vector<ColumnKind>& kinds_;
     int channels_;
     const ColumnTable& table_;
-    const VolumeLevel& level_;
+    const Level& level_;
     config::PixelType type_;
 };
 
@@ -47,7 +46,7 @@ struct ColumnErrors {
 
 // At `points` of the fixed set of places, colours and (the last two) kinds pooled.
 ColumnErrors measure_columns(const std::vector<ColumnKind>& kinds, int channels,
-                             const ColumnTable& table, bool to_top, const VolumeLevel& level,
+                             const ColumnTable& table, bool to_top, const Level& level,
                              config::PixelType type, int points);
 
 }  // namespace skybake

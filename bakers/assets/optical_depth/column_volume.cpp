@@ -254,7 +254,7 @@ std::string scale_text(const ColumnGeometry& geometry) {
                        geometry.scale.fine_km, geometry.scale.thickness_km);
 }
 
-void describe_columns(const OpticalDepthBake& bake, const ColumnTable& table, BakedVolume& volume) {
+void describe_columns(const OpticalDepthBake& bake, const ColumnTable& table, Baked& volume) {
     const ColumnGeometry& geometry = table.geometry();
     const double top = geometry.scale.thickness_km;
     const std::string g = scale_text(geometry);
@@ -288,8 +288,7 @@ void describe_columns(const OpticalDepthBake& bake, const ColumnTable& table, Ba
     }
 }
 
-void describe_axis(const OpticalDepthBake& bake, const ColumnGeometry& geometry,
-                   BakedVolume& volume) {
+void describe_axis(const OpticalDepthBake& bake, const ColumnGeometry& geometry, Baked& volume) {
     if (bake.table == OpticalDepthTable::density) {
         volume.content = "density, in shares of the density that the layer's coefficients are for";
         volume.mapping = "densities";
@@ -308,8 +307,7 @@ void describe_axis(const OpticalDepthBake& bake, const ColumnGeometry& geometry,
 
 // F of g(h) is fine_km. `first` and `count` are those of the texels of each course along u: of
 // paths that rise, that pass their lowest point and, by distance, that fall to the ground.
-void describe_constants(const OpticalDepthBake& bake, const ColumnTable& table,
-                        BakedVolume& volume) {
+void describe_constants(const OpticalDepthBake& bake, const ColumnTable& table, Baked& volume) {
     if (bake.table == OpticalDepthTable::phase) {
         volume.conventions.angle_unit = "deg";
         volume.axes[0].constants = {{"range_deg", 180.0}};
@@ -334,9 +332,10 @@ void describe_constants(const OpticalDepthBake& bake, const ColumnTable& table,
 }
 
 void describe(const OpticalDepthBake& bake, const std::vector<ColumnKind>& kinds, int channels,
-              const ColumnTable& table, BakedVolume& volume) {
+              const ColumnTable& table, Baked& volume) {
     volume.kind = "optical_depth";
     volume.channel_names = channel_names(kinds.size());
+    volume.axes.resize(3);
     if (has_paths(bake)) {
         describe_columns(bake, table, volume);
     } else {
@@ -365,7 +364,7 @@ void describe(const OpticalDepthBake& bake, const std::vector<ColumnKind>& kinds
 // Errors by kind, and how well columns add up: against the exact integral, which is fast.
 void add_measured_details(const std::vector<ColumnKind>& kinds, int channels,
                           const ColumnTable& table, bool to_top, const BakeOptions& options,
-                          BakedVolume& volume) {
+                          Baked& volume) {
     constexpr int kQuickPoints = 1024;
     constexpr int kFullPoints = 16384;
     const int points = options.certification == Certification::full ? kFullPoints : kQuickPoints;
@@ -419,9 +418,9 @@ ColumnVoxels column_voxels(const config::Atmosphere& atmosphere, const OpticalDe
             std::move(contents.finish.reference), std::move(contents.finish.comparison)};
 }
 
-config::Outcome<BakedVolume> bake_columns(const config::Atmosphere& atmosphere,
-                                          const OpticalDepthBake& bake, const BakeOptions& options,
-                                          BakedVolume volume) {
+config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
+                                    const OpticalDepthBake& bake, const BakeOptions& options,
+                                    Baked volume) {
     const Kinds kinds = kinds_of(atmosphere, bake);
     const int channels = channels_of(atmosphere);
     const ColumnTable table(bake, column_geometry(*kinds));
@@ -429,9 +428,9 @@ config::Outcome<BakedVolume> bake_columns(const config::Atmosphere& atmosphere,
     Contents contents = contents_of(kinds, channels, bake, table);
     contents.finish.histogram_ranges.assign(volume.channel_names.size(), {0, contents.largest});
     const auto start = std::chrono::steady_clock::now();
-    VolumeLevel level;
+    Level level;
     level.size = bake.size;
-    level.repeats = repeating_axes(volume.mapping);
+    level.repeats = repeating_axes(volume.axes);
     level.voxels =
         kept_if_small(std::make_shared<TexelSource>(kinds->size(), std::move(contents.value)),
                       bake.size, static_cast<int>(volume.channel_names.size()), options);
@@ -439,8 +438,7 @@ config::Outcome<BakedVolume> bake_columns(const config::Atmosphere& atmosphere,
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);
-    config::Outcome<BakedVolume> outcome =
-        finish_volume(std::move(volume), contents.finish, options);
+    config::Outcome<Baked> outcome = finish_volume(std::move(volume), contents.finish, options);
     if (outcome.value && has_paths(bake) && options.certification != Certification::off) {
         add_measured_details(*kinds, channels, table, bake.table == OpticalDepthTable::to_top,
                              options, *outcome.value);

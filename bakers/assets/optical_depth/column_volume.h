@@ -4,8 +4,8 @@
 
 #include <memory>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/certify_volume.h"
-#include "bakers/field/volume.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/optical_depth.h"
 #include "config/diagnostics/diagnostic.h"
@@ -20,9 +20,9 @@ namespace skybake {
 // alone; of densities in shares of the value range, of phase functions relative to their value.
 //
 // `volume` has its name, parameters and details.
-config::Outcome<BakedVolume> bake_columns(const config::Atmosphere& atmosphere,
-                                          const config::OpticalDepthBake& bake,
-                                          const BakeOptions& options, BakedVolume volume);
+config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
+                                    const config::OpticalDepthBake& bake,
+                                    const BakeOptions& options, Baked volume);
 
 // Its texels and how they are measured, without the rest of a bake: for reports.
 struct ColumnVoxels {

@@ -22,10 +22,10 @@ namespace {
 using config::OpticalDepthBake;
 using config::OpticalDepthTable;
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const OpticalDepthBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
-    return as_asset(bake_columns(parameters.atmosphere, asset, options,
-                                 labelled_sky_volume(parameters, std::move(label))));
+Outcome<Baked> bake(const Parameters& parameters, const OpticalDepthBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    return bake_columns(parameters.atmosphere, asset, options,
+                        labelled_sky_volume(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const OpticalDepthBake& asset) {
@@ -38,8 +38,8 @@ AssetPlaces places(const Parameters& parameters, const OpticalDepthBake& asset,
                             column_geometry(make_column_kinds(parameters.atmosphere, asset.kinds)));
     const int size = asset.size[0];
     const auto along_u = [size](double x) {
-        return VolumeUvw{texture_coordinate(TexelConvention::end_points_on_texel_centres, x, size),
-                         0.5, 0.5};
+        return Uvw{texture_coordinate(TexelConvention::end_points_on_texel_centres, x, size), 0.5,
+                   0.5};
     };
     if (asset.table == OpticalDepthTable::density) {
         return single_lookup({"altitude_km"}, [table, along_u](const Place& at) {

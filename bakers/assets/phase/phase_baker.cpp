@@ -17,14 +17,13 @@ using config::Parameters;
 
 namespace {
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const config::PhaseBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
-    return as_asset(
-        bake_phase(parameters, asset, options, labelled_table(parameters, std::move(label))));
+Outcome<Baked> bake(const Parameters& parameters, const config::PhaseBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    return bake_phase(parameters, asset, options, labelled_table(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const config::PhaseBake& asset) {
-    return estimate_texels({asset.max_error ? 0 : asset.size, 1}, asset.pixel_type, 1e-6, 1);
+    return estimate_texels(asset, {asset.max_error ? 0 : asset.size, 1}, 1e-6, 1);
 }
 
 // By the spacing that suited the table best, which its file names.
@@ -38,14 +37,14 @@ double share_of_table(const std::string& spacing, double at) {
     return at;  // a share of the light
 }
 
-AssetPlaces places(const Parameters&, const config::PhaseBake&, const StoredTexels& stored) {
-    return TablePlaces{
-        1, [=](const Probe& probe) {
-            return std::array{texture_coordinate(TexelConvention::end_points_on_texel_centres,
-                                                 share_of_table(stored.mapping, probe.at[0].second),
-                                                 stored.size[0]),
-                              0.5};
-        }};
+AssetPlaces places(const Parameters&, const config::PhaseBake& asset, const StoredTexels& stored) {
+    const bool inverse = asset.content == config::PhaseContent::inverse_cumulative;
+    return single_lookup({inverse ? "share" : "scattering_angle_deg"}, [=](const Place& at) {
+        const double x = share_of_table(stored.mapping, at[0].second);
+        return Uvw{
+            texture_coordinate(TexelConvention::end_points_on_texel_centres, x, stored.size[0]),
+            0.5, 0.5};
+    });
 }
 
 }  // namespace

@@ -84,12 +84,12 @@ PhaseSpacing best_spacing(const PhaseSource& source, const PhaseBake& bake,
 }
 
 void describe(const PhaseBake& bake, const PhaseSource& source, PhaseSpacing spacing,
-              BakedTable& table) {
+              Baked& table) {
     const bool inverse = bake.content == PhaseContent::inverse_cumulative;
     const std::string convention = "end points on texel centres";
     table.kind = "phase";
-    table.pixel_type = bake.pixel_type;
-    table.compression = bake.compression;
+    table.axes.resize(2);
+    set_files(bake, table);
     if (inverse) {
         table.content = fmt::format(
             "1 - cosine of the angle below which a share x of the light is scattered, in [0, 2], "
@@ -134,7 +134,7 @@ void add_fit(const PhaseFit& fit, const std::string& channel, Facts& details) {
 }
 
 // What a runtime needs that computes in place of looking up.
-void add_facts(const PhaseBake& bake, const PhaseSource& source, BakedTable& table) {
+void add_facts(const PhaseBake& bake, const PhaseSource& source, Baked& table) {
     table.details.insert(table.details.end(), source.facts.begin(), source.facts.end());
     std::vector<PhaseFit> fits;
     for (std::size_t c = 0; c < source.functions.size(); ++c) {
@@ -197,8 +197,8 @@ TableModel inverse_phase_model(const PhaseSource& source) {
     return model;
 }
 
-config::Outcome<BakedTable> bake_phase(const config::Parameters& parameters, const PhaseBake& bake,
-                                       const BakeOptions& options, BakedTable table) {
+config::Outcome<Baked> bake_phase(const config::Parameters& parameters, const PhaseBake& bake,
+                                  const BakeOptions& options, Baked table) {
     const auto start = std::chrono::steady_clock::now();
     const PhaseSource source = phase_source(parameters, bake, options.threads);
     table.bake_seconds =

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bakers/air/particles/phase_source.h"
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/phase.h"
@@ -13,9 +13,9 @@
 namespace skybake {
 
 // `table` has its name, channels, parameters and details.
-config::Outcome<BakedTable> bake_phase(const config::Parameters& parameters,
-                                       const config::PhaseBake& bake, const BakeOptions& options,
-                                       BakedTable table);
+config::Outcome<Baked> bake_phase(const config::Parameters& parameters,
+                                  const config::PhaseBake& bake, const BakeOptions& options,
+                                  Baked table);
 
 // p by angle, for any spacing but `best`; errors relative to p itself, which spans decades. The
 // source must outlive both models.

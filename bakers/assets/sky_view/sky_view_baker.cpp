@@ -36,38 +36,36 @@ std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphe
     return std::make_unique<SkyLight>(std::move(medium), asset.orders, std::move(strips));
 }
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const SkyViewBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
+Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
     const auto light = light_of_view(parameters.atmosphere, asset, options);
     if (options.cancelled()) return {};
     if (const auto problem = light->problem(label.name)) return {{}, {*problem}};
-    return as_asset(
-        bake_sky_view(*light, asset, options, labelled_table(parameters, std::move(label))));
+    return bake_sky_view(*light, asset, options, labelled_table(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const SkyViewBake& asset) {
     const std::array<int, 2> size = {asset.size[0],
                                      asset.size[1] * static_cast<int>(asset.sun_elevations.size())};
-    return estimate_texels(size, asset.pixel_type, 3e-5, 0.3 + seconds_to_solve(asset.orders));
+    return estimate_texels(asset, size, 3e-5, 0.3 + seconds_to_solve(asset.orders));
 }
 
 // In the table of the sun that the probe names: the nearest, since its angle went through degrees.
-std::array<double, 2> place_of(const SkyViewBake& asset, const Shell& shell, int width,
-                               const Probe& probe) {
+Uvw place_of(const SkyViewBake& asset, const Shell& shell, int width, const Probe& probe) {
     const SkyViewCamera camera(shell, asset.altitude.kilometers());
     const double radians = std::numbers::pi / 180;
     const auto suns = static_cast<int>(asset.sun_elevations.size());
-    std::array<double, 2> nearest{};
+    Uvw nearest{};
     for (int k = 0; k < suns; ++k) {
         const double elevation = asset.sun_elevations[static_cast<std::size_t>(k)].radians;
         if (std::fabs(elevation - probe.at[2].second * radians) > 1e-9) continue;
         const double y = camera.coordinate(probe.at[1].second * radians);
         const double v = (k + sky_view_v(y, asset.size[1])) / suns;
         // The same sun may stand in the list twice.
-        if (k > 0 && std::fabs(v - probe.uv[1]) > std::fabs(nearest[1] - probe.uv[1])) continue;
+        if (k > 0 && std::fabs(v - probe.uvw[1]) > std::fabs(nearest[1] - probe.uvw[1])) continue;
         nearest = {texture_coordinate(TexelConvention::end_points_on_texel_centres,
                                       probe.at[0].second / 180, width),
-                   v};
+                   v, 0.5};
     }
     return nearest;
 }
@@ -75,8 +73,10 @@ std::array<double, 2> place_of(const SkyViewBake& asset, const Shell& shell, int
 AssetPlaces places(const Parameters& parameters, const SkyViewBake& asset,
                    const StoredTexels& stored) {
     const Shell shell = shell_of(parameters.atmosphere);
-    return TablePlaces{
-        3, [=](const Probe& probe) { return place_of(asset, shell, stored.size[0], probe); }};
+    return AssetPlaces{
+        {"azimuth_deg", "above_horizon_deg", "sun_elevation_deg"}, [=](const Probe& probe, int) {
+            return std::vector<ProbeLookup>{{place_of(asset, shell, stored.size[0], probe)}};
+        }};
 }
 
 void draft(SkyViewBake& asset, int) {

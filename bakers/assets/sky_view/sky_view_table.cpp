@@ -11,7 +11,6 @@
 
 #include "bakers/air/shell_constants.h"
 #include "bakers/field/finish_table.h"
-#include "bakers/field/stack_tables.h"
 #include "bakers/light/sky_row.h"
 #include "bakers/math/relative_error.h"
 #include "bakers/math/transcendental.h"
@@ -36,7 +35,7 @@ Facts sky_view_facts(const SkyViewBake& bake) {
 }
 
 void describe_axes(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell& shell,
-                   BakedTable& table) {
+                   Baked& table) {
     table.axes[0].constants = {{"range_deg", 180.0}};
     table.axes[1].constants = shell_constants(shell);
     const Facts numbers = {{"dip_deg", camera.dip() * kDegrees},
@@ -52,7 +51,7 @@ void describe_axes(const SkyViewBake& bake, const SkyViewCamera& camera, const S
 }
 
 void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell& shell,
-              BakedTable& table) {
+              Baked& table) {
     const std::size_t suns = bake.sun_elevations.size();
     table.kind = "sky_view";
     const bool from_strips =
@@ -65,6 +64,7 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell&
                       "sky"
                     : "");
     table.mapping = "hillaire";
+    table.axes.resize(2);
     table.axes[0] = {"azimuth_deg", "x = azimuth from the sun / 180 degrees",
                      "end points on texel centres", 0, 180};
     const std::string stacked =
@@ -82,8 +82,7 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell&
                     camera.range_above() * kDegrees, stacked),
         "end points on texel centres", -camera.range_below() * kDegrees,
         camera.range_above() * kDegrees};
-    table.pixel_type = bake.pixel_type;
-    table.compression = bake.compression;
+    set_files(bake, table);
     table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
     table.certificate.scale = kRelativeErrorScale;
     describe_axes(bake, camera, shell, table);
@@ -129,17 +128,16 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
     return model;
 }
 
-config::Outcome<BakedTable> bake_sky_view(const SkyLight& light, const SkyViewBake& bake,
-                                          const BakeOptions& options, BakedTable table) {
+config::Outcome<Baked> bake_sky_view(const SkyLight& light, const SkyViewBake& bake,
+                                     const BakeOptions& options, Baked table) {
     const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
     describe(bake, camera, light.shell(), table);
     AccuracyRequest request;
     request.size = bake.size;
     request.quick = {256, 1};
     request.full = {4096, 1};
-    config::Outcome<BakedTable> outcome;
-    std::vector<BakedTable> parts;
-    std::vector<ProbeSpace> spaces;
+    config::Outcome<Baked> outcome;
+    std::vector<TablePart> parts;
     for (const config::Angle& elevation : bake.sun_elevations) {
         const auto place_of = [&camera, elevation](double x, double y) {
             return Place{{"azimuth_deg", 180 * x},
@@ -147,14 +145,13 @@ config::Outcome<BakedTable> bake_sky_view(const SkyLight& light, const SkyViewBa
                          {"sun_elevation_deg", elevation.radians * kDegrees}};
         };
         const TableModel model = sky_view_model(light, camera, sun_at_elevation(elevation.radians));
-        config::Outcome<BakedTable> part = finish_table(model, request, options, place_of, table);
+        config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);
         outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                    part.diagnostics.end());
         if (!part.value) return outcome;
         parts.push_back(std::move(*part.value));
-        spaces.push_back(table_space(model, bake.size, place_of));
     }
-    config::Outcome<BakedTable> stack = stack_tables(std::move(parts), std::move(spaces), options);
+    config::Outcome<Baked> stack = stack_tables(std::move(parts), options);
     outcome.diagnostics.insert(outcome.diagnostics.end(), stack.diagnostics.begin(),
                                stack.diagnostics.end());
     outcome.value = std::move(stack.value);

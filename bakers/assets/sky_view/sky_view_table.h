@@ -1,7 +1,7 @@
 // The baker of `asset = "sky_view"`.
 #pragma once
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
@@ -17,7 +17,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
 
 // The sky from one altitude under one sun or several, sky_view_mapping.h. No disc of the sun.
 // `table` brings name, parameters and channel names.
-config::Outcome<BakedTable> bake_sky_view(const SkyLight& light, const config::SkyViewBake& bake,
-                                          const BakeOptions& options, BakedTable table);
+config::Outcome<Baked> bake_sky_view(const SkyLight& light, const config::SkyViewBake& bake,
+                                     const BakeOptions& options, Baked table);
 
 }  // namespace skybake

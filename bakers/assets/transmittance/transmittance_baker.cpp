@@ -17,10 +17,10 @@ using config::Parameters;
 
 namespace {
 
-Outcome<BakedAsset> bake(const Parameters& parameters, const config::TransmittanceBake& asset,
-                         const BakeOptions& options, AssetLabel label) {
-    return as_asset(bake_transmittance(make_medium(parameters.atmosphere), asset, options,
-                                       labelled_table(parameters, std::move(label))));
+Outcome<Baked> bake(const Parameters& parameters, const config::TransmittanceBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    return bake_transmittance(make_medium(parameters.atmosphere), asset, options,
+                              labelled_table(parameters, std::move(label)));
 }
 
 Estimate estimate(const Parameters&, const config::TransmittanceBake& asset) {
@@ -33,12 +33,11 @@ AssetPlaces places(const Parameters& parameters, const config::TransmittanceBake
                                 ? TexelConvention::end_points_on_edges
                                 : TexelConvention::end_points_on_texel_centres;
     const Shell shell = shell_of(parameters.atmosphere);
-    return TablePlaces{2, [=](const Probe& probe) {
-                           const UnitCoordinates x = transmittance_coordinates(
-                               shell, probe.at[0].second, probe.at[1].second);
-                           return std::array{texture_coordinate(convention, x.x_mu, stored.size[0]),
-                                             texture_coordinate(convention, x.x_r, stored.size[1])};
-                       }};
+    return single_lookup({"altitude_km", "cos_zenith"}, [=](const Place& at) {
+        const UnitCoordinates x = transmittance_coordinates(shell, at[0].second, at[1].second);
+        return Uvw{texture_coordinate(convention, x.x_mu, stored.size[0]),
+                   texture_coordinate(convention, x.x_r, stored.size[1]), 0.5};
+    });
 }
 
 void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64}); }

@@ -82,8 +82,8 @@ TableModel transmittance_model(const Medium& medium, const TransmittanceBake& ba
     return model;
 }
 
-config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const TransmittanceBake& bake,
-                                               const BakeOptions& options, BakedTable table) {
+config::Outcome<Baked> bake_transmittance(const Medium& medium, const TransmittanceBake& bake,
+                                          const BakeOptions& options, Baked table) {
     const Shell shell = shell_of(medium);
     const bool ue = bake.mapping == TransmittanceMapping::ue;
     table.kind = "transmittance";
@@ -95,6 +95,7 @@ config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const Trans
     table.mapping = ue ? "ue" : "bruneton";
     const std::string convention =
         ue ? "end points on texture edges" : "end points on texel centres";
+    table.axes.resize(2);
     table.axes[0] = {
         "distance_to_top_km",
         "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(s^2 + q) - s, for s > 0 as q / (sqrt(s^2 + "
@@ -112,8 +113,7 @@ config::Outcome<BakedTable> bake_transmittance(const Medium& medium, const Trans
         axis.constants = shell_constants(shell);
     }
     table.conventions.angle_unit = "cosine";
-    table.pixel_type = bake.pixel_type;
-    table.compression = bake.compression;
+    set_files(bake, table);
     table.certificate.reference =
         "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
     table.certificate.scale = "transmittance, absolute";

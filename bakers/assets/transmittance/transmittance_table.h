@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bakers/air/medium.h"
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/transmittance.h"
@@ -18,8 +18,8 @@ TableModel transmittance_model(const Medium& medium, const config::Transmittance
 
 // Transmittance from a point to the top of the atmosphere, transmittance_mapping.h. `table` brings
 // name, parameters and channel names.
-config::Outcome<BakedTable> bake_transmittance(const Medium& medium,
-                                               const config::TransmittanceBake& bake,
-                                               const BakeOptions& options, BakedTable table);
+config::Outcome<Baked> bake_transmittance(const Medium& medium,
+                                          const config::TransmittanceBake& bake,
+                                          const BakeOptions& options, Baked table);
 
 }  // namespace skybake

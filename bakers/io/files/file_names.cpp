@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <variant>
-
-#include "bakers/io/files/spelling.h"
+#include "config/assets/asset_kind.h"
 #include "config/assets/bruneton.h"
-#include "config/assets/volume_files.h"
 
 namespace skybake {
 
-std::string table_file_name(const std::string& name) { return name + ".exr"; }
-
-std::string volume_file_name(const std::string& name, config::VolumeFormat format, int level) {
-    if (level == 0) return fmt::format("{}.{}", name, spell(format));
-    return fmt::format("{}.mip{}.{}", name, level, spell(format));
+std::string file_name(const std::string& name, config::FileFormat format, int level) {
+    const std::string_view extension = config::facts_of(format).name;
+    if (level == 0) return fmt::format("{}.{}", name, extension);
+    return fmt::format("{}.mip{}.{}", name, level, extension);
 }
 
 std::string companion_file_name(const std::string& name, const std::string& format) {
@@ -22,12 +18,12 @@ std::string companion_file_name(const std::string& name, const std::string& form
 }
 
 std::vector<std::string> file_names(const config::Bake& bake) {
-    const config::VolumeFiles* volume = config::volume_files(bake);
-    if (volume == nullptr) return {table_file_name(bake.name)};
+    const config::AssetFiles& files = config::files_of(bake);
     std::vector<std::string> names;
-    for (const config::VolumeFormat format : volume->formats) {
-        for (int level = 0; level < volume->mips; ++level) {
-            names.push_back(volume_file_name(bake.name, format, level));
+    for (const config::FileFormat format : files.formats) {
+        const int count = config::facts_of(format).has_all_levels ? 1 : files.mips;
+        for (int level = 0; level < count; ++level) {
+            names.push_back(file_name(bake.name, format, level));
         }
     }
     const auto* bruneton = bake.find<config::BrunetonBake>();

@@ -10,13 +10,10 @@
 
 namespace skybake {
 
-// "NAME.exr": a table's file.
-std::string table_file_name(const std::string& name);
+// "NAME.exr", "NAME.vdb"; "NAME.mip1.exr" and so on for further levels of detail.
+std::string file_name(const std::string& name, config::FileFormat format, int level);
 
-// "NAME.exr", "NAME.vdb", "NAME.bin"; "NAME.mip1.exr" and so on for further levels of detail.
-std::string volume_file_name(const std::string& name, config::VolumeFormat format, int level);
-
-// "NAME.json": a text beside the files of a volume.
+// "NAME.json": a text beside the files of an asset.
 std::string companion_file_name(const std::string& name, const std::string& format);
 
 // All files of a [bake.NAME].

@@ -9,7 +9,7 @@
 namespace skybake {
 namespace {
 
-// The key of a volume, whose choices are those of tables as well.
+// The keys of files are those of all assets.
 const config::Field& field_of(std::string_view key) {
     return *config::find_field(*config::find_section("bake.*", "noise_volume"), key);
 }
@@ -51,9 +51,9 @@ std::string_view spell(config::VdbCompression compression) {
     return word_of("vdb_compression", compression);
 }
 
-std::string_view spell(config::VolumeFormat format) { return word_of("formats", format); }
+std::string_view spell(config::FileFormat format) { return config::facts_of(format).name; }
 
-std::string_view spell(config::VolumeLayout layout) { return word_of("layout", layout); }
+std::string_view spell(config::SheetLayout layout) { return word_of("layout", layout); }
 
 std::string_view spell(TexelConvention end_points) {
     return end_point_words[static_cast<std::size_t>(end_points)];
@@ -83,12 +83,8 @@ std::optional<config::Compression> compression_of(std::string_view word) {
     return value_of<config::Compression>("compression", word);
 }
 
-std::optional<config::VolumeFormat> volume_format_of(std::string_view word) {
-    return value_of<config::VolumeFormat>("formats", word);
-}
-
-std::optional<config::VolumeLayout> volume_layout_of(std::string_view word) {
-    return value_of<config::VolumeLayout>("layout", word);
+std::optional<config::SheetLayout> sheet_layout_of(std::string_view word) {
+    return value_of<config::SheetLayout>("layout", word);
 }
 
 }  // namespace skybake

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "config/sections/files.h"
 
 namespace skybake {
@@ -13,8 +13,8 @@ namespace skybake {
 std::string_view spell(config::PixelType type);              // "float", "half", "unorm8", "unorm16"
 std::string_view spell(config::Compression compression);     // "none", "zip", "zips", "piz"
 std::string_view spell(config::VdbCompression compression);  // "none", "zip", "blosc"
-std::string_view spell(config::VolumeFormat format);         // "exr", "vdb", "bin"
-std::string_view spell(config::VolumeLayout layout);         // "stack", "atlas"
+std::string_view spell(config::FileFormat format);           // "exr", "vdb", "bin"
+std::string_view spell(config::SheetLayout layout);          // "stack", "atlas"
 
 std::string_view spell(TexelConvention end_points);  // "texel_centres", "texture_edges"
 std::string_view spell(AxisWrap wrap);               // "clamp", "repeat"
@@ -25,7 +25,6 @@ std::optional<AxisWrap> axis_wrap_of(std::string_view word);
 std::optional<AxisFilter> axis_filter_of(std::string_view word);
 std::optional<config::PixelType> pixel_type_of(std::string_view word);
 std::optional<config::Compression> compression_of(std::string_view word);
-std::optional<config::VolumeFormat> volume_format_of(std::string_view word);
-std::optional<config::VolumeLayout> volume_layout_of(std::string_view word);
+std::optional<config::SheetLayout> sheet_layout_of(std::string_view word);
 
 }  // namespace skybake

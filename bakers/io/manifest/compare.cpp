@@ -7,15 +7,17 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/metadata_name.h"
 
 namespace skybake {
 namespace {
 
-std::string layout_of(const RowSource& image) {
-    return fmt::format("{} x {} {}", image.width, image.height,
+std::string layout_of(const ComparedImage& image) {
+    return fmt::format("{} x {} {}", image.rows.width, image.rows.height,
                        fmt::join(image.channel_names, " "));
 }
 
@@ -51,23 +53,23 @@ void add_rows(const Image2<float>& first, const Image2<float>& second, int rows,
 }
 
 // The channels of two images of one layout.
-config::Outcome<std::vector<ChannelDifference>> compare_channels(const RowSource& first,
-                                                                 const RowSource& second) {
+config::Outcome<std::vector<ChannelDifference>> compare_channels(const ComparedImage& first,
+                                                                 const ComparedImage& second) {
     std::vector<ChannelDifference> channels(first.channel_names.size());
     std::vector<double> squares(channels.size(), 0.0);
-    int step = std::min(first.rows_per_piece, first.height);
+    int step = std::min(first.rows.rows_per_piece, first.rows.height);
     const int interleaved = static_cast<int>(channels.size());
-    Image2<float> a(first.width, step, interleaved);
-    Image2<float> b(first.width, step, interleaved);
-    for (int y = 0; y < first.height; y += step) {
-        step = std::min(step, first.height - y);
-        if (auto problem = first.read(y, step, a.texels.data())) return {{}, {*problem}};
-        if (auto problem = second.read(y, step, b.texels.data())) return {{}, {*problem}};
+    Image2<float> a(first.rows.width, step, interleaved);
+    Image2<float> b(first.rows.width, step, interleaved);
+    for (int y = 0; y < first.rows.height; y += step) {
+        step = std::min(step, first.rows.height - y);
+        if (auto problem = first.rows.read(y, step, a.texels.data())) return {{}, {*problem}};
+        if (auto problem = second.rows.read(y, step, b.texels.data())) return {{}, {*problem}};
         for (std::size_t c = 0; c < channels.size(); ++c) {
             add_rows(a, b, step, y, channels[c], c, squares[c]);
         }
     }
-    const double texels = static_cast<double>(first.width) * first.height;
+    const double texels = static_cast<double>(first.rows.width) * first.rows.height;
     for (std::size_t c = 0; c < channels.size(); ++c) {
         channels[c].channel = first.channel_names[c];
         channels[c].rms = std::sqrt(squares[c] / texels);
@@ -75,7 +77,7 @@ config::Outcome<std::vector<ChannelDifference>> compare_channels(const RowSource
     return {std::move(channels), {}};
 }
 
-std::map<std::string, std::string> facts_of(const RowSource& image) {
+std::map<std::string, std::string> facts_of(const ComparedImage& image) {
     std::map<std::string, std::string> facts(image.attributes.begin(), image.attributes.end());
     facts["pixel type"] = spell(image.pixel_type);
     facts["compression"] = spell(image.compression);
@@ -88,36 +90,68 @@ std::optional<std::string> find_fact(const std::map<std::string, std::string>& f
     return found != facts.end() ? std::optional(found->second) : std::nullopt;
 }
 
-std::vector<AttributeDifference> compare_attributes(const RowSource& first,
-                                                    const RowSource& second) {
-    const auto facts = facts_of(first);
-    const auto others = facts_of(second);
+std::vector<AttributeDifference> compare_facts(const std::map<std::string, std::string>& first,
+                                               const std::map<std::string, std::string>& second) {
     std::set<std::string> names;
-    for (const auto& fact : facts) names.insert(fact.first);
-    for (const auto& fact : others) names.insert(fact.first);
+    for (const auto& fact : first) names.insert(fact.first);
+    for (const auto& fact : second) names.insert(fact.first);
     std::vector<AttributeDifference> differences;
     for (const std::string& name : names) {
-        AttributeDifference entry{name, find_fact(facts, name), find_fact(others, name)};
+        AttributeDifference entry{name, find_fact(first, name), find_fact(second, name)};
         if (entry.first != entry.second) differences.push_back(std::move(entry));
+    }
+    return differences;
+}
+
+// The members of an entry by their paths, or nothing where the text is no entry.
+std::map<std::string, std::string> members_of(const std::string& text) {
+    std::map<std::string, std::string> members;
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object()) return members;
+    const nlohmann::json flat = json.flatten();
+    for (const auto& [path, value] : flat.items()) {
+        members[path.substr(1)] = value.is_string() ? value.get<std::string>() : value.dump();
+    }
+    return members;
+}
+
+// Entries are compared member by member, but for what follows from the texels.
+std::vector<AttributeDifference> compare_attributes(const ComparedImage& first,
+                                                    const ComparedImage& second) {
+    std::vector<AttributeDifference> differences;
+    for (AttributeDifference& entry : compare_facts(facts_of(first), facts_of(second))) {
+        if (entry.name != metadata_name || !entry.first || !entry.second) {
+            differences.push_back(std::move(entry));
+            continue;
+        }
+        for (AttributeDifference& member : metadata_differences(*entry.first, *entry.second)) {
+            const bool is_of_texels =
+                member.name.starts_with("probes/") || member.name.starts_with("statistics/");
+            if (!is_of_texels) differences.push_back(std::move(member));
+        }
     }
     return differences;
 }
 
 }  // namespace
 
-RowSource rows_of(ExrRows& file) {
-    return {
-        file.width(),
-        file.height(),
-        file.channel_names(),
-        file.pixel_type(),
-        file.compression(),
-        file.attributes(),
-        file.rows_per_piece(),
-        [&file](int first, int count, float* texels) { return file.read(first, count, texels); }};
+std::vector<AttributeDifference> metadata_differences(const std::string& first,
+                                                      const std::string& second) {
+    const auto members = members_of(first);
+    const auto others = members_of(second);
+    if (first != second && (members.empty() || others.empty())) {
+        return {{metadata_name, first, second}};
+    }
+    return compare_facts(members, others);
 }
 
-config::Outcome<ImageDifference> compare_images(const RowSource& first, const RowSource& second) {
+ComparedImage compared(ExrRows& file) {
+    return {rows_of(file), file.channel_names(), file.pixel_type(), file.compression(),
+            file.attributes()};
+}
+
+config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
+                                                const ComparedImage& second) {
     ImageDifference difference;
     difference.attributes = compare_attributes(first, second);
     if (layout_of(first) != layout_of(second)) {

@@ -2,13 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "bakers/io/formats/exr/exr.h"
-#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/formats/exr/exr_file.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -23,11 +21,17 @@ struct ChannelDifference {
     int worst_y = 0;
 };
 
+// A text that two files have differently, or that one of them lacks.
 struct AttributeDifference {
     std::string name;
-    std::optional<std::string> first;  // none where the image lacks it
+    std::optional<std::string> first;
     std::optional<std::string> second;
 };
+
+// Where two entries that files carry (file_entry_json) differ: names are those of their members,
+// "error/lookup/max". Texts that are no entries are compared as they are.
+std::vector<AttributeDifference> metadata_differences(const std::string& first,
+                                                      const std::string& second);
 
 struct ImageDifference {
     std::string layout;  // what makes the images incomparable (size, channels), or empty
@@ -35,24 +39,21 @@ struct ImageDifference {
     std::vector<AttributeDifference> attributes;  // pixel type and compression among them
 };
 
-// Where the rows of an image come from: a file, so that images larger than memory can be compared.
-struct RowSource {
-    int width = 0;
-    int height = 0;
+// An image whose rows are read one after the other.
+struct ComparedImage {
+    RowSource rows;
     std::vector<std::string> channel_names;
     config::PixelType pixel_type = config::PixelType::float32;
     config::Compression compression = config::Compression::zip;
     Attributes attributes;
-    int rows_per_piece = 1;
-    // Rows first ... first + count - 1, channels interleaved.
-    std::function<std::optional<config::Diagnostic>(int first, int count, float* texels)> read;
 };
 
 // The file must stay where it is.
-RowSource rows_of(ExrRows& file);
+ComparedImage compared(ExrRows& file);
 
 // Reads both once, row by row. Diagnostics as of the sources.
-config::Outcome<ImageDifference> compare_images(const RowSource& first, const RowSource& second);
+config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
+                                                const ComparedImage& second);
 
 // Whether the images have one layout and no value differs by more than `tolerance`.
 bool equal_within(const ImageDifference& difference, double tolerance);

@@ -7,19 +7,6 @@
 namespace skybake {
 namespace {
 
-// Long texts (the parameters) are not shown whole: the first line that differs says more.
-std::string first_difference(const std::string& found, const std::string& wanted) {
-    std::size_t begin = 0;
-    std::size_t i = 0;
-    while (i < found.size() && i < wanted.size() && found[i] == wanted[i]) {
-        if (found[i++] == '\n') begin = i;
-    }
-    const auto line = [begin](const std::string& text) {
-        return text.substr(std::min(begin, text.size()), text.find('\n', begin) - begin);
-    };
-    return fmt::format("`{}`, but the manifest says `{}`", line(found), line(wanted));
-}
-
 bool shows(const ReadableTexture& texture, const CaughtProbe& probe, const WrongLookup& wrong) {
     if (probe.value.size() != texture.channels || probe.tolerance.size() != texture.channels) {
         return false;
@@ -32,20 +19,6 @@ bool shows(const ReadableTexture& texture, const CaughtProbe& probe, const Wrong
 }
 
 }  // namespace
-
-void check_attributes(Examination& examination, const Attributes& attributes,
-                      const Attributes& wanted) {
-    const std::map<std::string, std::string> found(attributes.begin(), attributes.end());
-    for (const auto& [name, text] : wanted) {
-        const auto entry = found.find(name);
-        if (entry == found.end()) {
-            examination.expect(false, "metadata", fmt::format("the attribute {} is missing", name));
-            continue;
-        }
-        examination.expect(entry->second == text, "metadata",
-                           fmt::format("{} is {}", name, first_difference(entry->second, text)));
-    }
-}
 
 void check_catches(Examination& examination, const ReadableTexture& texture, int dimensions,
                    const std::vector<CaughtProbe>& probes,

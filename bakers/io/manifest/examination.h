@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bakers/field/wrong_lookups.h"
-#include "bakers/io/formats/exr/exr.h"
 #include "bakers/io/manifest/verify.h"
 #include "config/text/key_path.h"
 
@@ -46,10 +45,6 @@ class Examination {
     VerifyReport& report_;
     std::string file_;
 };
-
-// Each attribute that the manifest wants is in the file with the same text.
-void check_attributes(Examination& examination, const Attributes& attributes,
-                      const Attributes& wanted);
 
 // What is looked up of a probe, and what it must be.
 struct CaughtProbe {

@@ -19,6 +19,11 @@ Manifest new_manifest(const config::Recipe& recipe) {
     return manifest;
 }
 
+std::vector<int> size_of(const ManifestAsset& asset, const ManifestFile& file) {
+    const auto& size = asset.levels[static_cast<std::size_t>(file.level)].size;
+    return {size.begin(), size.begin() + static_cast<long>(asset.axes.size())};
+}
+
 namespace {
 
 constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;

@@ -11,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
-#include "bakers/field/volume.h"
-#include "bakers/io/formats/volume_layout.h"
+#include "bakers/field/baked.h"
+#include "bakers/io/formats/format.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
@@ -23,16 +22,15 @@ inline constexpr std::string_view manifest_name = "manifest.json";
 
 struct ManifestFile {
     std::string path;    // relative to the manifest's folder, never leaving it
-    std::string format;  // "exr", "vdb", "bin"
+    std::string format;  // "exr", "vdb", "bin", "png", "dds"; "json" of a companion
     config::PixelType pixel_type = config::PixelType::float32;
     std::uint64_t bytes = 0;
-    std::string xxh3;  // xxh3_hex of the file
-
-    // Of volumes.
-    int level = 0;                           // of detail; 0 is the volume itself
-    std::string compression = {};            // "zip", "blosc", ...
-    std::optional<SliceLayout> layout = {};  // exr: where the slices lie
-    std::vector<std::string> grids = {};     // vdb: the grid of each channel
+    std::string xxh3;                      // xxh3_hex of the file
+    int level = 0;                         // of detail; 0 is the asset itself
+    int levels = 1;                        // how many the file holds, from `level` on
+    std::string compression = {};          // "none", "zip", "blosc", ...
+    std::optional<SheetGrid> layout = {};  // images: where the slices lie
+    std::vector<std::string> grids = {};   // vdb: the grid of each channel
 };
 
 // A file besides the recipe that an asset is made from.
@@ -48,12 +46,12 @@ struct Timing {
     int threads = 1;
 };
 
-// One level of detail of a volume.
+// One level of detail. A table has one slice.
 struct ManifestLevel {
     std::array<int, 3> size{};
     std::string content_hash;                 // xxh3_hex of the voxels as stored
     std::vector<ValueStatistics> statistics;  // one per channel
-    std::vector<VolumeProbe> probes;
+    std::vector<Probe> probes;
     std::vector<std::string> catches = {};  // wrong lookups that the probes tell
 };
 
@@ -63,20 +61,18 @@ struct ManifestAsset {
     std::string kind;
     std::string content;
     std::vector<ManifestFile> files;
-    std::vector<int> size;  // texels along u, v; voxels along u, v, w
+    std::vector<int> size;  // texels along u, v; voxels along u, v, w; of level 0
     std::vector<std::string> channels;
-    config::Compression compression = config::Compression::zip;  // of tables
     std::string mapping;
     std::vector<AxisMapping> axes;  // u, v; u, v, w
     Timing timing;
     std::optional<Certificate> error;  // none where it was not measured
     RangeCounts range;
-    std::vector<Probe> probes;
-    std::vector<std::string> catches;  // wrong lookups that the probes tell
+    std::vector<ManifestLevel> levels;  // level 0 first
     Conventions conventions;
     Facts details;
     std::string parameters;    // TOML: the parameters that this asset depends on
-    std::string content_hash;  // xxh3_hex of the texels as stored; of volumes: of level 0
+    std::string content_hash;  // of level 0
     std::string release;       // the release that baked it
 
     // What it was made of (bakers/workspace/asset_identity.h). Empty in manifests of releases
@@ -85,12 +81,13 @@ struct ManifestAsset {
     std::string certification;  // "quick", "full", "off"
     std::vector<ManifestInput> inputs;
 
-    // Of volumes: none of a table.
-    std::vector<ManifestLevel> levels;  // level 0 first
-    double seam_error = 0;              // between voxel 0 and voxel `size`, over all axes
+    double seam_error = 0;  // of volumes: between voxel 0 and voxel `size`, over all axes
 
-    bool is_volume() const { return !levels.empty(); }
+    bool is_volume() const { return axes.size() == 3; }
 };
+
+// Texels of the level that a file holds, or of its first: along u, v; along u, v, w of a volume.
+std::vector<int> size_of(const ManifestAsset& asset, const ManifestFile& file);
 
 // A file that an earlier bake left in the folder and the recipe no longer asks for: skybake wrote
 // it, so a later bake may write it again.
@@ -116,6 +113,14 @@ Manifest new_manifest(const config::Recipe& recipe);
 
 // The manifest's text, numbers in their shortest form that reads back equal, a newline at the end.
 std::string manifest_json(const Manifest& manifest);
+
+// An asset's entry as a file of it carries it: without times and hashes of files, with that file
+// alone among its files and with its levels alone. Compact JSON.
+std::string file_entry_json(const ManifestAsset& asset, const ManifestFile& file);
+
+// The entry that a file carries, in which the file's level is the asset's level 0. E0304 where the
+// text is none.
+config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name);
 
 // Reads a manifest's text; `name` stands for it in diagnostics. E0304 with the field's place where
 // it is damaged, of another tool or format, or names a file outside of its folder. Where it can be

@@ -131,30 +131,30 @@ int extent(const Node& node) {
     return value;
 }
 
-SliceLayout read_layout(const Node& node) {
-    const auto kind = volume_layout_of(node["kind"].text());
+SheetGrid read_layout(const Node& node) {
+    const auto kind = sheet_layout_of(node["kind"].text());
     if (!kind) node["kind"].fail("there is no such layout");
     return {*kind, extent(node["columns"]), extent(node["rows"]),
             node.has("flipped") && node["flipped"].flag()};
 }
 
-ManifestFile read_file_entry(const Node& node, bool of_volume) {
+ManifestFile read_file_entry(const Node& node) {
     ManifestFile file;
     file.path = path_within_folder(node["path"]);
     file.format = node["format"].text();
-    const bool is_companion = of_volume && file.format == "json";
-    if (!is_companion && !volume_format_of(file.format))
-        node["format"].fail("there is no such format");
+    const Format* format = find_format(file.format);
+    if (format == nullptr && file.format != "json") node["format"].fail("there is no such format");
     const auto type = pixel_type_of(node["pixel_type"].text());
     if (!type) node["pixel_type"].fail("there is no such pixel type");
     file.pixel_type = *type;
     file.bytes = node["bytes"].integer<std::uint64_t>(0);
     file.xxh3 = node["xxh3"].text();
-    if (!of_volume) return file;
     file.level = node["level"].integer<int>(0);
+    if (node.has("levels")) file.levels = extent(node["levels"]);
     file.compression = node["compression"].text();
-    if (file.format == "exr") file.layout = read_layout(node["layout"]);
-    if (file.format == "vdb") file.grids = texts(node["grids"]);
+    if (format == nullptr) return file;
+    if (config::facts_of(format->format).is_image) file.layout = read_layout(node["layout"]);
+    if (format->grids != nullptr) file.grids = texts(node["grids"]);
     return file;
 }
 
@@ -233,25 +233,20 @@ std::vector<std::pair<std::string, double>> read_place(const Node& node) {
     return place;
 }
 
-Probe read_probe(const Node& node) {
-    Probe probe;
-    probe.at = read_place(node["at"]);
-    const auto uv = node["uv"].elements(2);
-    probe.uv = {uv[0].number(), uv[1].number()};
-    probe.value = numbers(node["value"]);
-    probe.tolerance = numbers(node["tolerance"]);
-    return probe;
-}
-
 std::array<double, 3> read_uvw(const Node& node) {
     const auto uvw = node.elements(3);
     return {uvw[0].number(), uvw[1].number(), uvw[2].number()};
 }
 
-VolumeProbe read_volume_probe(const Node& node) {
-    VolumeProbe probe;
+Probe read_probe(const Node& node, bool of_volume) {
+    Probe probe;
     probe.at = read_place(node["at"]);
-    probe.uvw = read_uvw(node["uvw"]);
+    if (of_volume) {
+        probe.uvw = read_uvw(node["uvw"]);
+    } else {
+        const auto uv = node["uv"].elements(2);
+        probe.uvw = {uv[0].number(), uv[1].number(), 0.5};
+    }
     if (node.has("blend")) {
         const Node blend = node["blend"];
         probe.blend = BlendedLookup{read_uvw(blend["uvw"]), blend["share"].number()};
@@ -275,49 +270,41 @@ ValueStatistics read_statistics(const Node& node) {
 }
 
 // A level from its own object, or level 0 from that of its asset.
-ManifestLevel read_level(const Node& node, std::size_t channels) {
+ManifestLevel read_level(const Node& node, std::size_t channels, bool of_volume) {
     ManifestLevel level;
-    const auto size = node["size"].elements(3);
-    level.size = {extent(size[0]), extent(size[1]), extent(size[2])};
+    const auto size = node["size"].elements(of_volume ? 3 : 2);
+    level.size = {extent(size[0]), extent(size[1]), of_volume ? extent(size[2]) : 1};
     level.content_hash = node["content_hash"].text();
     for (const Node& entry : node["statistics"].elements(channels)) {
         level.statistics.push_back(read_statistics(entry));
     }
     for (const Node& probe : node["probes"].elements()) {
-        level.probes.push_back(read_volume_probe(probe));
+        level.probes.push_back(read_probe(probe, of_volume));
     }
     level.catches = texts(node["catches"]);
     return level;
 }
 
-void read_volume(const Node& node, ManifestAsset& asset) {
-    asset.levels.push_back(read_level(node, asset.channels.size()));
+void read_levels(const Node& node, ManifestAsset& asset) {
+    const bool of_volume = asset.is_volume();
+    asset.levels.push_back(read_level(node, asset.channels.size(), of_volume));
     for (const Node& mip : node["mips"].elements()) {
-        asset.levels.push_back(read_level(mip, asset.channels.size()));
+        asset.levels.push_back(read_level(mip, asset.channels.size(), of_volume));
     }
-    asset.size.assign(asset.levels[0].size.begin(), asset.levels[0].size.end());
-    asset.seam_error = node["seam_error"].number();
+    const std::array<int, 3>& size = asset.levels[0].size;
+    asset.size.assign(size.begin(), size.begin() + (of_volume ? 3 : 2));
+    if (of_volume) asset.seam_error = node["seam_error"].number();
     for (const ManifestFile& file : asset.files) {
-        if (static_cast<std::size_t>(file.level) >= asset.levels.size()) {
-            node["files"].fail(fmt::format("`{}` is of level {}", file.path, file.level));
+        const std::int64_t end = std::int64_t{file.level} + file.levels;
+        if (end > static_cast<std::int64_t>(asset.levels.size())) {
+            node["files"].fail(fmt::format("`{}` is of level {}", file.path, end - 1));
         }
-        if (file.format == "vdb" && file.grids.size() != asset.channels.size()) {
+        const Format* format = find_format(file.format);
+        const bool has_grids = format != nullptr && format->grids != nullptr;
+        if (has_grids && file.grids.size() != asset.channels.size()) {
             node["files"].fail(fmt::format("`{}` has {} grids for {} channels", file.path,
                                            file.grids.size(), asset.channels.size()));
         }
-    }
-}
-
-void read_table(const Node& node, ManifestAsset& asset) {
-    const auto size = node["size"].elements(2);
-    asset.size = {size[0].integer<int>(1), size[1].integer<int>(1)};
-    const auto compression = compression_of(node["compression"].text());
-    if (!compression) node["compression"].fail("there is no such compression");
-    asset.compression = *compression;
-    for (const Node& probe : node["probes"].elements()) asset.probes.push_back(read_probe(probe));
-    asset.catches = texts(node["catches"]);
-    for (const Node& file : node["files"].elements()) {
-        if (file["format"].text() != "exr") file["format"].fail("tables are exr");
     }
 }
 
@@ -336,7 +323,7 @@ ManifestAsset read_asset(const Node& node) {
     asset.kind = node["kind"].text();
     asset.content = node["content"].text();
     for (const Node& file : node["files"].elements()) {
-        asset.files.push_back(read_file_entry(file, of_volume));
+        asset.files.push_back(read_file_entry(file));
     }
     asset.channels = texts(node["channels"]);
     asset.mapping = node["mapping"]["name"].text();
@@ -354,7 +341,7 @@ ManifestAsset read_asset(const Node& node) {
     asset.release = node["release"].text();
     if (node.has("key")) read_identity(node, asset);
     node["hash"].text();
-    of_volume ? read_volume(node, asset) : read_table(node, asset);
+    read_levels(node, asset);
     return asset;
 }
 
@@ -475,6 +462,28 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
         return damaged(fmt::format("not JSON at {}", place_in(text, byte)));
     } catch (const std::exception& error) {
         return damaged(error.what());
+    }
+}
+
+config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name) {
+    try {
+        // Nothing in a file says where it lies, or what its own bytes are.
+        Json json = parse_json(text);
+        json["timing"] = {{"bake_s", 0.0}, {"write_s", 0.0}, {"threads", 0U}};
+        json["hash"] = "";
+        for (Json& file : json.at("files")) {
+            file["path"] = std::filesystem::path(name).filename().string();
+            file["bytes"] = 0U;
+            file["level"] = 0U;
+            file["xxh3"] = "";
+        }
+        ManifestAsset asset = read_asset(Node(json, ""));
+        if (asset.files.size() != 1) throw Damage{"it names other files"};
+        return {std::move(asset), {}};
+    } catch (const Damage& damage) {
+        return {{}, {file_error("E0304", name, fmt::format("`{}`: {}", name, damage.what))}};
+    } catch (const std::exception& error) {
+        return {{}, {file_error("E0304", name, fmt::format("`{}`: {}", name, error.what()))}};
     }
 }
 

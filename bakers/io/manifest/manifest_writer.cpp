@@ -17,14 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;  // keys stay in the order of the schema
 
-Json to_json(const ManifestFile& file, bool of_volume) {
-    Json json = {{"path", file.path},
-                 {"format", file.format},
-                 {"pixel_type", spell(file.pixel_type)},
-                 {"bytes", file.bytes},
-                 {"xxh3", file.xxh3}};
-    if (!of_volume) return json;
-    json["level"] = file.level;
+Json to_json(const ManifestFile& file) {
+    Json json = {
+        {"path", file.path},   {"format", file.format}, {"pixel_type", spell(file.pixel_type)},
+        {"bytes", file.bytes}, {"xxh3", file.xxh3},     {"level", file.level}};
+    if (file.levels > 1) json["levels"] = file.levels;
     json["compression"] = file.compression;
     if (file.layout) {
         json["layout"] = {{"kind", spell(file.layout->kind)},
@@ -103,15 +100,14 @@ Json place_json(const std::vector<std::pair<std::string, double>>& place) {
     return at;
 }
 
-Json to_json(const Probe& probe) {
-    return {{"at", place_json(probe.at)},
-            {"uv", probe.uv},
-            {"value", probe.value},
-            {"tolerance", probe.tolerance}};
-}
-
-Json to_json(const VolumeProbe& probe) {
-    Json json = {{"at", place_json(probe.at)}, {"uvw", probe.uvw}};
+// Of a table `w` says nothing.
+Json probe_json(const Probe& probe, bool of_volume) {
+    Json json = {{"at", place_json(probe.at)}};
+    if (of_volume) {
+        json["uvw"] = probe.uvw;
+    } else {
+        json["uv"] = {probe.uvw[0], probe.uvw[1]};
+    }
     if (probe.blend) json["blend"] = {{"uvw", probe.blend->uvw}, {"share", probe.blend->share}};
     json["value"] = probe.value;
     json["tolerance"] = probe.tolerance;
@@ -126,8 +122,6 @@ Json to_json(const ValueStatistics& statistics) {
         {"histogram", {{"range", statistics.histogram_range}, {"counts", statistics.histogram}}}};
 }
 
-Json to_json(const ManifestLevel& level);
-
 template <class T>
 Json array_of(const std::vector<T>& elements) {
     Json json = Json::array();
@@ -135,10 +129,17 @@ Json array_of(const std::vector<T>& elements) {
     return json;
 }
 
-Json to_json(const ManifestLevel& level) {
-    return {{"size", level.size},
+Json probes_json(const ManifestLevel& level, bool of_volume) {
+    Json json = Json::array();
+    for (const Probe& probe : level.probes) json.push_back(probe_json(probe, of_volume));
+    return json;
+}
+
+Json mip_json(const ManifestLevel& level, bool of_volume) {
+    std::vector<int> size(level.size.begin(), level.size.begin() + (of_volume ? 3 : 2));
+    return {{"size", std::move(size)},
             {"statistics", array_of(level.statistics)},
-            {"probes", array_of(level.probes)},
+            {"probes", probes_json(level, of_volume)},
             {"catches", level.catches},
             {"content_hash", level.content_hash}};
 }
@@ -150,13 +151,16 @@ Json mapping_json(const ManifestAsset& asset) {
     return json;
 }
 
-// What only volumes have. Level 0 is the asset itself.
-void add_volume(const ManifestAsset& asset, Json& json) {
-    json["probes"] = array_of(asset.levels[0].probes);
+// Level 0 is the asset itself.
+void add_levels(const ManifestAsset& asset, Json& json) {
+    json["probes"] = probes_json(asset.levels[0], asset.is_volume());
     json["catches"] = asset.levels[0].catches;
     json["statistics"] = array_of(asset.levels[0].statistics);
-    json["seam_error"] = asset.seam_error;
-    json["mips"] = array_of(std::vector(asset.levels.begin() + 1, asset.levels.end()));
+    if (asset.is_volume()) json["seam_error"] = asset.seam_error;
+    json["mips"] = Json::array();
+    for (std::size_t i = 1; i < asset.levels.size(); ++i) {
+        json["mips"].push_back(mip_json(asset.levels[i], asset.is_volume()));
+    }
 }
 
 // What does not apply to the asset is left out.
@@ -182,11 +186,9 @@ Json to_json(const Conventions& conventions, bool of_volume) {
 }
 
 Json to_json(const ManifestAsset& asset) {
-    Json files = Json::array();
-    for (const ManifestFile& file : asset.files) files.push_back(to_json(file, asset.is_volume()));
-    Json json = {{"name", asset.name},        {"kind", asset.kind}, {"content", asset.content},
-                 {"files", std::move(files)}, {"size", asset.size}, {"channels", asset.channels}};
-    if (!asset.is_volume()) json["compression"] = spell(asset.compression);
+    Json json = {{"name", asset.name},       {"kind", asset.kind},
+                 {"content", asset.content}, {"files", array_of(asset.files)},
+                 {"size", asset.size},       {"channels", asset.channels}};
     json["conventions"] = to_json(asset.conventions, asset.is_volume());
     json["mapping"] = mapping_json(asset);
     json["timing"] = {{"bake_s", asset.timing.bake_s},
@@ -195,12 +197,7 @@ Json to_json(const ManifestAsset& asset) {
     json["error"] = to_json(asset.error);
     json["range"] = {{"below_normal", asset.range.below_normal},
                      {"above_range", asset.range.above_range}};
-    if (asset.is_volume()) {
-        add_volume(asset, json);
-    } else {
-        json["probes"] = array_of(asset.probes);
-        json["catches"] = asset.catches;
-    }
+    add_levels(asset, json);
     json["details"] = to_json(asset.details);
     json["parameters"] = asset.parameters;
     json["content_hash"] = asset.content_hash;
@@ -254,6 +251,21 @@ std::string manifest_json(const Manifest& manifest) {
     if (!manifest.retired.empty()) json["retired"] = array_of(manifest.retired);
     json["hash"] = manifest_hash(json);
     return text_of(json, 2) + "\n";
+}
+
+std::string file_entry_json(const ManifestAsset& asset, const ManifestFile& file) {
+    ManifestAsset of_file = asset;
+    of_file.files = {file};
+    const auto first = asset.levels.begin() + file.level;
+    of_file.levels = {first, first + file.levels};
+    of_file.size = size_of(asset, file);
+    of_file.content_hash = first->content_hash;
+    Json json = to_json(of_file);
+    for (const char* changing : {"timing", "hash", "key", "certification", "inputs"}) {
+        json.erase(changing);
+    }
+    for (const char* changing : {"path", "bytes", "xxh3"}) json["files"][0].erase(changing);
+    return text_of(json, -1);
 }
 
 std::string parameters_json(std::span<const config::ResolvedValue> values) {

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/release.h"
-#include "bakers/math/hash.h"
 
 namespace skybake {
 namespace {
@@ -38,68 +40,29 @@ std::string statistics_text(const std::vector<std::string>& channels, const Mani
     return text;
 }
 
-// What the files of tables and of volumes say in the same words.
-Attributes shared_attributes(const ManifestAsset& asset) {
-    return {
-        {"skybake/channels", fmt::format("{}", fmt::join(asset.channels, " "))},
-        {"skybake/content", asset.content},
-        {"skybake/details", details_text(asset.details)},
-        {"skybake/error", error_line(asset.error)},
-        {"skybake/kind", asset.kind},
-        {"skybake/mapping", asset.mapping},
-        {"skybake/mapping_u", axis_line(asset.axes[0])},
-        {"skybake/mapping_v", axis_line(asset.axes[1])},
-        {"skybake/parameters", asset.parameters},
-        {"skybake/range", fmt::format("below_normal {}, above_range {}", asset.range.below_normal,
-                                      asset.range.above_range)},
-        {"skybake/release", asset.release},
-    };
-}
-
 }  // namespace
 
-ManifestAsset describe(const BakedTable& table) {
+ManifestAsset describe(const Baked& baked) {
     ManifestAsset asset;
-    asset.name = table.name;
-    asset.kind = table.kind;
-    asset.content = table.content;
-    asset.size = {table.image.width, table.image.height};
-    asset.channels = table.channel_names;
-    asset.compression = table.compression;
-    asset.mapping = table.mapping;
-    asset.axes.assign(table.axes.begin(), table.axes.end());
-    if (table.certified) asset.error = table.certificate;
-    asset.range = table.range;
-    asset.probes = table.probes;
-    asset.conventions = table.conventions;
-    asset.catches = table.catches;
-    asset.details = table.details;
-    asset.parameters = table.parameters;
-    asset.content_hash = xxh3_hex(stored_bytes(table.image, table.pixel_type));
+    asset.name = baked.name;
+    asset.kind = baked.kind;
+    asset.content = baked.content;
+    asset.channels = baked.channel_names;
+    asset.mapping = baked.mapping;
+    asset.axes = baked.axes;
+    if (baked.certified) asset.error = baked.certificate;
+    asset.range = baked.range;
+    asset.conventions = baked.conventions;
+    asset.details = baked.details;
+    asset.parameters = baked.parameters;
     asset.release = release();
-    return asset;
-}
-
-ManifestAsset describe(const BakedVolume& volume) {
-    ManifestAsset asset;
-    asset.name = volume.name;
-    asset.kind = volume.kind;
-    asset.content = volume.content;
-    asset.channels = volume.channel_names;
-    asset.mapping = volume.mapping;
-    asset.axes.assign(volume.axes.begin(), volume.axes.end());
-    if (volume.certified) asset.error = volume.certificate;
-    asset.range = volume.range;
-    asset.conventions = volume.conventions;
-    asset.details = volume.details;
-    asset.parameters = volume.parameters;
-    asset.release = release();
-    asset.seam_error = volume.seam_error;
-    for (const VolumeLevel& level : volume.levels) {
+    asset.seam_error = baked.seam_error;
+    for (const Level& level : baked.levels) {
         asset.levels.push_back(
             {level.size, level.content_hash, level.statistics, level.probes, level.catches});
     }
-    asset.size.assign(asset.levels[0].size.begin(), asset.levels[0].size.end());
+    const std::array<int, 3>& size = asset.levels[0].size;
+    asset.size.assign(size.begin(), size.begin() + static_cast<long>(asset.axes.size()));
     asset.content_hash = asset.levels[0].content_hash;
     return asset;
 }
@@ -148,31 +111,65 @@ std::string axis_line(const AxisMapping& axis) {
                        axis.convention, axis.formula);
 }
 
-Attributes exr_attributes(const ManifestAsset& asset) {
-    Attributes attributes = shared_attributes(asset);
-    attributes.emplace_back("skybake/content_hash", asset.content_hash);
-    attributes.emplace_back("skybake/units", units_line(asset.conventions));
-    std::sort(attributes.begin(), attributes.end());
-    return attributes;
+FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file) {
+    const ManifestLevel& level = asset.levels[static_cast<std::size_t>(file.level)];
+    FactLines lines = {
+        {"kind", asset.kind},
+        {"content", asset.content},
+        {"channels", fmt::format("{}", fmt::join(asset.channels, " "))},
+        {"size", fmt::format("{}", fmt::join(size_of(asset, file), " x "))},
+        {"mapping", asset.mapping},
+    };
+    const std::string units = units_line(asset.conventions);
+    if (!units.empty()) lines.emplace_back("units", units);
+    if (file.layout && asset.is_volume()) {
+        lines.emplace_back("layout", sheet_line(level.size, *file.layout));
+    } else if (file.layout && file.layout->flipped) {
+        lines.emplace_back("layout", "upside down: row 0 last");
+    }
+    for (std::size_t i = 0; i < asset.axes.size(); ++i) {
+        lines.emplace_back(fmt::format("mapping_{}", "uvw"[i]), axis_line(asset.axes[i]));
+    }
+    lines.emplace_back("error", error_line(asset.error));
+    if (asset.is_volume()) lines.emplace_back("seam_error", fmt::format("{}", asset.seam_error));
+    lines.emplace_back("range", fmt::format("below_normal {}, above_range {}",
+                                            asset.range.below_normal, asset.range.above_range));
+    lines.emplace_back("probes", fmt::format("{}, which detect {}", level.probes.size(),
+                                             fmt::join(level.catches, ", ")));
+    lines.emplace_back("release", asset.release);
+    lines.emplace_back("content_hash", level.content_hash);
+    lines.emplace_back("statistics", statistics_text(asset.channels, level));
+    lines.emplace_back("details", details_text(asset.details));
+    lines.emplace_back("parameters", asset.parameters);
+    return lines;
 }
 
-Attributes exr_attributes(const BakedTable& table) { return exr_attributes(describe(table)); }
-
-Attributes volume_attributes(const ManifestAsset& asset, const ManifestFile& file) {
-    const ManifestLevel& level = asset.levels[static_cast<std::size_t>(file.level)];
-    Attributes attributes = shared_attributes(asset);
-    attributes.emplace_back("skybake/content_hash", level.content_hash);
-    if (file.layout) {
-        attributes.emplace_back("skybake/layout", layout_line(level.size, *file.layout));
+config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    const Format* format = find_format(extension.empty() ? "exr" : extension.substr(1));
+    if (format == nullptr) format = &format_of(config::FileFormat::exr);
+    std::string text;
+    if (format->has_metadata) {
+        const auto facts = format->inspect(path);
+        if (!facts.value) return {{}, facts.diagnostics};
+        text = facts.value->metadata;
+    } else if (const auto file = FileInput::open(path); !file.value) {
+        return {{}, file.diagnostics};
     }
-    attributes.emplace_back("skybake/level",
-                            fmt::format("{} of {}", file.level, asset.levels.size()));
-    attributes.emplace_back("skybake/mapping_w", axis_line(asset.axes[2]));
-    attributes.emplace_back("skybake/seam_error", fmt::format("{}", asset.seam_error));
-    attributes.emplace_back("skybake/size", fmt::format("{}", fmt::join(level.size, " ")));
-    attributes.emplace_back("skybake/statistics", statistics_text(asset.channels, level));
-    std::sort(attributes.begin(), attributes.end());
-    return attributes;
+    config::Outcome<ManifestAsset> entry = parse_file_entry(text, path.string());
+    if (!entry.value) {
+        config::Diagnostic diagnostic =
+            file_error("E0304", path.string(),
+                       fmt::format("`{}` does not say what it holds: skybake did not write it, or "
+                                   "it is incomplete",
+                                   path.string()));
+        diagnostic.label = "a manifest.json in its folder may describe it";
+        return {{}, {std::move(diagnostic)}};
+    }
+    entry.value->name = path.stem().string();
+    std::error_code error;
+    entry.value->files[0].bytes = std::filesystem::file_size(path, error);
+    return entry;
 }
 
 }  // namespace skybake

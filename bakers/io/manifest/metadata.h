@@ -1,53 +1,32 @@
-// What files say of themselves: EXR text attributes that start with "skybake/".
+// What is said of an asset: its entry in the manifest, which its files carry too, and the lines
+// that people read of it.
 //
-// Pure functions of the parameters: no times, users, hosts or paths, so that equal input gives
-// equal bytes.
+// All are pure functions of the parameters, without times, users, hosts or paths, so that equal
+// input gives equal bytes.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "bakers/field/baked_table.h"
-#include "bakers/field/volume.h"
-#include "bakers/io/formats/exr/exr.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/manifest/manifest.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 
-// Everything that a manifest says of the table except its files and timing.
-ManifestAsset describe(const BakedTable& table);
+// Everything that a manifest says of an asset except its files and timing.
+ManifestAsset describe(const Baked& baked);
 
-// The same of a volume, but for the files.
-ManifestAsset describe(const BakedVolume& volume);
+// The entry that a file carries (file_entry_json), named as the file; nothing is known of its time,
+// its key and its hash. E0300; E0304 where it carries none.
+config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path);
 
-// The attributes of a table's file:
-//
-//   skybake/parameters    TOML, the resolved parameters that the table depends on
-//   skybake/kind          "transmittance", "multiple_scattering"
-//   skybake/content       what a texel means
-//   skybake/channels      their names, in the order of the parameters' lists
-//   skybake/units         lengths, coefficients, irradiance
-//   skybake/mapping       its name; mapping_u and mapping_v say each axis in one line
-//   skybake/error         the measured errors in one line, or "not measured"
-//   skybake/details       further facts, one `key = value` a line
-//   skybake/range         texels that the pixel type holds badly
-//   skybake/release       the release that baked it
-//   skybake/content_hash  xxh3_hex of the texels as stored
-Attributes exr_attributes(const ManifestAsset& asset);
-
-// The same from a table, as `describe` sees it.
-Attributes exr_attributes(const BakedTable& table);
-
-// The attributes of one of a volume's files: those of a table without units, and
-//
-//   skybake/content_hash  xxh3_hex of the level's voxels as stored: x, y, z, channels interleaved
-//   skybake/layout        EXR: where the slices lie
-//   skybake/level         "0 of 1": which of how many levels of detail
-//   skybake/mapping_w     the third axis in one line
-//   skybake/seam_error    the largest difference across the tile's borders
-//   skybake/size          voxels along x, y, z
-//   skybake/statistics    minimum, maximum, mean and histogram, one channel a line
-Attributes volume_attributes(const ManifestAsset& asset, const ManifestFile& file);
+// What an entry says of a file, for people: names and texts, the last of which have several lines.
+using FactLines = std::vector<std::pair<std::string, std::string>>;
+FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file);
 
 // The units of an asset in one line.
 std::string units_line(const Conventions& conventions);

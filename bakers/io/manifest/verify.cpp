@@ -1,33 +1,28 @@
 #include "bakers/io/manifest/verify.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
-#include "bakers/field/bilinear.h"
-#include "bakers/field/make_probe.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/voxel_bytes.h"
 #include "bakers/io/files/file_input.h"
-#include "bakers/io/files/read_file.h"
 #include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/format.h"
+#include "bakers/io/manifest/asset_files.h"
+#include "bakers/io/manifest/compare.h"
 #include "bakers/io/manifest/examination.h"
-#include "bakers/io/manifest/metadata.h"
-#include "bakers/io/manifest/verify_volume.h"
 #include "bakers/math/hash.h"
 
 namespace skybake {
 namespace {
 
-void check_texels(Examination& examination, const ManifestAsset& asset, const ManifestFile& file,
-                  const ExrImage& image) {
-    long not_finite = 0;
-    for (const float value : image.pixels.texels) not_finite += std::isfinite(value) ? 0 : 1;
-    examination.expect(not_finite == 0, "finite",
-                       fmt::format("{} values are NaN or infinite", not_finite));
-    examination.expect_equal(xxh3_hex(stored_bytes(image.pixels, file.pixel_type)),
-                             asset.content_hash, "content_hash", "the hash of the texels");
-}
-
+// "altitude_km 0.5, cos_zenith -0.01".
 std::string place_of(const Probe& probe) {
     std::string place;
     for (const auto& [quantity, value] : probe.at) {
@@ -36,52 +31,200 @@ std::string place_of(const Probe& probe) {
     return place;
 }
 
-void check_probe(Examination& examination, const Probe& probe, const Image2<float>& pixels) {
-    const auto [u, v] = probe.uv;
-    const bool inside = u >= 0 && u <= 1 && v >= 0 && v <= 1;
-    const std::string place = place_of(probe);
-    if (!examination.expect(inside, "probe",
-                            fmt::format("uv ({}, {}) of {} is outside of [0, 1]", u, v, place))) {
-        return;
+std::int64_t voxel_index(const std::array<int, 3>& size, const std::array<int, 3>& voxel) {
+    return (std::int64_t{voxel[2]} * size[1] + voxel[1]) * size[0] + voxel[0];
+}
+
+std::vector<ProbeLookup> lookups_of(const Probe& probe) {
+    if (!probe.blend) return {{probe.uvw}};
+    return {{probe.uvw, 1 - probe.blend->share}, {probe.blend->uvw, probe.blend->share}};
+}
+
+// Goes over a file's voxels once, in order, and keeps what the checks want to know.
+class VoxelCheck {
+  public:
+    VoxelCheck(const ManifestLevel& level, const TextureUse& use, int dimensions,
+               std::size_t channels, config::PixelType type)
+        : level_(level),
+          use_(use),
+          dimensions_(dimensions),
+          channels_(channels),
+          type_(type),
+          min_(channels, std::numeric_limits<double>::infinity()),
+          max_(channels, -std::numeric_limits<double>::infinity()) {
+        for (const Probe& probe : level.probes) {
+            for (const ProbeLookup& lookup : lookups_of(probe)) {
+                want(use, lookup.uvw);
+                for (const WrongLookup& wrong : wrong_lookups(use, dimensions_)) {
+                    want(wrong.use, wrong.place(lookup.uvw));
+                }
+            }
+        }
+        std::sort(wanted_.begin(), wanted_.end());
+        wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
+        kept_.reserve(wanted_.size() * channels);
     }
-    std::vector<double> found(static_cast<std::size_t>(pixels.channels));
-    bilinear(pixels, u, v, found.data());
-    check_lookup(examination, place, found, probe.value, probe.tolerance);
-}
 
-// As one texture of one slice.
-void check_catches_of_table(Examination& examination, const ManifestAsset& asset,
-                            const Image2<float>& pixels) {
-    std::vector<CaughtProbe> probes;
-    for (const Probe& probe : asset.probes) {
-        probes.push_back({{{{probe.uv[0], probe.uv[1], 0.5}}}, probe.value, probe.tolerance});
+    void add(std::int64_t first, std::int64_t count, const float* values) {
+        const auto total = static_cast<std::size_t>(count) * channels_;
+        for (std::size_t c = 0; c < channels_; ++c) {
+            for (std::size_t i = c; i < total; i += channels_) {
+                const double value = values[i];
+                not_finite_ += std::isfinite(value) ? 0 : 1;
+                min_[c] = std::min(min_[c], value);
+                max_[c] = std::max(max_[c], value);
+            }
+        }
+        bytes_.resize(total * static_cast<std::size_t>(bytes_per_value(type_)));
+        store_values(values, total, type_, bytes_.data());
+        hasher_.update(bytes_);
+        // Voxels come in order, and so do the wanted ones.
+        while (next_ < wanted_.size() && wanted_[next_] < first + count) {
+            const auto at = static_cast<std::size_t>(wanted_[next_++] - first) * channels_;
+            kept_.insert(kept_.end(), values + at, values + at + channels_);
+        }
     }
-    check_catches(examination, readable_texture(pixels), 2, probes, asset.catches);
+
+    void report(Examination& examination, const ManifestAsset& asset) const {
+        examination.expect(not_finite_ == 0, "finite",
+                           fmt::format("{} values are NaN or infinite", not_finite_));
+        examination.expect_equal(hasher_.hex(), level_.content_hash, "content_hash",
+                                 "the hash of the voxels");
+        for (std::size_t c = 0; c < channels_; ++c) {
+            const std::string name = fmt::format("of channel {}", asset.channels[c]);
+            examination.expect_equal(min_[c], level_.statistics[c].min, "statistics",
+                                     fmt::format("the smallest value {}", name));
+            examination.expect_equal(max_[c], level_.statistics[c].max, "statistics",
+                                     fmt::format("the largest value {}", name));
+        }
+        const ReadableTexture texture = kept_texture();
+        std::vector<CaughtProbe> probes;
+        for (const Probe& probe : level_.probes) {
+            probes.push_back({lookups_of(probe), probe.value, probe.tolerance});
+            check_within(examination, probe);
+            check_lookup(examination, place_of(probe), look_up(texture, probes.back().lookups),
+                         probe.value, probe.tolerance);
+        }
+        check_catches(examination, texture, dimensions_, probes, level_.catches);
+    }
+
+  private:
+    // Texture coordinates of axes that do not repeat end at the texture's edges.
+    void check_within(Examination& examination, const Probe& probe) const {
+        bool within = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const double at = probe.uvw[axis];
+            within = within && (use_.repeats[axis] || (at >= 0 && at <= 1));
+        }
+        examination.expect(within, "probe",
+                           fmt::format("uvw ({}) of {} is outside of [0, 1]",
+                                       fmt::join(probe.uvw, ", "), place_of(probe)));
+    }
+
+    void want(const TextureUse& use, const std::array<double, 3>& uvw) {
+        for (const VoxelTap& tap : lookup_taps(use, uvw)) {
+            wanted_.push_back(voxel_index(level_.size, tap.voxel));
+        }
+    }
+
+    // What was kept of the volume: all that probes look at.
+    ReadableTexture kept_texture() const {
+        const auto read = [this](const std::array<VoxelTap, 8>& taps, float* values) {
+            for (const VoxelTap& tap : taps) {
+                const std::int64_t index = voxel_index(level_.size, tap.voxel);
+                const auto found = std::lower_bound(wanted_.begin(), wanted_.end(), index);
+                const auto at = static_cast<std::size_t>(found - wanted_.begin()) * channels_;
+                values = std::copy_n(&kept_[at], channels_, values);
+            }
+        };
+        return {use_, channels_, read};
+    }
+
+    const ManifestLevel& level_;
+    const TextureUse use_;
+    const int dimensions_;
+    const std::size_t channels_;
+    const config::PixelType type_;
+    std::vector<double> min_;
+    std::vector<double> max_;
+    long not_finite_ = 0;
+    Hasher hasher_;
+    std::string bytes_;
+    std::vector<std::int64_t> wanted_;  // voxels that probes look at, sorted
+    std::vector<float> kept_;           // their values, in that order
+    std::size_t next_ = 0;
+};
+
+// What the file says of itself.
+void check_facts(Examination& examination, const FileFacts& facts, const ManifestAsset& asset,
+                 const ManifestFile& file) {
+    examination.expect_equal(spell(facts.pixel_type.value_or(file.pixel_type)),
+                             spell(file.pixel_type), "pixel_type", "the pixel type");
+    if (!facts.names.empty()) {
+        const std::vector<std::string>& wanted = file.grids.empty() ? asset.channels : file.grids;
+        examination.expect_equal(facts.names, wanted, "channels", "the list of channels");
+    }
+    if (!facts.compression.empty()) {
+        examination.expect_equal(facts.compression, file.compression, "compression",
+                                 "the compression");
+    }
+    if (file.layout) {
+        const std::array<int, 3>& size = asset.levels[static_cast<std::size_t>(file.level)].size;
+        examination.expect_equal(facts.image_size, image_size(size, *file.layout), "size",
+                                 "the size of the image");
+        const std::int64_t cells = std::int64_t{file.layout->columns} * file.layout->rows;
+        examination.expect(cells >= size[2] && cells - file.layout->columns < size[2], "layout",
+                           fmt::format("{} x {} cells are not those of {} slices",
+                                       file.layout->columns, file.layout->rows, size[2]));
+    }
 }
 
-void check_image(Examination& examination, const ManifestAsset& asset, const ManifestFile& file,
-                 const ExrImage& image) {
-    const std::vector<int> size = {image.pixels.width, image.pixels.height};
-    examination.expect_equal(size, asset.size, "size", "the size");
-    examination.expect_equal(image.channel_names, asset.channels, "channels",
-                             "the list of channels");
-    examination.expect_equal(spell(image.pixel_type), spell(file.pixel_type), "pixel_type",
-                             "the pixel type");
-    examination.expect_equal(spell(image.compression), spell(asset.compression), "compression",
-                             "the compression");
-    check_attributes(examination, image.attributes, exr_attributes(asset));
-    check_texels(examination, asset, file, image);
-    for (const Probe& probe : asset.probes) check_probe(examination, probe, image.pixels);
-    check_catches_of_table(examination, asset, image.pixels);
+void check_metadata(Examination& examination, const std::string& found, const std::string& wanted) {
+    if (!examination.expect(!found.empty(), "metadata", "the file carries none")) return;
+    const auto differences = metadata_differences(found, wanted);
+    const auto text = [](const std::optional<std::string>& value) {
+        constexpr std::size_t most = 80;
+        return value ? fmt::format("`{}`", value->substr(0, most)) : "missing";
+    };
+    examination.expect(differences.empty(), "metadata",
+                       differences.empty()
+                           ? ""
+                           : fmt::format("{} is {}, but the manifest says {}", differences[0].name,
+                                         text(differences[0].first), text(differences[0].second)));
 }
 
-void check_table_file(Examination& examination, const std::filesystem::path& path,
-                      const ManifestAsset& asset, const ManifestFile& file) {
-    const config::Outcome<std::string> bytes = read_file(path);
-    if (!examination.expect_read(bytes, "file")) return;
-    const config::Outcome<ExrImage> image = decode_exr(*bytes.value, file.path);
-    if (!examination.expect_read(image, "format")) return;
-    check_image(examination, asset, file, *image.value);
+void check_voxels(Examination& examination, const std::filesystem::path& path,
+                  const ManifestAsset& asset, const ManifestFile& file) {
+    const auto first = static_cast<std::size_t>(file.level);
+    for (int i = 0; i < file.levels; ++i) {
+        const ManifestLevel& level = asset.levels[first + static_cast<std::size_t>(i)];
+        const TextureUse use = {level.size, repeating_axes(asset.axes),
+                                is_looked_up_nearest(asset.axes)};
+        VoxelCheck voxels(level, use, static_cast<int>(asset.axes.size()), asset.channels.size(),
+                          file.pixel_type);
+        const auto visit = [&voxels](std::int64_t at, std::int64_t count, const float* values) {
+            voxels.add(at, count, values);
+            return true;
+        };
+        if (examination.expect_read(read_asset_file(path, asset, file, i, visit), "voxels")) {
+            voxels.report(examination, asset);
+        }
+    }
+}
+
+void check_content(Examination& examination, const std::filesystem::path& path,
+                   const ManifestAsset& asset, const ManifestFile& file) {
+    const Format* format = find_format(file.format);
+    if (format == nullptr) return;  // a text, told by its hash
+    if (format->inspect) {
+        const config::Outcome<FileFacts> facts = format->inspect(path);
+        if (!examination.expect_read(facts, "format")) return;
+        check_facts(examination, *facts.value, asset, file);
+        if (format->has_metadata) {
+            check_metadata(examination, facts.value->metadata, file_entry_json(asset, file));
+        }
+    }
+    check_voxels(examination, path, asset, file);
 }
 
 void check_further(VerifyReport& report, const ManifestAsset& asset,
@@ -105,12 +248,7 @@ void check_file(VerifyReport& report, const std::filesystem::path& folder,
     if (!examination.expect_read(found, "file")) return;
     examination.expect_equal(found.value->bytes, file.bytes, "bytes", "the number of bytes");
     examination.expect_equal(found.value->xxh3, file.xxh3, "xxh3", "the hash of the file");
-    if (file.format == "json") return;  // a text, told by its hash
-    if (asset.is_volume()) {
-        check_volume_file(examination, path, asset, file);
-    } else {
-        check_table_file(examination, path, asset, file);
-    }
+    check_content(examination, path, asset, file);
 }
 
 // The entries and the rest are as they were written: hand edits show nowhere else.

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/formats/exr/exr.h"
 #include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/diagnostic.h"
 

@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/formats/write_table.h"
+#include "bakers/field/survey_volume.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/report/sweeps/row_fronts.h"
 #include "bakers/report/sweeps/thread_time.h"
+#include "bakers/report/truth/memory_file.h"
 
 namespace skybake {
 
@@ -90,7 +92,7 @@ class References {
     std::map<std::pair<const TableModel*, std::array<int, 2>>, ReferencePoints> texels_;
 };
 
-ReportRow describe(const Variant& variant, const BakedTable& baked) {
+ReportRow describe(const Variant& variant, const Baked& baked) {
     ReportRow row;
     row.asset = baked.name;
     row.family = variant.family;
@@ -103,10 +105,32 @@ ReportRow describe(const Variant& variant, const BakedTable& baked) {
     return row;
 }
 
+Baked stored_as(const Variant& variant, const Image2<double>& texels, const Baked& baked) {
+    Baked table = baked;
+    table.formats = {config::FileFormat::exr};
+    table.mips = 1;
+    table.pixel_type = variant.pixel_type;
+    table.range = {};
+    set_image(store_texels(texels, variant.pixel_type, table.range), table);
+    return table;
+}
+
+// E0401, E0402 where the pixel type cannot hold the texels.
+config::Outcome<std::uint64_t> file_bytes(Baked& table) {
+    const std::vector<std::array<double, 2>> ranges(table.channel_names.size(), {0.0, 1.0});
+    auto problems = survey_level(table, 0, ranges, BakeOptions{.threads = 1});
+    if (!problems.empty()) return {{}, std::move(problems)};
+    const ManifestAsset asset = describe_with_files(table);
+    const MemoryFile file;
+    auto written = write_asset_file(table, asset, asset.files.front(), 1, nullptr, file.path());
+    if (!written.value) return {{}, std::move(written.diagnostics)};
+    return {file.bytes(), {}};
+}
+
 }  // namespace
 
-std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const BakedTable& baked,
-                                           int repetitions, const ReportOptions& options) {
+std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const Baked& baked, int repetitions,
+                                           const ReportOptions& options) {
     std::vector<Texels> all_texels = texels_of(sweep);
     if (!make_texels(all_texels, repetitions, options)) return std::nullopt;
 
@@ -119,24 +143,19 @@ std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const BakedTable&
                           [&](const Texels& candidate) { return makes(candidate, variant); });
         ReportRow row = describe(variant, baked);
         row.time_ms = std::round(texels.seconds * 1e9) / 1e6;  // the clock's nanoseconds
-        BakedTable table = baked;
-        table.pixel_type = variant.pixel_type;
-        table.range = {};
-        table.image = store_texels(texels.image, variant.pixel_type, table.range);
-        const config::Outcome<EncodedTable> encoded = encode_table(table);
-        if (!encoded.value) {
+        Baked table = stored_as(variant, texels.image, baked);
+        const config::Outcome<std::uint64_t> bytes = file_bytes(table);
+        if (!bytes.value) {
             measured.notes.push_back(variant.family + ", " + variant.name + ": left out, " +
-                                     (encoded.diagnostics.empty()
-                                          ? "it cannot be stored"
-                                          : encoded.diagnostics.front().message));
+                                     bytes.diagnostics.front().message);
             continue;
         }
-        row.file_bytes = encoded.value->bytes.size();
+        row.file_bytes = *bytes.value;
         const ReferencePoints& lookups = references.lookups(*variant.truth);
         const ReferencePoints& centres = references.texels(*variant.truth, variant.size);
         if (is_cancelled(options.progress)) return std::nullopt;
-        row.lookup = measure_lookups(*variant.truth, table.image, lookups).figures;
-        row.texel = measure_lookups(*variant.truth, table.image, centres).figures;
+        row.lookup = measure_lookups(*variant.truth, table.image(), lookups).figures;
+        row.texel = measure_lookups(*variant.truth, table.image(), centres).figures;
         measured.rows.push_back(std::move(row));
     }
     mark_time_fronts(measured.rows, [](double rms) { return rms; });

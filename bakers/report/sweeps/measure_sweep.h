@@ -14,7 +14,7 @@ struct MeasuredSweep {
     std::vector<ReportRow> rows;
     std::vector<std::string> notes;
 };
-std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const BakedTable& baked,
-                                           int repetitions, const ReportOptions& options);
+std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const Baked& baked, int repetitions,
+                                           const ReportOptions& options);
 
 }  // namespace skybake

@@ -14,7 +14,7 @@
 #include "bakers/field/stored_source.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/field/voxel_boxes.h"
-#include "bakers/io/formats/write_volume.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/aligned_floats.h"
 #include "bakers/report/sweeps/row_fronts.h"
 #include "bakers/report/sweeps/thread_time.h"
@@ -23,9 +23,9 @@
 namespace skybake {
 
 using config::Diagnostic;
+using config::FileFormat;
 using config::Outcome;
 using config::PixelType;
-using config::VolumeFormat;
 using Voxels = std::shared_ptr<const VoxelSource>;
 
 namespace {
@@ -101,7 +101,7 @@ struct Written {
 };
 
 // No value and no diagnostics: interrupted.
-Outcome<Written> write_to_memory(const BakedVolume& volume, int repetitions,
+Outcome<Written> write_to_memory(const Baked& volume, int repetitions,
                                  const ReportOptions& options) {
     const ManifestAsset asset = describe_with_files(volume);
     Outcome<Written> outcome;
@@ -110,7 +110,7 @@ Outcome<Written> write_to_memory(const BakedVolume& volume, int repetitions,
     const auto write = [&] {
         const MemoryFile file;
         outcome.diagnostics =
-            write_volume_file(volume, asset, asset.files.front(), kThreads, nullptr, file.path())
+            write_asset_file(volume, asset, asset.files.front(), kThreads, nullptr, file.path())
                 .diagnostics;
         written.bytes = file.bytes();
     };
@@ -126,7 +126,7 @@ Outcome<Written> write_to_memory(const BakedVolume& volume, int repetitions,
 
 class VolumeMeasurement {
   public:
-    VolumeMeasurement(const VolumeSweep& sweep, const BakedVolume& baked,
+    VolumeMeasurement(const VolumeSweep& sweep, const Baked& baked,
                       const ReferenceOfSize& reference, const ComparisonOfSize& comparison,
                       int points, int write_repetitions, const ReportOptions& options)
         : sweep_(sweep),
@@ -180,10 +180,10 @@ class VolumeMeasurement {
     // Variants that hold the same values, in several files. False if interrupted.
     bool measure_stored(const SharedVoxels& voxels, const Voxels& stored, PixelType type,
                         const std::vector<std::size_t>& variants) {
-        BakedVolume volume = baked_;
+        Baked volume = baked_;
         volume.pixel_type = type;
         volume.levels.resize(1);
-        VolumeLevel& level = volume.levels.front();
+        Level& level = volume.levels.front();
         level.size = voxels.size;
         level.voxels = stored;
         if (is_cancelled(options_.progress)) return false;
@@ -205,7 +205,7 @@ class VolumeMeasurement {
         return true;
     }
 
-    void measure_errors(const VolumeLevel& level, PixelType type, const VolumeVariant& variant,
+    void measure_errors(const Level& level, PixelType type, const VolumeVariant& variant,
                         ReportRow& row) const {
         const BakeOptions quiet{.threads = options_.threads};
         if (variant.measure) {
@@ -214,7 +214,7 @@ class VolumeMeasurement {
             row.lookup = measured.lookup;
             return;
         }
-        VolumeLevel scaled = level;
+        Level scaled = level;
         scaled.statistics = baked_.levels.front().statistics;
         const VolumeReference reference = reference_(level.size);
         const VolumeComparison comparison =
@@ -226,7 +226,7 @@ class VolumeMeasurement {
     }
 
     // False if interrupted. `result` stays empty where the file cannot be made.
-    bool measure_file(const VolumeVariant& variant, BakedVolume& volume, const ReportRow& values,
+    bool measure_file(const VolumeVariant& variant, Baked& volume, const ReportRow& values,
                       std::optional<ReportRow>& result) {
         volume.formats = {variant.format};
         volume.compression = variant.compression;
@@ -251,7 +251,7 @@ class VolumeMeasurement {
     }
 
     const VolumeSweep& sweep_;
-    const BakedVolume& baked_;
+    const Baked& baked_;
     const int points_;
     const int write_repetitions_;
     const ReportOptions& options_;
@@ -296,8 +296,7 @@ std::vector<double> RememberedReference::operator()(const std::array<double, 3>&
     return values_.emplace(place, std::move(value)).first->second;
 }
 
-std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep,
-                                                  const BakedVolume& baked,
+std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep, const Baked& baked,
                                                   const ReferenceOfSize& reference, int points,
                                                   const VolumeRepetitions& repetitions,
                                                   const ReportOptions& options,

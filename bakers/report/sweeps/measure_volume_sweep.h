@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/certify_volume.h"
-#include "bakers/field/volume.h"
 #include "bakers/report/report.h"
 #include "bakers/report/sweeps/measure_sweep.h"
 #include "bakers/report/sweeps/volume_sweep.h"
@@ -42,8 +42,7 @@ class RememberedReference {
 // volume that the sweep is about: the files have its metadata, and errors are shares of the value
 // ranges of its channels, whatever those of a variant are. `points` voxels, at most, and as many
 // lookups are compared with the reference. None: the user has interrupted.
-std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep,
-                                                  const BakedVolume& baked,
+std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep, const Baked& baked,
                                                   const ReferenceOfSize& reference, int points,
                                                   const VolumeRepetitions& repetitions,
                                                   const ReportOptions& options,

@@ -38,9 +38,8 @@ constexpr std::int64_t kMostPhaseTexels = 16384;
 
 class PhaseSweep {
   public:
-    PhaseSweep(const PhaseSource& source, const PhaseBake& bake, const BakedTable& baked,
-               bool quick)
-        : source_(source), bake_(bake), mapping_(baked.mapping), size_({baked.image.width, 1}) {
+    PhaseSweep(const PhaseSource& source, const PhaseBake& bake, const Baked& baked, bool quick)
+        : source_(source), bake_(bake), mapping_(baked.mapping), size_({baked.image().width, 1}) {
         std::vector<std::array<double, 2>> factors = {{0.0625, 1}, {0.25, 1}, {1, 1}, {4, 1}};
         if (!quick) factors.insert(factors.end(), {{0.125, 1}, {0.5, 1}, {2, 1}});
         sizes_ = sizes_around(size_, factors, kMostPhaseTexels);
@@ -116,7 +115,7 @@ class PhaseSweep {
 
 }  // namespace
 
-Sweep phase_sweep(const PhaseSource& source, const PhaseBake& bake, const BakedTable& baked,
+Sweep phase_sweep(const PhaseSource& source, const PhaseBake& bake, const Baked& baked,
                   bool quick) {
     Sweep sweep;
     sweep.timing = "processor time of the texels, one thread, from the phase function's own table";

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "bakers/air/particles/phase_source.h"
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/phase.h"
 
 namespace skybake {
 
 // `baked` is the recipe's own table. The source must outlive the sweep.
-Sweep phase_sweep(const PhaseSource& source, const config::PhaseBake& bake, const BakedTable& baked,
+Sweep phase_sweep(const PhaseSource& source, const config::PhaseBake& bake, const Baked& baked,
                   bool quick);
 
 }  // namespace skybake

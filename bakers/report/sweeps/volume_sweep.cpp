@@ -11,9 +11,9 @@
 namespace skybake {
 
 using config::Compression;
+using config::FileFormat;
 using config::PixelType;
 using config::VdbCompression;
-using config::VolumeFormat;
 using Voxels = std::shared_ptr<const VoxelSource>;
 
 namespace {
@@ -30,7 +30,7 @@ class StorageSweep {
     }
 
   private:
-    bool is_asked_for(VolumeFormat format) const {
+    bool is_asked_for(FileFormat format) const {
         return subject_.of_recipe_size && std::find(files_.formats.begin(), files_.formats.end(),
                                                     format) != files_.formats.end();
     }
@@ -45,20 +45,19 @@ class StorageSweep {
             VolumeVariant& variant =
                 add_variant(sweep_, fmt::format("exr, {}", spell(type)),
                             fmt::format("exr {}", spell(compression)), own_, subject_.size, type);
-            variant.format = VolumeFormat::exr;
+            variant.format = FileFormat::exr;
             variant.compression = compression;
-            variant.of_recipe =
-                is_asked_for(VolumeFormat::exr) && compression == files_.compression;
+            variant.of_recipe = is_asked_for(FileFormat::exr) && compression == files_.compression;
         }
         for (const VdbCompression compression :
              {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
             VolumeVariant& variant =
                 add_variant(sweep_, fmt::format("vdb, {}", spell(type)),
                             fmt::format("vdb {}", spell(compression)), own_, subject_.size, type);
-            variant.format = VolumeFormat::vdb;
+            variant.format = FileFormat::vdb;
             variant.vdb_compression = compression;
             variant.of_recipe =
-                is_asked_for(VolumeFormat::vdb) && compression == files_.vdb_compression;
+                is_asked_for(FileFormat::vdb) && compression == files_.vdb_compression;
         }
     }
 
@@ -93,13 +92,13 @@ class StorageSweep {
                 const bool own_size = size == subject_.size;
                 variant.in_quadrature_sweep = own_size && type == PixelType::float32;
                 variant.of_recipe =
-                    own_size && is_asked_for(VolumeFormat::bin) && type == files_.pixel_type;
+                    own_size && is_asked_for(FileFormat::bin) && type == files_.pixel_type;
             }
         }
     }
 
     const VolumeSubject& subject_;
-    const config::VolumeFiles& files_;
+    const config::AssetFiles& files_;
     Voxels own_;
     bool quick_;
     VolumeSweep sweep_;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/sections/files.h"
 
@@ -26,7 +26,7 @@ struct VolumeVariant {
     std::shared_ptr<const VoxelSource> voxels;  // shared by variants that have the same
     std::array<int, 3> size{};
     config::PixelType pixel_type = config::PixelType::half;
-    config::VolumeFormat format = config::VolumeFormat::bin;
+    config::FileFormat format = config::FileFormat::bin;
     config::Compression compression = config::Compression::none;            // of EXR
     config::VdbCompression vdb_compression = config::VdbCompression::none;  // of VDB
     // Processor time of making the voxels, of those that stand in memory already; none: taken by
@@ -48,8 +48,8 @@ std::int64_t max_report_values(bool quick);
 
 // What a sweep is about.
 struct VolumeSubject {
-    const config::VolumeFiles& files;  // as the recipe has them
-    bool of_recipe_size = false;       // whether `size` is the recipe's
+    const config::AssetFiles& files;  // as the recipe has them
+    bool of_recipe_size = false;      // whether `size` is the recipe's
     std::array<int, 3> size{};
     int channels = 1;
     std::function<std::shared_ptr<const VoxelSource>(const std::array<int, 3>& size)> make_voxels;

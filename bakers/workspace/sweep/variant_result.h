@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/diagnostic.h"
 

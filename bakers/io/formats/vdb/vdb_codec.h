@@ -15,10 +15,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
-#include "bakers/io/formats/vdb/vdb_volume.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/files.h"
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 
 namespace skybake {
 

@@ -33,8 +33,8 @@ std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size) {
     return strips;
 }
 
-VdbStripMaker::VdbStripMaker(const BakedVolume& volume, const VolumeLevel& level,
-                             const VdbCodec& codec, const std::filesystem::path& path)
+VdbStripMaker::VdbStripMaker(const Baked& volume, const Level& level, const VdbCodec& codec,
+                             const std::filesystem::path& path)
     : volume_(volume),
       level_(level),
       codec_(codec),

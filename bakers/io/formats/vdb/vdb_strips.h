@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/aligned_floats.h"
@@ -29,7 +29,7 @@ struct VdbStripSlot {
 
 class VdbStripMaker {
   public:
-    VdbStripMaker(const BakedVolume& volume, const VolumeLevel& level, const VdbCodec& codec,
+    VdbStripMaker(const Baked& volume, const Level& level, const VdbCodec& codec,
                   const std::filesystem::path& path);
 
     VdbEncoding encoding() const { return encoding_; }
@@ -45,8 +45,8 @@ class VdbStripMaker {
                                                        const VoxelBox& strip,
                                                        std::size_t channel) const;
 
-    const BakedVolume& volume_;
-    const VolumeLevel& level_;
+    const Baked& volume_;
+    const Level& level_;
     const VdbCodec& codec_;
     const std::filesystem::path& path_;
     const VdbEncoding encoding_;

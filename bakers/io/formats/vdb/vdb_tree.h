@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "config/sections/files.h"
 
 namespace skybake {

@@ -10,8 +10,8 @@
 
 #include "bakers/field/voxel_boxes.h"
 #include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vdb/vdb_layout.h"
-#include "bakers/io/formats/vdb/vdb_volume.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
@@ -81,7 +81,7 @@ Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string
                       fmt::format("cannot write `{}`: {}", path.string(), reason));
 }
 
-VdbWriter::VdbWriter(const BakedVolume& volume, const VolumeLevel& level, const VdbCodec& codec,
+VdbWriter::VdbWriter(const Baked& volume, const Level& level, const VdbCodec& codec,
                      std::size_t most_kept_bytes, Progress* progress,
                      const std::filesystem::path& path)
     : volume_(volume),

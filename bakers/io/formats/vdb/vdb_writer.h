@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_output.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_strips.h"
@@ -31,7 +31,7 @@ config::Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std
 class VdbWriter {
   public:
     // All but `progress`, which may be null, outlive the writer.
-    VdbWriter(const BakedVolume& volume, const VolumeLevel& level, const VdbCodec& codec,
+    VdbWriter(const Baked& volume, const Level& level, const VdbCodec& codec,
               std::size_t most_kept_bytes, Progress* progress, const std::filesystem::path& path);
 
     // Once.
@@ -68,8 +68,8 @@ class VdbWriter {
     void write_node();
     void end_grid();
 
-    const BakedVolume& volume_;
-    const VolumeLevel& level_;
+    const Baked& volume_;
+    const Level& level_;
     const VdbCodec& codec_;
     const std::size_t most_kept_bytes_;
     Progress* const progress_;

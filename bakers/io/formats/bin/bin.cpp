@@ -1,0 +1,47 @@
+#include "bakers/io/formats/bin/bin.h"
+
+#include <fmt/format.h>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/file_output.h"
+#include "bakers/io/formats/texel_stream.h"
+
+namespace skybake {
+namespace {
+
+config::Outcome<bool> write_bin_file(const FileContent& content,
+                                     const std::filesystem::path& path) {
+    FileOutput output(path);
+    const bool complete = write_texels(content, content.level, TexelPadding::none, output);
+    if (!output.finish()) return {{}, {output.diagnostic()}};
+    return {complete, {}};
+}
+
+config::Outcome<bool> read_bin_file(const std::filesystem::path& path, const FileShape& shape, int,
+                                    const VoxelVisitor& visit) {
+    config::Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    const StoredTexelRange range = {0, shape.size, shape.channels, shape.channels,
+                                    shape.pixel_type};
+    if (file.value->size() != range.bytes()) {
+        return {{},
+                {file_error("E0304", path.string(),
+                            fmt::format("`{}` has {} bytes, but {} x {} x {} voxels take {}",
+                                        path.string(), file.value->size(), shape.size[0],
+                                        shape.size[1], shape.size[2], range.bytes()))}};
+    }
+    return read_texels(*file.value, range, visit);
+}
+
+}  // namespace
+
+Format bin_format() {
+    return {.format = config::FileFormat::bin,
+            .has_metadata = false,
+            .write = write_bin_file,
+            .inspect = nullptr,
+            .read = read_bin_file};
+}
+
+}  // namespace skybake

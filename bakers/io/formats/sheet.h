@@ -1,0 +1,101 @@
+// Volumes as images: where their slices lie, and the rows of such an image as they are written and
+// read, in bounded memory.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bakers/field/baked.h"
+#include "bakers/field/voxel_boxes.h"
+#include "bakers/math/aligned_floats.h"
+#include "bakers/math/progress.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sections/files.h"
+
+namespace skybake {
+
+// Slices z = 0, 1, ... fill the cells of a grid row by row from the top left, each with its row
+// y = 0 on top. A stack is a grid of one column; a table is a stack of one slice.
+struct SheetGrid {
+    config::SheetLayout kind = config::SheetLayout::stack;
+    int columns = 1;       // of cells
+    int rows = 1;          // of cells
+    bool flipped = false;  // then the image is upside down as a whole: its last row is stored first
+};
+
+// For a volume of `size` voxels. `columns` is an atlas' own, or 0: chosen as
+// config/assets/slice_sheet.h says.
+SheetGrid sheet_grid(const std::array<int, 3>& size, const config::AssetFiles& files);
+
+// Width and height of the image.
+std::array<std::int64_t, 2> image_size(const std::array<int, 3>& size, const SheetGrid& grid);
+
+// In one line: "atlas of 12 x 11 cells of 128 x 128 texels, ...".
+std::string sheet_line(const std::array<int, 3>& size, const SheetGrid& grid);
+
+// Rows of the image that one box of voxels fills, as files store them.
+struct SheetRows {
+    int first = 0;  // row of the image
+    int count = 0;
+    const char* texels = nullptr;  // channel after channel, each `count` rows of the image's width
+    std::size_t plane = 0;         // bytes of a channel
+};
+
+// The rows of a level's image in the order of the file, made in parallel. Cells of an atlas without
+// a slice are 0.
+class SheetWriter {
+  public:
+    SheetWriter(const Baked& baked, int level, int threads, Progress* progress);
+
+    int width() const;
+    int height() const;
+
+    // Hands all rows to `put`, top to bottom, which may throw. False after an interruption.
+    bool write(const std::function<void(const SheetRows& rows)>& put);
+
+  private:
+    struct Slot {
+        AlignedFloats values;  // channel after channel, as the source gives them
+        std::string rows;      // channel after channel, as the file stores them
+        SheetRows made;
+    };
+    VoxelBox box_at(int i) const;
+    int height_of(const VoxelBox& box) const;
+    void make(const VoxelBox& box, Slot& slot) const;
+    void arrange(const VoxelBox& box, const float* values, char* out) const;
+    void turn_over(char* rows, std::size_t count) const;
+
+    const Level& level_;
+    const std::size_t channels_;
+    const config::PixelType type_;
+    const SheetGrid grid_;
+    const BoxSequence boxes_;
+    const int threads_;
+    Progress* const progress_;
+};
+
+// Takes voxels `first` ... `first + count - 1` in the order x, y, z, channels interleaved; false
+// ends the reading.
+using VoxelVisitor =
+    std::function<bool(std::int64_t first, std::int64_t count, const float* values)>;
+
+// Where the rows of an image come from: a file, so that images may be larger than memory.
+struct RowSource {
+    int width = 0;
+    int height = 0;
+    std::size_t channels = 0;
+    int rows_per_piece = 1;
+    // Rows first ... first + count - 1, channels interleaved.
+    std::function<std::optional<config::Diagnostic>(int first, int count, float* texels)> read;
+};
+
+// Hands all voxels of an image to `visit`, piece after piece. The image has the size that the grid
+// gives. False once visit returned false. Diagnostics as of the source.
+config::Outcome<bool> read_sheet(const RowSource& image, const std::array<int, 3>& size,
+                                 const SheetGrid& grid, const VoxelVisitor& visit);
+
+}  // namespace skybake

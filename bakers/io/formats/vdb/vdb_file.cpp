@@ -1,0 +1,158 @@
+#include "bakers/io/formats/vdb/vdb_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/formats/metadata_name.h"
+#include "bakers/io/formats/vdb/vdb_codec.h"
+#include "bakers/io/formats/vdb/vdb_module.h"
+#include "bakers/io/formats/vdb/vdb_writer.h"
+
+namespace skybake {
+namespace {
+
+using config::Diagnostic;
+using config::Outcome;
+using config::PixelType;
+namespace fs = std::filesystem;
+
+constexpr std::size_t hash_digits = 32;
+
+// What would make a file that this writer does not know, as a mistake of the program.
+std::optional<std::string> contradiction(const Baked& volume, int level_number) {
+    if (level_number < 0 || static_cast<std::size_t>(level_number) >= volume.levels.size()) {
+        return fmt::format("a volume without level {}", level_number);
+    }
+    const Level& level = volume.levels[static_cast<std::size_t>(level_number)];
+    for (const int size : level.size) {
+        if (size < 1) return "a volume without voxels";
+    }
+    if (volume.channel_names.empty()) return "a volume without channels";
+    const std::vector<std::string>& names = volume.grid_names;
+    const std::set<std::string> different(names.begin(), names.end());
+    if (!names.empty() && (names.size() != volume.channel_names.size() ||
+                           different.size() != names.size() || different.contains(""))) {
+        return "grids without a name of their own";
+    }
+    if (volume.pixel_type != PixelType::half && volume.pixel_type != PixelType::float32) {
+        return "VDB files hold float or half";
+    }
+    if (level.content_hash.size() != hash_digits ||
+        level.content_hash.find_first_not_of("0123456789abcdef") != std::string::npos) {
+        return fmt::format("`{}` is not a content hash", level.content_hash);
+    }
+    for (const double edge : volume.voxel_size_m) {
+        if (!(edge > 0) || !std::isfinite(edge)) return fmt::format("voxels of {} m", edge);
+    }
+    return std::nullopt;
+}
+
+template <class T, class Read>
+Outcome<T> read_with_module(const fs::path& path, Read&& read) {
+    Outcome<FileInput> opened = FileInput::open(path);  // says why it cannot be, OpenVDB does not
+    if (!opened.value) return {{}, std::move(opened.diagnostics)};
+    const LoadedVdbCodec& loaded = vdb_codec();
+    if (loaded.codec != nullptr) return read(*loaded.codec);
+    return {{},
+            {file_error("E0300", path.string(),
+                        fmt::format("cannot read `{}`: {}", path.string(), loaded.reason))}};
+}
+
+std::optional<Diagnostic> vdb_obstacle(const fs::path& path) {
+    const LoadedVdbCodec& loaded = vdb_codec();
+    if (loaded.codec != nullptr) return std::nullopt;
+    return cannot_write_vdb(path, loaded.reason);
+}
+
+Outcome<bool> write_vdb_file(const FileContent& content, const fs::path& path) {
+    return write_vdb(content.baked, content.level, {{metadata_name, content.metadata}},
+                     content.threads, content.progress, path);
+}
+
+Outcome<FileFacts> inspect_vdb(const fs::path& path) {
+    const Outcome<VdbFile> file = read_vdb(path);
+    if (!file.value) return {{}, file.diagnostics};
+    FileFacts facts;
+    for (const VdbGrid& grid : file.value->grids) {
+        facts.names.push_back(grid.name);
+        const PixelType type = grid.half ? PixelType::half : PixelType::float32;
+        if (facts.pixel_type.value_or(type) != type) {
+            return {{}, {file_error("E0304", path.string(), "its grids are of different types")}};
+        }
+        facts.pixel_type = type;
+    }
+    facts.channels = facts.names.size();
+    for (const auto& [name, text] : file.value->attributes) {
+        if (name == metadata_name) facts.metadata = text;
+    }
+    return {std::move(facts), {}};
+}
+
+Outcome<bool> read_vdb_file(const fs::path& path, const FileShape& shape, int,
+                            const VoxelVisitor& visit) {
+    bool fits = true;
+    Outcome<bool> found = read_vdb_voxels(path, [&](const VdbSlab& slab) {
+        const std::int64_t slice = std::int64_t{slab.size[0]} * slab.size[1];
+        const auto count = static_cast<std::size_t>(slab.depth * slice) * shape.channels;
+        fits = slab.size == shape.size && slab.voxels.size() == count;
+        return fits && visit(slab.first_z * slice, slab.depth * slice, slab.voxels.data());
+    });
+    if (!fits) return {{}, {other_size(path)}};
+    return found;
+}
+
+}  // namespace
+
+Format vdb_format() {
+    return {
+        .format = config::FileFormat::vdb,
+        .write = write_vdb_file,
+        .inspect = inspect_vdb,
+        .read = read_vdb_file,
+        .compression = [](const config::AssetFiles& files) { return spell(files.vdb_compression); },
+        .grids = vdb_grid_names,
+        .obstacle = vdb_obstacle};
+}
+
+std::vector<std::string> vdb_grid_names(const Baked& volume) {
+    if (!volume.grid_names.empty()) return volume.grid_names;
+    if (volume.channel_names.size() == 1) return {"density"};
+    return volume.channel_names;
+}
+
+Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes& attributes, int threads,
+                        Progress* progress, const fs::path& path, std::size_t most_kept_bytes) {
+    if (const auto reason = contradiction(volume, level)) {
+        return {{}, {file_error("E0500", path.string(), *reason)}};
+    }
+    const LoadedVdbCodec& loaded = vdb_codec();
+    if (loaded.codec == nullptr) return {{}, {cannot_write_vdb(path, loaded.reason)}};
+    try {
+        VdbWriter writer(volume, volume.levels[static_cast<std::size_t>(level)], *loaded.codec,
+                         most_kept_bytes, progress, path);
+        return writer.write(attributes, threads);
+    } catch (const std::exception& error) {
+        return {{}, {cannot_write_vdb(path, error.what())}};
+    }
+}
+
+Outcome<VdbFile> read_vdb(const fs::path& path) {
+    return read_with_module<VdbFile>(path, [&](const VdbCodec& codec) { return codec.read(path); });
+}
+
+Outcome<bool> read_vdb_voxels(const fs::path& path,
+                              const std::function<bool(const VdbSlab& slab)>& visit) {
+    return read_with_module<bool>(
+        path, [&](const VdbCodec& codec) { return codec.read_voxels(path, visit); });
+}
+
+}  // namespace skybake

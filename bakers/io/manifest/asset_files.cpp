@@ -1,0 +1,128 @@
+#include "bakers/io/manifest/asset_files.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/file_names.h"
+#include "bakers/io/files/file_output.h"
+#include "bakers/io/files/stopwatch.h"
+#include "bakers/io/formats/format.h"
+#include "bakers/io/manifest/metadata.h"
+
+namespace skybake {
+namespace {
+
+ManifestFile make_file(const Baked& baked, const Format& format, int level) {
+    const config::FormatFacts& facts = config::facts_of(format.format);
+    ManifestFile file;
+    file.path = file_name(baked.name, format.format, level);
+    file.format = facts.name;
+    file.pixel_type = baked.pixel_type;
+    file.level = level;
+    file.compression = format.compression ? format.compression(baked) : "none";
+    if (facts.has_all_levels) file.levels = static_cast<int>(baked.levels.size());
+    if (format.grids) file.grids = format.grids(baked);
+    if (facts.is_image) {
+        file.layout = sheet_grid(baked.levels[static_cast<std::size_t>(level)].size, baked);
+    }
+    return file;
+}
+
+config::Outcome<bool> write_companion(const CompanionFile& companion,
+                                      const std::filesystem::path& path) {
+    FileOutput output(path);
+    output.write(companion.text);
+    if (!output.finish()) return {{}, {output.diagnostic()}};
+    return {true, {}};
+}
+
+// Stages one file and takes down its length and hash.
+config::Outcome<WriteResult> stage_file(const Baked& baked, const ManifestAsset& asset,
+                                        ManifestFile& file, const std::filesystem::path& folder,
+                                        AtomicFiles& files, int threads, Progress* progress) {
+    const auto write = [&](const std::filesystem::path& temporary) {
+        config::Outcome<bool> written =
+            write_asset_file(baked, asset, file, threads, progress, temporary);
+        if (!written.value || !*written.value) return written;
+        config::Outcome<FileFingerprint> found = fingerprint(temporary);
+        if (!found.value) return config::Outcome<bool>{{}, std::move(found.diagnostics)};
+        file.bytes = found.value->bytes;
+        file.xxh3 = found.value->xxh3;
+        return written;
+    };
+    return files.stage(folder / file.path, write, progress);
+}
+
+}  // namespace
+
+config::Outcome<bool> write_asset_file(const Baked& baked, const ManifestAsset& asset,
+                                       const ManifestFile& file, int threads, Progress* progress,
+                                       const std::filesystem::path& path) {
+    if (baked.companion && file.format == baked.companion->format) {
+        return write_companion(*baked.companion, path);
+    }
+    const Format& format = *find_format(file.format);
+    FileContent content{baked, file.level, {}, threads, progress};
+    if (format.has_metadata) content.metadata = file_entry_json(asset, file);
+    return format.write(content, path);
+}
+
+ManifestAsset describe_with_files(const Baked& baked) {
+    ManifestAsset asset = describe(baked);
+    for (const config::FileFormat format : baked.formats) {
+        const bool whole = config::facts_of(format).has_all_levels;
+        const auto files = whole ? 1 : static_cast<int>(baked.levels.size());
+        for (int level = 0; level < files; ++level) {
+            asset.files.push_back(make_file(baked, format_of(format), level));
+        }
+    }
+    if (baked.companion) {
+        ManifestFile file;
+        file.path = companion_file_name(baked.name, baked.companion->format);
+        file.format = baked.companion->format;
+        file.pixel_type = baked.pixel_type;
+        file.compression = "none";
+        asset.files.push_back(std::move(file));
+    }
+    return asset;
+}
+
+config::Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asset,
+                                         const std::filesystem::path& folder, AtomicFiles& files,
+                                         int threads, Progress* progress) {
+    const Stopwatch stopwatch;
+    config::Outcome<StagedFiles> outcome;
+    StagedFiles staged;
+    for (const Level& level : baked.levels) {
+        if (!level.content_hash.empty()) continue;
+        outcome.diagnostics.push_back(
+            file_error("E0500", "", fmt::format("`{}` has not been surveyed", baked.name)));
+        return outcome;
+    }
+    for (ManifestFile& file : asset.files) {
+        auto result = stage_file(baked, asset, file, folder, files, threads, progress);
+        for (config::Diagnostic& diagnostic : result.diagnostics) {
+            outcome.diagnostics.push_back(std::move(diagnostic));
+        }
+        if (!result.value) return outcome;
+        staged.push_back(*result.value);
+        if (*result.value == WriteResult::interrupted) break;
+    }
+    asset.timing.write_s += stopwatch.seconds();
+    outcome.value = std::move(staged);
+    return outcome;
+}
+
+config::Outcome<bool> read_asset_file(const std::filesystem::path& path, const ManifestAsset& asset,
+                                      const ManifestFile& file, int level,
+                                      const VoxelVisitor& visit) {
+    const FileShape shape = {asset.levels[static_cast<std::size_t>(file.level)].size,
+                             asset.channels.size(), file.pixel_type,
+                             file.layout.value_or(SheetGrid{}), file.levels};
+    return find_format(file.format)->read(path, shape, level, visit);
+}
+
+}  // namespace skybake

@@ -1,0 +1,313 @@
+#include "config/assets/file_decoder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "config/assets/slice_sheet.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr std::int64_t most_voxels = std::int64_t{1} << 36;
+
+std::int64_t voxels_of(const VoxelCounts& size) {
+    return std::int64_t{size[0]} * size[1] * size[2];
+}
+
+int bytes_of(PixelType type) {
+    switch (type) {
+        case PixelType::float32:
+            return 4;
+        case PixelType::half:
+        case PixelType::unorm16:
+            return 2;
+        case PixelType::unorm8:
+            return 1;
+    }
+    return 0;
+}
+
+template <class T>
+const T* value_of(const DecodedField& decoded) {
+    return decoded.value ? std::get_if<T>(&*decoded.value) : nullptr;
+}
+
+std::optional<PixelType> pixel_type_of(const DecodedSection& bake) {
+    return choice_of<PixelType>(bake.at("pixel_type"));
+}
+
+// Without a value, none.
+std::vector<FileFormat> formats_of(const DecodedSection& bake) {
+    const DecodedField& decoded = bake.at("formats");
+    std::vector<FileFormat> formats;
+    if (decoded.value) assign(*decoded.field, *decoded.value, formats);
+    return formats;
+}
+
+std::string spell_bytes(std::int64_t bytes) {
+    constexpr std::array<std::string_view, 5> units = {"bytes", "KiB", "MiB", "GiB", "TiB"};
+    double number = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    while (number >= 1024 && unit + 1 < units.size()) {
+        number /= 1024;
+        ++unit;
+    }
+    return fmt::format("{:.3g} {}", number, units[unit]);
+}
+
+bool has_good_columns(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("columns");
+    const auto* columns = value_of<double>(decoded);
+    if (!columns) return true;
+    const bool wide = *columns * size[0] > static_cast<double>(widest_sheet);
+    if (*columns <= size[2] && !wide) return true;
+    decoder.diagnostics.error(
+        "E0110", decoded.source->place,
+        fmt::format("`{}` is out of range: {}", join_path(bake.path, "columns"),
+                    static_cast<int>(*columns)),
+        *columns > size[2] ? fmt::format("the volume has {} slices", size[2])
+                           : fmt::format("an atlas is at most {} voxels wide, which is {} columns",
+                                         widest_sheet, widest_sheet / size[0]));
+    return false;
+}
+
+bool has_format(const DecodedSection& bake, FileFormat format) {
+    const std::vector<FileFormat> formats = formats_of(bake);
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+}
+
+bool has_image(const DecodedSection& bake) {
+    const std::vector<FileFormat> formats = formats_of(bake);
+    return std::any_of(formats.begin(), formats.end(),
+                       [](FileFormat format) { return facts_of(format).is_image; });
+}
+
+// The layout that the recipe names or, where it names none, one that engines can import.
+std::optional<SheetLayout> resolve_layout(DecodedSection& bake, const VoxelCounts& size) {
+    DecodedField& decoded = bake.at("layout");
+    const auto layout = choice_of<SheetLayout>(decoded);
+    if (!layout) return std::nullopt;
+    const bool fits = std::int64_t{size[1]} * size[2] <= largest_image_edge;
+    if (decoded.source || layout == SheetLayout::atlas || fits) return layout;
+    derive(decoded, chosen(*decoded.field, SheetLayout::atlas));
+    return SheetLayout::atlas;
+}
+
+// What decides the sheet, as far as the recipe says it.
+const Place& layout_place(const DecodedSection& bake) {
+    for (const std::string_view key : {"columns", "layout"}) {
+        if (bake.at(key).source) return bake.at(key).source->place;
+    }
+    return bake.place;
+}
+
+void warn_of_large_sheet(const DecodedSection& bake, const VoxelCounts& size,
+                         const SliceSheet& sheet, Decoder& decoder) {
+    const auto [width, height] = sheet_size(size, sheet);
+    if (std::max(width, height) <= largest_image_edge) return;
+    decoder.diagnostics.warning(
+        "W0212", layout_place(bake),
+        fmt::format("the image of [{}] has {} columns and {} rows of texels, and engines import "
+                    "at most {}",
+                    bake.path, width, height, largest_image_edge),
+        sheet.columns == 1 ? "layout = \"atlas\" lays the slices side by side"
+                           : "programs other than engines may read it");
+}
+
+void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
+                         const SliceSheet& sheet, Decoder& decoder) {
+    const int cells = sheet.columns * sheet.rows;
+    if (cells == size[2]) return;
+    const SliceSheet full = slice_sheet(size, SheetLayout::atlas, 0);
+    const bool has_full = full.columns * full.rows == size[2];
+    decoder.diagnostics.warning(
+        "W0213", layout_place(bake),
+        fmt::format(
+            "the atlas of [{}] has {} cells for {} slices, and engines read every cell as a slice",
+            bake.path, cells, size[2]),
+        has_full ? fmt::format("columns = {} leaves no cell empty", full.columns)
+                 : fmt::format("{} slices fill no atlas of at most {} by {} texels", size[2],
+                               largest_image_edge, largest_image_edge));
+}
+
+void resolve_sheet(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    if (!has_image(bake)) return;
+    if (voxels_of(size) > most_voxels) return;  // an error of its own
+    const auto layout = resolve_layout(bake, size);
+    if (!layout) return;
+    const auto* columns = value_of<double>(bake.at("columns"));
+    const SliceSheet sheet = slice_sheet(size, *layout, columns ? static_cast<int>(*columns) : 0);
+    warn_of_large_sheet(bake, size, sheet, decoder);
+    warn_of_empty_cells(bake, size, sheet, decoder);
+}
+
+// Down to one voxel: log2(longest edge), rounded as sizes are, + 1.
+int levels_of(const VoxelCounts& size, Halving halving) {
+    int levels = 1;
+    int edge = *std::max_element(size.begin(), size.end());
+    while (edge > 1) {
+        edge = (edge + (halving == Halving::up ? 1 : 0)) / 2;
+        ++levels;
+    }
+    return levels;
+}
+
+void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halving,
+                    Decoder& decoder) {
+    DecodedField& decoded = bake.at("mips");
+    const auto* asked = value_of<double>(decoded);
+    if (!asked) return;
+    const double levels = levels_of(size, halving);
+    if (*asked > levels) {
+        decoder.diagnostics.error(
+            "E0110", decoded.source->place,
+            fmt::format("`{}` is out of range: {}", join_path(bake.path, "mips"),
+                        static_cast<int>(*asked)),
+            fmt::format("{} has {} levels down to one voxel", spell_voxels(size),
+                        static_cast<int>(levels)));
+    }
+    if (*asked == 0) decoded.value = levels;
+}
+
+// Axes that the table does not have, and those that need two ends.
+void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, Decoder& decoder) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int count = size[static_cast<std::size_t>(axis)];
+        const bool is_axis = axis < axes;
+        if (is_axis ? count >= 2 : count == 1) continue;
+        report_size(bake,
+                    fmt::format("`{}` is {}: its table has {} ax{}", join_path(bake.path, "size"),
+                                spell_voxels(size), axes, axes == 1 ? "is" : "es"),
+                    is_axis ? "each of them needs two texels or more" : "give 1 along the others",
+                    decoder);
+        return;
+    }
+}
+
+}  // namespace
+
+std::string spell_voxels(const VoxelCounts& size) {
+    return fmt::format("{}x{}x{}", size[0], size[1], size[2]);
+}
+
+void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("pixel_type");
+    const auto type = pixel_type_of(bake);
+    if (!type) return;
+    std::vector<std::string_view> without;
+    for (const FileFormat format : formats_of(bake)) {
+        if (!facts_of(format).holds(*type)) without.push_back(facts_of(format).name);
+    }
+    if (without.empty()) return;
+    std::vector<std::string_view> with;
+    for (const FormatFacts& facts : file_formats) {
+        if (facts.holds(*type)) with.push_back(facts.name);
+    }
+    decoder.diagnostics.error(
+        "E0131", decoded.source ? decoded.source->place : bake.place,
+        fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
+                    fmt::join(without, " and "), choice_name(*decoded.field, *type)),
+        fmt::format("{} hold it", fmt::join(with, ", ")));
+}
+
+void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
+                   Decoder& decoder) {
+    if (has_good_columns(bake, size, decoder)) resolve_sheet(bake, size, decoder);
+    resolve_levels(bake, size, halving, decoder);
+}
+
+// Edges are quotients of doubles, and those of equal voxels may differ by their rounding, some
+// 1e-16 of them. OpenVDB takes edges that differ by less than 5e-7 m for equal.
+void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
+                 const Place& size_place, Decoder& decoder) {
+    constexpr double rounding = 1e-12;
+    const auto [least, greatest] = std::minmax_element(edges.begin(), edges.end());
+    const bool are_cubes = *greatest - *least <= rounding * *greatest;
+    if (are_cubes || !has_format(bake, FileFormat::vdb)) return;
+    decoder.diagnostics.warning(
+        "W0211", size_place,
+        fmt::format("the voxels of [{}] are not cubes: {:.5g} x {:.5g} x {:.5g} m", bake.path,
+                    edges[0], edges[1], edges[2]),
+        "many programs assume that the voxels of a VDB file are cubes; `voxel_size` makes cubes");
+}
+
+void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,
+                       const Place& size_place, Decoder& decoder) {
+    const std::int64_t voxels = voxels_of(size);
+    const auto type = pixel_type_of(bake);
+    if (voxels <= most_voxels || !type) return;
+    const std::int64_t bytes = voxels * static_cast<std::int64_t>(channels) * bytes_of(*type);
+    decoder.diagnostics.error(
+        "E0126", size_place,
+        fmt::format("[{}] has {} voxels ({}) and would need {} bytes ({})", bake.path, voxels,
+                    spell_voxels(size), bytes, spell_bytes(bytes)),
+        fmt::format("at most {} (2^36) voxels are allowed", most_voxels));
+}
+
+void report_size(const DecodedSection& bake, std::string message, std::string label,
+                 Decoder& decoder) {
+    const DecodedField& size = bake.at("size");
+    decoder.diagnostics.error("E0142", size.source ? size.source->place : bake.place,
+                              std::move(message), std::move(label));
+}
+
+void resolve_axes_and_files(DecodedSection& bake, int axes, std::size_t channels,
+                            Decoder& decoder) {
+    check_pixel_type(bake, decoder);
+    const DecodedField& size = bake.at("size");
+    if (!size.value) return;
+    const auto texels = std::get<VoxelCounts>(*size.value);
+    check_axes(bake, texels, axes, decoder);
+    resolve_files(bake, texels, Halving::down, decoder);
+    check_voxel_count(bake, texels, channels, size.source ? size.source->place : bake.place,
+                      decoder);
+}
+
+namespace {
+
+// None where an error bound is to choose the size.
+std::optional<VoxelCounts> table_size(const DecodedSection& bake) {
+    const DecodedField& size = bake.at("size");
+    if (const auto* texels = value_of<std::array<int, 2>>(size)) {
+        return VoxelCounts{(*texels)[0], (*texels)[1], 1};
+    }
+    if (const auto* texels = value_of<double>(size)) {
+        return VoxelCounts{static_cast<int>(*texels), 1, 1};
+    }
+    return std::nullopt;
+}
+
+void check_table_formats(const DecodedSection& bake, Decoder& decoder) {
+    for (const FileFormat format : formats_of(bake)) {
+        if (!facts_of(format).only_volumes) continue;
+        decoder.diagnostics.error(
+            "E0131", bake.at("formats").source->place,
+            fmt::format("`{}`: {} files hold volumes, and [{}] is a table",
+                        join_path(bake.path, "formats"), facts_of(format).name, bake.path),
+            "every other format holds tables");
+    }
+}
+
+}  // namespace
+
+void resolve_table_files(DecodedSection& bake, Decoder& decoder) {
+    check_pixel_type(bake, decoder);
+    check_table_formats(bake, decoder);
+    if (const auto size = table_size(bake)) {
+        resolve_files(bake, *size, Halving::down, decoder);
+        return;
+    }
+    const DecodedField& mips = bake.at("mips");
+    const auto* levels = value_of<double>(mips);
+    if (!levels || *levels == 1) return;
+    decoder.diagnostics.error(
+        "E0110", mips.source->place, fmt::format("`{}` needs `size`", join_path(bake.path, "mips")),
+        "how many levels there are follows from the size, and `max_error` chooses that later");
+}
+
+}  // namespace skybake::config

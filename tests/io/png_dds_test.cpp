@@ -1,0 +1,309 @@
+// PNG and DDS files, read back by readers that share nothing with the writers: libpng's simplified
+// interface, and DDS by its bytes.
+#include <fmt/format.h>
+#include <png.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "bakers/field/mip_source.h"
+#include "bakers/io/formats/format.h"
+#include "tests/io/files.h"
+
+namespace skybake {
+namespace {
+
+using config::FileFormat;
+using config::PixelType;
+using testing::plain_volume;
+using testing::sample_voxel;
+using testing::TemporaryFolder;
+
+constexpr std::array<PixelType, 4> kTypes = {PixelType::float32, PixelType::half,
+                                             PixelType::unorm8, PixelType::unorm16};
+
+std::string written(const TemporaryFolder& folder, FileFormat format, const Baked& baked,
+                    int threads) {
+    const auto path = folder / "a.file";
+    testing::write_bytes(path, "what was there before");
+    const auto result = testing::write_as(format, baked, threads, nullptr, path);
+    EXPECT_EQ(result.value, true);
+    for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << diagnostic.message;
+    return testing::read_bytes(path);
+}
+
+// The value that a file of a volume of sample_voxel holds.
+float stored(const std::array<int, 3>& voxel, int channel, PixelType type) {
+    return round_to_pixel_type(sample_voxel(voxel[0], voxel[1], voxel[2], channel), type);
+}
+
+// Reads level 0 by the format's reader; how many values are not those of sample_voxel.
+long wrong_values(FileFormat format, const Baked& baked, const std::filesystem::path& path) {
+    const FileShape shape = testing::shape_of(baked);
+    const auto channels = static_cast<int>(shape.channels);
+    std::int64_t next = 0;
+    long wrong = 0;
+    const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
+        EXPECT_EQ(first, next);
+        for (; next < first + count; ++next) {
+            const std::array<int, 3> voxel = {
+                static_cast<int>(next % shape.size[0]),
+                static_cast<int>(next / shape.size[0] % shape.size[1]),
+                static_cast<int>(next / shape.size[0] / shape.size[1])};
+            for (int c = 0; c < channels; ++c) {
+                wrong += *values++ == stored(voxel, c, shape.pixel_type) ? 0 : 1;
+            }
+        }
+        return true;
+    };
+    const auto read = format_of(format).read(path, shape, 0, visit);
+    EXPECT_EQ(read.value, true);
+    EXPECT_EQ(next, (VoxelBox{{}, shape.size}.count()));
+    return wrong;
+}
+
+// --- PNG ----------------------------------------------------------------------------------------
+
+TEST(Png, HoldsEachVoxelInItsPlace) {
+    const TemporaryFolder folder;
+    const std::array<int, 3> size = {7, 5, 6};
+    for (const int channels : {1, 3, 4}) {
+        for (const bool flip : {false, true}) {
+            Baked volume = plain_volume(size, channels, PixelType::unorm8);
+            volume.layout = config::SheetLayout::atlas;
+            volume.columns = 3;
+            volume.flip = flip;
+            const std::string bytes = written(folder, FileFormat::png, volume, 2);
+            png_image image{};
+            image.version = PNG_IMAGE_VERSION;
+            ASSERT_TRUE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
+            ASSERT_EQ(image.width, 21U);
+            ASSERT_EQ(image.height, 10U);
+            EXPECT_EQ(image.format & PNG_FORMAT_FLAG_LINEAR, 0U);
+            image.format = channels == 1   ? PNG_FORMAT_GRAY
+                           : channels == 3 ? PNG_FORMAT_RGB
+                                           : PNG_FORMAT_RGBA;
+            std::vector<unsigned char> samples(PNG_IMAGE_SIZE(image));
+            ASSERT_TRUE(png_image_finish_read(&image, nullptr, samples.data(), 0, nullptr));
+            for (int z = 0; z < size[2]; ++z) {
+                for (int y = 0; y < size[1]; ++y) {
+                    for (int x = 0; x < size[0]; ++x) {
+                        const int row = z / 3 * size[1] + y;
+                        const int column = z % 3 * size[0] + x;
+                        const int at = ((flip ? 9 - row : row) * 21 + column) * channels;
+                        for (int c = 0; c < channels; ++c) {
+                            ASSERT_EQ(samples[static_cast<std::size_t>(at + c)],
+                                      std::lround(sample_voxel(x, y, z, c) * 255.0))
+                                << x << " " << y << " " << z << " " << flip;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Png, ReadsBackAndDoesNotDependOnThreads) {
+    const TemporaryFolder folder;
+    for (const PixelType type : {PixelType::unorm8, PixelType::unorm16}) {
+        for (const std::array<int, 3> size :
+             {std::array{1, 1, 1}, {31, 7, 5}, {1031, 523, 3}, {64, 64, 50}}) {
+            for (const int channels : {1, 2, 3, 4}) {
+                Baked volume = plain_volume(size, channels == 2 ? 1 : channels, type);
+                if (channels == 2) volume.channel_names = {"R", "G"};
+                if (size[2] == 50) {
+                    volume.layout = config::SheetLayout::atlas;
+                    volume.columns = 7;
+                }
+                const std::string bytes = written(folder, FileFormat::png, volume, 1);
+                EXPECT_TRUE(written(folder, FileFormat::png, volume, 3) == bytes);
+                EXPECT_EQ(wrong_values(FileFormat::png, volume, folder / "a.file"), 0);
+            }
+        }
+    }
+}
+
+// Colours are numbers: a reader that is told of a gamma would change them.
+TEST(Png, NamesNoColourSpace) {
+    const TemporaryFolder folder;
+    const std::string bytes =
+        written(folder, FileFormat::png, plain_volume({4, 4, 1}, 4, PixelType::unorm8), 1);
+    for (const char* chunk : {"gAMA", "sRGB", "iCCP", "cHRM", "tIME"}) {
+        EXPECT_EQ(bytes.find(chunk), std::string::npos) << chunk;
+    }
+    EXPECT_NE(bytes.find("skybake/asset"), std::string::npos);
+}
+
+// --- DDS ----------------------------------------------------------------------------------------
+
+std::uint32_t word(const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+
+// Offsets of Microsoft's documentation of DDS_HEADER and DDS_HEADER_DXT10, after the magic word.
+TEST(Dds, HasTheHeaderOfDx10) {
+    const TemporaryFolder folder;
+    const std::string bytes =
+        written(folder, FileFormat::dds, plain_volume({12, 10, 7}, 4, PixelType::half), 1);
+    EXPECT_EQ(bytes.substr(0, 4), "DDS ");
+    EXPECT_EQ(word(bytes, 4), 124U);
+    EXPECT_EQ(word(bytes, 4 + 4), 0x1U | 0x2U | 0x4U | 0x8U | 0x1000U | 0x20000U | 0x800000U);
+    EXPECT_EQ(word(bytes, 4 + 8), 10U) << "height";
+    EXPECT_EQ(word(bytes, 4 + 12), 12U) << "width";
+    EXPECT_EQ(word(bytes, 4 + 16), 12U * 8) << "pitch";
+    EXPECT_EQ(word(bytes, 4 + 20), 7U) << "depth";
+    EXPECT_EQ(word(bytes, 4 + 24), 1U) << "mips";
+    EXPECT_EQ(word(bytes, 4 + 72), 32U) << "size of the pixel format";
+    EXPECT_EQ(word(bytes, 4 + 76), 4U) << "four characters";
+    EXPECT_EQ(bytes.substr(4 + 80, 4), "DX10");
+    EXPECT_EQ(word(bytes, 4 + 104), 0x8U | 0x1000U) << "caps";
+    EXPECT_EQ(word(bytes, 4 + 108), 0x200000U) << "volume";
+    EXPECT_EQ(word(bytes, 128), 10U) << "R16G16B16A16_FLOAT";
+    EXPECT_EQ(word(bytes, 132), 4U) << "3-D";
+    EXPECT_EQ(word(bytes, 140), 1U) << "array";
+    EXPECT_EQ(bytes.size(), 148U + 12 * 10 * 7 * 8);
+}
+
+TEST(Dds, NamesTheFormatOfEachPixelType) {
+    const TemporaryFolder folder;
+    // DXGI_FORMAT of float, half, unorm8, unorm16 with one and with four channels.
+    const std::array<std::array<std::uint32_t, 2>, 4> wanted = {
+        {{41, 2}, {54, 10}, {61, 28}, {56, 11}}};
+    for (std::size_t i = 0; i < kTypes.size(); ++i) {
+        for (const int channels : {1, 3, 4}) {
+            const Baked volume = plain_volume({3, 2, 2}, channels, kTypes[i]);
+            const std::string bytes = written(folder, FileFormat::dds, volume, 1);
+            EXPECT_EQ(word(bytes, 128), wanted[i][channels == 1 ? 0 : 1]);
+            // Bytes of one texel of three channels: a fourth, which is 1, is beside them.
+            const std::size_t value = kTypes[i] == PixelType::float32  ? 4
+                                      : kTypes[i] == PixelType::unorm8 ? 1
+                                                                       : 2;
+            EXPECT_EQ(bytes.size(), 148 + 12 * value * (channels == 1 ? 1 : 4));
+        }
+    }
+    const std::string bytes =
+        written(folder, FileFormat::dds, plain_volume({3, 2, 2}, 3, PixelType::float32), 1);
+    for (std::size_t texel = 0; texel < 12; ++texel) {
+        EXPECT_EQ(std::bit_cast<float>(word(bytes, 148 + texel * 16 + 12)), 1.0F);
+        const std::array<int, 3> voxel = {static_cast<int>(texel % 3),
+                                          static_cast<int>(texel / 3 % 2),
+                                          static_cast<int>(texel / 6)};
+        EXPECT_EQ(std::bit_cast<float>(word(bytes, 148 + texel * 16 + 4)),
+                  stored(voxel, 1, PixelType::float32));
+    }
+}
+
+TEST(Dds, ReadsBackAndDoesNotDependOnThreads) {
+    const TemporaryFolder folder;
+    for (const PixelType type : kTypes) {
+        for (const std::array<int, 3> size :
+             {std::array{1, 1, 1}, {31, 7, 5}, {1031, 523, 3}, {67, 61, 211}}) {
+            const Baked volume = plain_volume(size, 3, type);
+            const std::string bytes = written(folder, FileFormat::dds, volume, 1);
+            EXPECT_TRUE(written(folder, FileFormat::dds, volume, 3) == bytes);
+            EXPECT_EQ(wrong_values(FileFormat::dds, volume, folder / "a.file"), 0);
+        }
+    }
+}
+
+TEST(Dds, HoldsAllLevelsOneAfterTheOther) {
+    const TemporaryFolder folder;
+    Baked volume = plain_volume({8, 6, 5}, 1, PixelType::float32);
+    volume.levels.resize(3, volume.levels[0]);
+    for (std::size_t i = 1; i < 3; ++i) {
+        volume.levels[i].size = next_mip_size(volume.levels[i - 1].size);
+        volume.levels[i].voxels = std::make_shared<testing::FunctionVoxels>(
+            [i](int x, int, int, int) { return static_cast<float>(10 * i) + static_cast<float>(x); });
+    }
+    const std::string bytes = written(folder, FileFormat::dds, volume, 2);
+    EXPECT_EQ(word(bytes, 28), 3U);
+    ASSERT_EQ(bytes.size(), 148U + 4 * (8 * 6 * 5 + 4 * 3 * 2 + 2 * 1 * 1));
+    EXPECT_EQ(std::bit_cast<float>(word(bytes, 148 + 4 * (8 * 6 * 5 + 3))), 13);
+    EXPECT_EQ(std::bit_cast<float>(word(bytes, 148 + 4 * (8 * 6 * 5 + 4 * 3 * 2 + 1))), 21);
+    std::vector<float> found;
+    const auto visit = [&](std::int64_t, std::int64_t count, const float* values) {
+        found.insert(found.end(), values, values + count);
+        return true;
+    };
+    const FileShape shape = testing::shape_of(volume);
+    EXPECT_EQ(format_of(FileFormat::dds).read(folder / "a.file", shape, 2, visit).value, true);
+    EXPECT_EQ(found, (std::vector<float>{20, 21}));
+    // A runtime computes the sizes of levels itself.
+    volume.levels[1].size = {5, 3, 3};
+    EXPECT_EQ(testing::first_code(
+                  testing::write_as(FileFormat::dds, volume, 1, nullptr, folder / "a.file")
+                      .diagnostics),
+              "E0500");
+}
+
+// --- Both ---------------------------------------------------------------------------------------
+
+TEST(PngAndDds, RefuseWhatTheyCannotHold) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "a", "");
+    Baked volume = plain_volume({2, 2, 2}, 1, PixelType::half);
+    EXPECT_EQ(testing::first_code(
+                  testing::write_as(FileFormat::png, volume, 1, nullptr, folder / "a").diagnostics),
+              "E0500");
+    volume = plain_volume({2, 2, 2}, 4, PixelType::unorm8);
+    volume.channel_names = {"a", "b", "c", "d", "e"};
+    for (const FileFormat format : {FileFormat::png, FileFormat::dds}) {
+        EXPECT_EQ(testing::first_code(
+                      testing::write_as(format, volume, 1, nullptr, folder / "a").diagnostics),
+                  "E0500");
+        volume.channel_names.resize(4);
+        const auto full = testing::write_as(format, volume, 1, nullptr, "/dev/full");
+        ASSERT_EQ(testing::first_code(full.diagnostics), "E0301");
+        EXPECT_NE(full.diagnostics[0].message.find("No space left"), std::string::npos);
+        volume.channel_names.resize(5, "e");
+    }
+}
+
+// Cut short, changed in a byte, or of another shape: never a crash, and never taken for the whole.
+TEST(PngAndDds, RefuseDamagedFiles) {
+    const TemporaryFolder folder;
+    const auto visit = [](std::int64_t, std::int64_t, const float*) { return true; };
+    testing::Random random(7);
+    for (const FileFormat format : {FileFormat::png, FileFormat::dds}) {
+        const Baked volume = plain_volume({9, 7, 3}, 3, PixelType::unorm16);
+        const FileShape shape = testing::shape_of(volume);
+        const std::string whole = written(folder, format, volume, 1);
+        for (std::size_t size = 0; size < whole.size(); size += 1 + random.below(17)) {
+            testing::write_bytes(folder / "cut", whole.substr(0, size));
+            EXPECT_EQ(testing::first_code(
+                          format_of(format).read(folder / "cut", shape, 0, visit).diagnostics),
+                      "E0304")
+                << size;
+        }
+        for (int i = 0; i < 300; ++i) {
+            std::string bytes = whole;
+            bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
+            testing::write_bytes(folder / "changed", bytes);
+            format_of(format).inspect(folder / "changed");  // any answer but a crash
+            format_of(format).read(folder / "changed", shape, 0, visit);
+        }
+        testing::write_bytes(folder / "whole", whole);
+        FileShape other = shape;
+        other.size = {9, 21, 1};
+        other.grid = testing::grid_of(other.size, config::SheetLayout::stack, 0);
+        const bool is_image = format == FileFormat::png;  // whose sheet is the same
+        EXPECT_EQ(format_of(format).read(folder / "whole", other, 0, visit).value.has_value(),
+                  is_image);
+        other = shape;
+        other.channels = 4;
+        if (is_image) {
+            EXPECT_EQ(testing::first_code(
+                          format_of(format).read(folder / "whole", other, 0, visit).diagnostics),
+                      "E0304");
+        }
+        EXPECT_EQ(
+            testing::first_code(format_of(format).inspect(folder / "absent").diagnostics),
+            "E0300");
+    }
+}
+
+}  // namespace
+}  // namespace skybake
