@@ -61,7 +61,7 @@ room bakers/preview math field io air light occupancy assets workspace plot rend
 # Each room has its line, and nothing lies beside the rooms.
 for path in config/* bakers/*; do
     name=${path#*/}
-    [[ $name == CMakeLists.txt || $name == README.md || $name == *.cmake ||
+    [[ $name == CMakeLists.txt || $name == *.md || $name == *.cmake ||
         " ${rooms[*]} " == *" $path "* ]] || complain "$path is no room that this test knows"
     [[ ! -d $path || -s $path/README.md ]] || complain "$path has no README.md"
 done
