@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures that the README shows, from the examples beside it.
+# Makes the pictures that the pages show, from the examples beside it.
 #   examples/pictures.sh [path of skybake]
 set -euo pipefail
 cd "$(dirname "$0")"
