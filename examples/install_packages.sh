@@ -8,15 +8,14 @@ set -euo pipefail
 
 packages=(
     cmake g++ ninja-build
-    fonts-dejavu-core libboost-iostreams-dev libcli11-dev libfmt-dev libfreetype-dev libhwy-dev
-    libimath-dev libopenexr-dev libopenimageio-dev libopenvdb-dev libpng-dev libtbb-dev
-    libtomlplusplus-dev
-    libxxhash-dev nlohmann-json3-dev zlib1g-dev
+    fonts-dejavu-core libboost-iostreams-dev libcli11-dev libfmt-dev libfreetype-dev libglm-dev
+    libhwy-dev libimath-dev libopenexr-dev libopenimageio-dev libopenvdb-dev libpng-dev libtbb-dev
+    libtomlplusplus-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev
 )
 if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     packages+=(
-        clang-14 glslang-tools libclang-rt-14-dev libbenchmark-dev libboost-dev libglm-dev
-        libgtest-dev librapidcheck-dev locales-all make openexr python3 python3-jsonschema
+        clang-14 glslang-tools libclang-rt-14-dev libbenchmark-dev libboost-dev libgtest-dev
+        librapidcheck-dev locales-all make openexr python3 python3-jsonschema
     )
     if command -v npm >/dev/null; then
         packages+=(chromium)

@@ -35,10 +35,8 @@ std::pair<PhaseFunction, double> cut_down(const PhaseFunction& phase) {
 // Takes what goes into the peak out of both coefficients.
 template <class Layer>
 void take_peak_out(const Spectrum& share, Layer& layer) {
-    for (std::size_t c = 0; c < share.size(); ++c) {
-        layer.extinction_per_km[c] -= (1 - share[c]) * layer.scattering_per_km[c];
-        layer.scattering_per_km[c] *= share[c];
-    }
+    layer.extinction_per_km -= (1.0 - share) * layer.scattering_per_km;
+    layer.scattering_per_km *= share;
 }
 
 void take_peak_out(const Spectrum& share, Medium& medium) {
@@ -70,7 +68,7 @@ WidePhase without_peak(const LayerPhase& phase) {
         if (!phase.functions[c].table) return wide;
         std::tie(wide.phase.functions[c], wide.share[c]) = cut_down(phase.functions[c]);
     }
-    if (phase.is_alike()) wide.share.fill(wide.share[0]);
+    if (phase.is_alike()) wide.share = Spectrum(wide.share[0]);
     wide.has_peak = true;
     return wide;
 }
@@ -82,9 +80,7 @@ SkyMedium without_forward_peaks(SkyMedium medium) {
         if (!wide.has_peak || !layer.scatters) continue;
         any = true;
         layer.first_phase = std::move(layer.phase);
-        for (std::size_t c = 0; c < wide.share.size(); ++c) {
-            layer.first_factor[c] = 1 / wide.share[c];
-        }
+        layer.first_factor = 1.0 / wide.share;
         layer.phase = std::move(wide.phase);
         take_peak_out(wide.share, layer.alone);
     }

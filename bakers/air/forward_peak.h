@@ -16,9 +16,9 @@ namespace skybake {
 
 // A phase function without its peak.
 struct WidePhase {
-    LayerPhase phase;         // normalised
-    Spectrum share{1, 1, 1};  // of the light that is scattered, per channel
-    bool has_peak = false;    // that was cut off
+    LayerPhase phase;                // normalised
+    Spectrum share = Spectrum(1.0);  // of the light that is scattered, per channel
+    bool has_peak = false;           // that was cut off
 };
 
 WidePhase without_peak(const LayerPhase& phase);

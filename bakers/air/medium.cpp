@@ -15,7 +15,7 @@ using config::Profile;
 
 Spectrum per_km(const std::vector<config::InverseLength>& values) {
     Spectrum result{};
-    for (std::size_t c = 0; c < values.size() && c < result.size(); ++c) {
+    for (std::size_t c = 0; c < values.size() && c < kMaxChannels; ++c) {
         result[c] = values[c].per_kilometer();
     }
     return result;
@@ -78,10 +78,8 @@ double density_at(const PiecewiseLayer& layer, double altitude_km) {
 
 template <class Layer>
 void add_layer(Coefficients& sum, double density, const Layer& layer) {
-    for (std::size_t c = 0; c < kMaxChannels; ++c) {
-        sum.scattering_per_km[c] += density * layer.scattering_per_km[c];
-        sum.extinction_per_km[c] += density * layer.extinction_per_km[c];
-    }
+    sum.scattering_per_km += density * layer.scattering_per_km;
+    sum.extinction_per_km += density * layer.extinction_per_km;
 }
 
 }  // namespace
@@ -98,8 +96,7 @@ Medium make_medium(const config::Atmosphere& atmosphere) {
     for (const Layer& given : atmosphere.layers) {
         const Layer layer = with_coefficients(given);
         const Spectrum extinction = per_km(layer.extinction);
-        const bool opaque = std::any_of(extinction.begin(), extinction.end(),
-                                        [](double value) { return value > 0; });
+        const bool opaque = largest(extinction) > 0;
         if (!layer.enabled || !opaque) continue;
         const Spectrum scattering = per_km(layer.scattering);
         if (layer.profile == Profile::exponential) {

@@ -43,7 +43,7 @@ void optical_depth_to_top(const Medium& medium, double altitude_km, const double
 
 Spectrum optical_depth_to_top(const Medium& medium, double altitude_km, double s_km) {
     Spectrum tau{};
-    HWY_NAMESPACE::optical_depth_to_top(medium, altitude_km, s_km, tau.data());
+    HWY_NAMESPACE::optical_depth_to_top(medium, altitude_km, s_km, data(tau));
     return tau;
 }
 
@@ -61,7 +61,7 @@ Spectrum optical_depth_along(const Medium& medium, double altitude_km, double co
     const auto climb = [&](double altitude, double r_low, double s_low, double length) {
         const double c = gain(r_low, s_low, length);
         kernel::add_climb(medium, kernel::ClimbStart<double>{altitude, r_low, s_low},
-                          c > 0 ? c : 0.0, tau.data());
+                          c > 0 ? c : 0.0, data(tau));
     };
     if (s >= 0) {
         climb(altitude_km, r, s, distance_km);

@@ -31,7 +31,7 @@ Spectrum reference_optical_depth_along(const Medium& medium, double altitude_km,
         const Spectrum part =
             adaptive_integral<Spectrum>(extinction, breaks[i].distance_km,
                                         breaks[i + 1].distance_km, relative, kNegligibleDepth);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part[c];
+        sum += part;
     }
     return sum;
 }

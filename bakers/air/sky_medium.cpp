@@ -33,7 +33,7 @@ Spectrum first_phase_values(const SkyLayer& layer, double one_minus_cosine,
         return phase_values(layer.phase, one_minus_cosine, one_plus_cosine);
     }
     Spectrum values = phase_values(layer.first_phase, one_minus_cosine, one_plus_cosine);
-    for (std::size_t c = 0; c < values.size(); ++c) values[c] *= layer.first_factor[c];
+    values *= layer.first_factor;
     return values;
 }
 

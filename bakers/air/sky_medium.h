@@ -18,7 +18,7 @@ struct SkyLayer {
     // Of light scattered for the first time, where that is another one than `phase`: times
     // first_factor (forward_peak.h).
     LayerPhase first_phase;
-    Spectrum first_factor{1, 1, 1};
+    Spectrum first_factor = Spectrum(1.0);
     bool operator==(const SkyLayer&) const = default;
 };
 

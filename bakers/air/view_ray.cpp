@@ -30,7 +30,6 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
                                      const std::vector<RayBreak>& breaks) {
     const Shell shell = shell_of(medium);
     const std::size_t count = breaks.size() - 1;
-    const auto channels = static_cast<std::size_t>(medium.channels);
     std::vector<RayCell> cells(count);
     std::vector<double> altitudes(count * cell_rule::kGauss);
     for (std::size_t i = 0; i < count; ++i) {
@@ -45,56 +44,54 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
     const std::vector<Coefficients> coefficients = coefficients_at(medium, altitudes);
 
     // Optical depth up to each node, then the transmittances all at once.
-    std::vector<double> transmittance(count * cell_rule::kGauss * channels);
+    std::vector<Spectrum> transmittance(count * cell_rule::kGauss);
     Spectrum before{};
     for (std::size_t i = 0; i < count; ++i) {
         RayCell& cell = cells[i];
         const Coefficients* at = coefficients.data() + i * cell_rule::kGauss;
         const double width = cell.to.distance_km - cell.from.distance_km;
-        double spread = 0;
-        bool empty = true;
-        for (std::size_t c = 0; c < channels; ++c) {
-            double mean = 0;
-            double low = at[0].extinction_per_km[c];
-            double high = low;
-            for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
-                const double extinction = at[j].extinction_per_km[c];
-                mean += cell_rule::kWeights[j] * extinction;
-                low = std::min(low, extinction);
-                high = std::max(high, extinction);
-                double depth = before[c];
-                for (std::size_t k = 0; k < cell_rule::kGauss; ++k) {
-                    depth += width * cell_rule::kUpTo[j][k] * at[k].extinction_per_km[c];
-                }
-                transmittance[(i * cell_rule::kGauss + j) * channels + c] = -depth;
+        Spectrum mean{};
+        Spectrum low = at[0].extinction_per_km;
+        Spectrum high = low;
+        for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+            const Spectrum& extinction = at[j].extinction_per_km;
+            mean += cell_rule::kWeights[j] * extinction;
+            low = minimum(low, extinction);
+            high = maximum(high, extinction);
+            Spectrum depth = before;
+            for (std::size_t k = 0; k < cell_rule::kGauss; ++k) {
+                depth += width * cell_rule::kUpTo[j][k] * at[k].extinction_per_km;
             }
-            cell.optical_depth[c] = mean * width;
-            if (before[c] < kLastLight)
-                cell.opacity = std::max(cell.opacity, cell.optical_depth[c]);
-            before[c] += cell.optical_depth[c];
-            if (mean > 0) spread = std::max(spread, (high - low) / mean);
-            empty = empty && mean == 0;
+            transmittance[i * cell_rule::kGauss + j] = -depth;
         }
+        cell.optical_depth = mean * width;
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            if (before[c] < kLastLight) {
+                cell.opacity = std::max(cell.opacity, cell.optical_depth[c]);
+            }
+        }
+        before += cell.optical_depth;
+        const double spread = largest(share_of(high - low, mean));
+        const bool empty = mean == Spectrum(0.0);
         // The vertical turns by width / r; sunlight changes over the dip of the shell's top.
         const double dip = std::min(1.0, std::sqrt(shell.thickness_km / shell.ground_radius_km));
         const double turn = width / (shell.ground_radius_km * dip);
         cell.variation = empty ? 0 : spread + cell.opacity + 4 * turn;
     }
-    exponentials(transmittance.data(), static_cast<int>(transmittance.size()));
+    exponentials(data(transmittance.front()),
+                 static_cast<int>(transmittance.size() * transmittance.front().length()));
 
     for (std::size_t i = 0; i < count; ++i) {
         RayCell& cell = cells[i];
         const double width = cell.to.distance_km - cell.from.distance_km;
         for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
             const Coefficients& at = coefficients[i * cell_rule::kGauss + j];
-            for (std::size_t c = 0; c < channels; ++c) {
-                const double factor = width * cell_rule::kWeights[j] *
-                                      transmittance[(i * cell_rule::kGauss + j) * channels + c];
-                const double scattered = factor * at.scattering_per_km[c];
-                cell.near_weight[c] += scattered * (1 - cell_rule::kNodes[j]);
-                cell.far_weight[c] += scattered * cell_rule::kNodes[j];
-                cell.absorbed[c] += factor * (at.extinction_per_km[c] - at.scattering_per_km[c]);
-            }
+            const Spectrum factor =
+                width * cell_rule::kWeights[j] * transmittance[i * cell_rule::kGauss + j];
+            const Spectrum scattered = factor * at.scattering_per_km;
+            cell.near_weight += scattered * (1 - cell_rule::kNodes[j]);
+            cell.far_weight += scattered * cell_rule::kNodes[j];
+            cell.absorbed += factor * (at.extinction_per_km - at.scattering_per_km);
         }
     }
     return cells;
@@ -117,12 +114,7 @@ void halve_cells(const Medium& medium, ViewRay& ray, const Predicate& split) {
 }
 
 bool too_coarse(const RayCell& cell, const Spectrum& whole, double tolerance) {
-    double share = 0;
-    for (std::size_t c = 0; c < whole.size(); ++c) {
-        if (whole[c] > 0) {
-            share = std::max(share, (cell.near_weight[c] + cell.far_weight[c]) / whole[c]);
-        }
-    }
+    const double share = largest(share_of(cell.near_weight + cell.far_weight, whole));
     return share * cell.variation * cell.variation > tolerance ||
            (cell.variation > kLargestVariation && share > 1e-2 * tolerance);
 }
@@ -155,9 +147,7 @@ std::vector<RayNode> nodes_of(const Medium& medium, const ViewRay& ray) {
     std::vector<RayNode> nodes = {{ray.altitude_km, 0, -1, {}}};
     nodes.reserve(ray.cells.size() + 1);
     for (const RayCell& cell : ray.cells) {
-        for (std::size_t c = 0; c < cell.near_weight.size(); ++c) {
-            nodes.back().weight[c] += cell.near_weight[c];
-        }
+        nodes.back().weight += cell.near_weight;
         nodes.push_back({altitude_on(shell, ray, cell.to.distance_km), cell.to.distance_km,
                          cell.to.level, cell.far_weight});
     }

@@ -18,7 +18,7 @@ Spectrum IsotropicOrders::scattered(const ScatteringPoint& point,
     const Spectrum psi = mean_radiance_(point.altitude_km, point.sun_cos_zenith);
     Spectrum sum{};
     for (const Spectrum& layer : scattering_per_km) {
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += layer[c] * psi[c];
+        sum += layer * psi;
     }
     return sum;
 }
@@ -26,17 +26,14 @@ Spectrum IsotropicOrders::scattered(const ScatteringPoint& point,
 Spectrum IsotropicOrders::sky_irradiance(double sun_cos_zenith) const {
     constexpr double kPi = std::numbers::pi;
     const Spectrum psi = mean_radiance_(0, sun_cos_zenith);
-    Spectrum depth{};
-    const bool day = sun_cos_zenith > 0;
-    if (day) depth = optical_depth_to_top(medium_, 0, medium_.ground_radius_km * sun_cos_zenith);
-    Spectrum irradiance{};
-    for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.channels); ++c) {
-        const double albedo = medium_.ground_albedo[c];
-        const double sun = day ? sun_cos_zenith * exponential(-depth[c]) / kPi : 0;
-        // Not negative but for what the table's interpolation leaves.
-        irradiance[c] = kPi * std::max(2 * psi[c] - albedo * sun, 0.0) / (1 + albedo);
+    const Spectrum& albedo = medium_.ground_albedo;
+    Spectrum sun{};
+    if (sun_cos_zenith > 0) {
+        const double s_km = medium_.ground_radius_km * sun_cos_zenith;
+        sun = sun_cos_zenith * exponential(-optical_depth_to_top(medium_, 0, s_km)) / kPi;
     }
-    return irradiance;
+    // Not negative but for what the table's interpolation leaves.
+    return kPi * maximum(2.0 * psi - albedo * sun, Spectrum(0.0)) / (1.0 + albedo);
 }
 
 }  // namespace skybake

@@ -28,18 +28,14 @@ Spectrum moment_sum(int degree, double azimuth_cosine,
         double before = azimuth_cosine;
         for (int m = 0; m <= l; ++m) {
             const WeightedMoment of = moment(l, m);
-            for (std::size_t c = 0; c < sum.size(); ++c) {
-                of_degree[c] += of.weight * last * of.value[c];
-            }
+            of_degree += of.weight * last * of.value;
             const double next = 2 * azimuth_cosine * last - before;
             before = last;
             last = next;
         }
         for (std::size_t k = 0; k < scattering_per_km.size(); ++k) {
             const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
-            for (std::size_t c = 0; c < sum.size(); ++c) {
-                sum[c] += scattering_per_km[k][c] * chi[c] * of_degree[c];
-            }
+            sum += scattering_per_km[k] * chi * of_degree;
         }
     }
     return sum;

@@ -24,14 +24,6 @@ int azimuth_count(double share, double swing, double tolerance) {
     return 8;
 }
 
-double largest_share(const Spectrum& part, const Spectrum& whole) {
-    double share = 0;
-    for (std::size_t c = 0; c < part.size(); ++c) {
-        if (whole[c] > 0) share = std::max(share, part[c] / whole[c]);
-    }
-    return share;
-}
-
 }  // namespace
 
 const std::vector<QuadratureLevel>& quadrature_levels() {
@@ -78,9 +70,7 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
                 {mu, weight,
                  trace_view_ray(medium, altitudes_km, altitude_km, r * mu, part.below_horizon)});
             for (const RayCell& cell : directions.back().ray.cells) {
-                for (std::size_t c = 0; c < whole.size(); ++c) {
-                    whole[c] += weight * (cell.near_weight[c] + cell.far_weight[c]);
-                }
+                whole += weight * (cell.near_weight + cell.far_weight);
             }
         }
     }
@@ -90,11 +80,9 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
     for (Direction& direction : directions) {
         ViewRay& ray = direction.ray;
         const double sine = std::sqrt(std::max(0.0, (1 - direction.mu) * (1 + direction.mu)));
-        Spectrum whole_per_ray{};  // what this ray's weights are shares of
-        for (std::size_t c = 0; c < whole.size(); ++c) {
-            whole_per_ray[c] =
-                whole[c] / (direction.weight * static_cast<double>(directions.size()));
-        }
+        // What this ray's weights are shares of.
+        const Spectrum whole_per_ray =
+            whole / (direction.weight * static_cast<double>(directions.size()));
         refine_view_ray(medium, whole_per_ray, level.ray_tolerance, ray);
         WeightedRay weighted;
         weighted.mu = direction.mu;
@@ -105,7 +93,7 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
         for (const RayNode& node : weighted.nodes) {
             const double swing =
                 node.distance_km * sine / ((shell.ground_radius_km + node.altitude_km) * dip);
-            weighted.azimuths.push_back(azimuth_count(largest_share(node.weight, whole_per_ray),
+            weighted.azimuths.push_back(azimuth_count(largest(share_of(node.weight, whole_per_ray)),
                                                       4 * swing, level.azimuth_tolerance));
         }
         const double ground_swing = ray.length_km * sine / (shell.ground_radius_km * dip);
@@ -113,15 +101,11 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
         Spectrum depth{};
         Spectrum absorbed{};
         for (const RayCell& cell : ray.cells) {
-            for (std::size_t c = 0; c < depth.size(); ++c) {
-                depth[c] += cell.optical_depth[c];
-                absorbed[c] += cell.absorbed[c];
-            }
+            depth += cell.optical_depth;
+            absorbed += cell.absorbed;
         }
-        for (std::size_t c = 0; c < static_cast<std::size_t>(medium.channels); ++c) {
-            weighted.end_transmittance[c] = exponential(-depth[c]);
-            row.escape[c] += direction.weight * (weighted.end_transmittance[c] + absorbed[c]);
-        }
+        weighted.end_transmittance = exponential(-depth);
+        row.escape += direction.weight * (weighted.end_transmittance + absorbed);
         row.rays.push_back(std::move(weighted));
     }
     return row;

@@ -55,9 +55,7 @@ Spectrum integrate(const SkyLight& light, const SkyMedium& medium,
         const std::vector<SkyRadiance> radiance = row.radiance(ray_at, azimuth_cosines);
         for (std::size_t i = 0; i < azimuths.size(); ++i) {
             const double weight = 2 * zenith.weight * azimuths[i].weight * sine * mu;
-            for (std::size_t c = 0; c < sum.size(); ++c) {
-                sum[c] += weight * (radiance[i].*part)[c];
-            }
+            sum += weight * (radiance[i].*part);
         }
     }
     return sum;
@@ -84,9 +82,7 @@ void add_aureole(const SkyLight& light, double altitude_km, const SunZenith& sun
     const double s_km = (light.shell().ground_radius_km + altitude_km) * sun.cosine;
     const Spectrum with_peaks = light.integrator().sunlight(altitude_km, s_km);
     const Spectrum without = light.sun_transmittance(altitude_km, s_km);
-    for (std::size_t c = 0; c < sum.size(); ++c) {
-        sum[c] += sun.cosine * (with_peaks[c] - without[c]);
-    }
+    sum += sun.cosine * (with_peaks - without);
 }
 
 // Gauss' rule for the integral over azimuths of a polynomial in their cosine: evenly spaced ones.
@@ -114,8 +110,7 @@ Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_co
         if (light.has_peaks()) add_aureole(light, altitude_km, sun, sum);
     }
     if (light.higher_orders() != nullptr && light.orders() != config::SkyOrders::single) {
-        const Spectrum rest = not_negative(multiple_irradiance(light, altitude_km, sun, nodes));
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += rest[c];
+        sum += not_negative(multiple_irradiance(light, altitude_km, sun, nodes));
     }
     return sum;
 }
@@ -123,9 +118,7 @@ Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_co
 Spectrum sun_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith) {
     if (sun_cos_zenith <= 0) return {};
     const double r = light.shell().ground_radius_km + altitude_km;
-    Spectrum value = light.sun_transmittance(altitude_km, r * sun_cos_zenith);
-    for (double& channel : value) channel *= sun_cos_zenith;
-    return value;
+    return sun_cos_zenith * light.sun_transmittance(altitude_km, r * sun_cos_zenith);
 }
 
 }  // namespace skybake

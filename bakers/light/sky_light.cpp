@@ -62,9 +62,7 @@ std::optional<config::Diagnostic> SkyLight::problem(const std::string& name) con
 Spectrum SkyLight::sun_transmittance(double altitude_km, double s_km) const {
     if (!has_peaks()) return integrator_.sunlight(altitude_km, s_km);
     if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
-    Spectrum value = optical_depth_to_top(whole_air_, altitude_km, s_km);
-    for (double& channel : value) channel = exponential(-channel);
-    return value;
+    return exponential(-optical_depth_to_top(whole_air_, altitude_km, s_km));
 }
 
 bool SkyLight::has_peaks() const {
@@ -74,18 +72,12 @@ bool SkyLight::has_peaks() const {
 
 Spectrum SkyLight::wanted(const SkyRadiance& radiance) const {
     if (orders_ == SkyOrders::single) return radiance.single;
-    Spectrum sum = not_negative(radiance.multiple);
-    for (std::size_t c = 0; c < sum.size(); ++c) {
-        sum[c] += radiance.ground[c];
-        if (orders_ == SkyOrders::all) sum[c] += radiance.single[c];
-    }
-    return sum;
+    const Spectrum sum = not_negative(radiance.multiple) + radiance.ground;
+    return orders_ == SkyOrders::all ? sum + radiance.single : sum;
 }
 
 Spectrum not_negative(const Spectrum& higher_orders) {
-    Spectrum result = higher_orders;
-    for (double& value : result) value = std::max(value, 0.0);
-    return result;
+    return maximum(higher_orders, Spectrum(0.0));
 }
 
 config::Atmosphere scattering_only(config::Atmosphere atmosphere,

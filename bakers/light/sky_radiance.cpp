@@ -14,13 +14,7 @@
 
 namespace skybake {
 
-namespace {}  // namespace
-
-Spectrum SkyRadiance::total() const {
-    Spectrum sum{};
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = single[c] + multiple[c] + ground[c];
-    return sum;
-}
+Spectrum SkyRadiance::total() const { return single + multiple + ground; }
 
 struct SkyIntegrator::Piece {
     double from_km;
@@ -37,12 +31,7 @@ SkyIntegrator::SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher
 
 Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
     if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
-    Spectrum value = optical_depth_to_top(medium_.air, altitude_km, s_km);
-    for (int c = 0; c < medium_.air.channels; ++c) {
-        double& channel = value[static_cast<std::size_t>(c)];
-        channel = exponential(-channel);
-    }
-    return value;
+    return exponential(-optical_depth_to_top(medium_.air, altitude_km, s_km));
 }
 
 Spectrum SkyIntegrator::depth_km(const SkyRay& ray, double distance_km) const {
@@ -103,16 +92,10 @@ std::vector<Spectrum> SkyIntegrator::phases(const SkyRay& ray) const {
 
 void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& phases,
                               const Piece& piece, int halvings, SkyRadiance& sum) const {
-    const auto channels = static_cast<std::size_t>(medium_.air.channels);
-    bool lit = false;
-    double depth = 0;
-    for (std::size_t c = 0; c < channels; ++c) {
-        if (piece.depth_from[c] > ray_pieces::kLastLight) continue;
-        lit = true;
-        depth = std::max(depth, piece.depth_to[c] - piece.depth_from[c]);
-    }
-    if (!lit) return;
-    if (depth > ray_pieces::kLargestDepth && halvings < ray_pieces::kMostHalvings) {
+    const auto depth =
+        ray_pieces::lit_depth(piece.depth_from, piece.depth_to, medium_.air.channels);
+    if (!depth) return;
+    if (*depth > ray_pieces::kLargestDepth && halvings < ray_pieces::kMostHalvings) {
         const double middle = 0.5 * (piece.from_km + piece.to_km);
         const Spectrum depth_middle = depth_km(ray, middle);
         add_piece(ray, phases, {piece.from_km, middle, piece.depth_from, depth_middle},
@@ -134,34 +117,25 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
         for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
             if (!medium_.layers[k].scatters) continue;
             scattering[k] = scattering_at(medium_.layers[k].alone, altitude);
-            for (std::size_t c = 0; c < channels; ++c) {
-                towards_eye[c] += scattering[k][c] * phases[k][c];
-            }
+            towards_eye += scattering[k] * phases[k];
         }
         Spectrum again{};
         if (higher_orders_) {
             again = higher_orders_->scattered(scattering_point(shell_, ray, altitude, s, x),
                                               scattering);
         }
-        for (std::size_t c = 0; c < channels; ++c) {
-            const double weight =
-                width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here[c]);
-            sum.single[c] += weight * towards_eye[c] * sun[c];
-            sum.multiple[c] += weight * again[c];
-        }
+        const Spectrum weight =
+            width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here);
+        sum.single += weight * towards_eye * sun;
+        sum.multiple += weight * again;
     }
 }
 
 Spectrum SkyIntegrator::ground_radiance(double sun_s_km) const {
     const double mu = sun_s_km / shell_.ground_radius_km;
-    const Spectrum sun = sunlight(0, sun_s_km);
-    Spectrum value{};
-    if (higher_orders_) value = higher_orders_->sky_irradiance(mu);
-    for (std::size_t c = 0; c < value.size(); ++c) {
-        value[c] = medium_.air.ground_albedo[c] / std::numbers::pi *
-                   (std::max(mu, 0.0) * sun[c] + value[c]);
-    }
-    return value;
+    const Spectrum sky = higher_orders_ ? higher_orders_->sky_irradiance(mu) : Spectrum{};
+    return medium_.air.ground_albedo / std::numbers::pi *
+           (std::max(mu, 0.0) * sunlight(0, sun_s_km) + sky);
 }
 
 SkyRadiance SkyIntegrator::radiance(double altitude_km, const SunZenith& sun,
@@ -173,14 +147,13 @@ SkyRadiance SkyIntegrator::radiance(const SkyRay& ray) const {
     SkyRadiance sum = up_to(ray, {ray.length_km}).front();
     if (ray.meets_ground) {
         sum.ground = ground_radiance(ray.sun_s_km + ray.length_km * ray.cosine_to_sun);
-        for (std::size_t c = 0; c < sum.ground.size(); ++c) sum.ground[c] *= sum.transmittance[c];
+        sum.ground *= sum.transmittance;
     }
     return sum;
 }
 
 std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
                                               const std::vector<double>& distances_km) const {
-    const auto channels = static_cast<std::size_t>(medium_.air.channels);
     std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{0};
     cuts.insert(cuts.end(), distances_km.begin(), distances_km.end());
     std::sort(cuts.begin(), cuts.end());
@@ -196,7 +169,7 @@ std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
             add_piece(ray, of_layers, {cuts[cut], cuts[cut + 1], depth, next}, 0, sum);
             depth = next;
         }
-        for (std::size_t c = 0; c < channels; ++c) sum.transmittance[c] = exponential(-depth[c]);
+        sum.transmittance = exponential(-depth);
         result.push_back(sum);
     }
     return result;

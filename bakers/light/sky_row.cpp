@@ -35,12 +35,9 @@ Spectrum interpolate(const std::vector<Spectrum>& values, double x) {
         const double half = k == 0 || k + 1 == count ? 0.5 : 1.0;
         const double weight = (k % 2 == 0 ? half : -half) / gap;
         below += weight;
-        for (std::size_t c = 0; c < above.size(); ++c) {
-            above[c] += weight * values[static_cast<std::size_t>(k)][c];
-        }
+        above += weight * values[static_cast<std::size_t>(k)];
     }
-    for (double& value : above) value /= below;
-    return above;
+    return above / below;
 }
 
 }  // namespace
@@ -62,10 +59,7 @@ SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
             depth = next;
         }
     }
-    for (int c = 0; c < medium.air.channels; ++c) {
-        const auto channel = static_cast<std::size_t>(c);
-        transmittance_[channel] = exponential(-depth[channel]);
-    }
+    transmittance_ = exponential(-depth);
 }
 
 Spectrum SkyRow::depth_km(double distance_km) const {
@@ -75,17 +69,10 @@ Spectrum SkyRow::depth_km(double distance_km) const {
 
 void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from,
                         const Spectrum& depth_to, int halvings) {
-    const auto channels = static_cast<std::size_t>(medium_.air.channels);
-    bool lit = false;
-    double depth = 0;
-    for (std::size_t c = 0; c < channels; ++c) {
-        if (depth_from[c] > ray_pieces::kLastLight) continue;
-        lit = true;
-        depth = std::max(depth, depth_to[c] - depth_from[c]);
-    }
-    if (!lit) return;
+    const auto depth = ray_pieces::lit_depth(depth_from, depth_to, medium_.air.channels);
+    if (!depth) return;
     const bool is_long = to_km - from_km > kLongestPiece * shell_.ground_radius_km;
-    if ((depth > ray_pieces::kLargestDepth || is_long) && halvings < ray_pieces::kMostHalvings) {
+    if ((*depth > ray_pieces::kLargestDepth || is_long) && halvings < ray_pieces::kMostHalvings) {
         const double middle = 0.5 * (from_km + to_km);
         const Spectrum depth_middle = depth_km(middle);
         add_pieces(from_km, middle, depth_from, depth_middle, halvings + 1);
@@ -102,11 +89,7 @@ void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from
             shell_.thickness_km);  // rounding
         node.horizon_km = horizon_distance_km(shell_, node.altitude_km);
         const Spectrum depth_here = depth_km(node.distance_km);
-        node.weight = {};
-        for (std::size_t c = 0; c < channels; ++c) {
-            node.weight[c] =
-                width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here[c]);
-        }
+        node.weight = width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here);
         for (const SkyLayer& layer : medium_.layers) {
             node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, node.altitude_km)
                                                      : Spectrum{});
@@ -122,7 +105,7 @@ void SkyRow::add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& r
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!is_cut[i]) continue;
         const SkyRadiance part = integrator_.between(rays[i], piece.from_km, piece.to_km);
-        for (std::size_t c = 0; c < part.single.size(); ++c) sums[i].single[c] += part.single[c];
+        sums[i].single += part.single;
     }
 }
 
@@ -199,7 +182,7 @@ Spectrum SkyRow::multiple(const SkyRay& ray) const {
         const double s = ray.sun_s_km + node.distance_km * ray.cosine_to_sun;
         const Spectrum again = higher_orders_->scattered(
             scattering_point(shell_, ray, node.altitude_km, s, node.distance_km), node.scattering);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += node.weight[c] * again[c];
+        sum += node.weight * again;
     }
     return sum;
 }
@@ -225,9 +208,7 @@ std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
     for (std::size_t i = 0; i < rays.size() && any_.meets_ground; ++i) {
         sums[i].ground =
             integrator_.ground_radiance(rays[i].sun_s_km + any_.length_km * rays[i].cosine_to_sun);
-        for (std::size_t c = 0; c < transmittance_.size(); ++c) {
-            sums[i].ground[c] *= transmittance_[c];
-        }
+        sums[i].ground *= transmittance_;
     }
     return sums;
 }

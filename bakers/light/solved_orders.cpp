@@ -16,16 +16,14 @@ SolvedOrders::SolvedOrders(const SkyMedium& medium, const SolvedLight& light, in
 
 Spectrum SolvedOrders::scattered(const ScatteringPoint& point,
                                  const std::vector<Spectrum>& scattering_per_km) const {
-    std::vector<double> moments(static_cast<std::size_t>(moment_count(light_.degree())) *
-                                kMaxChannels);
+    std::vector<Spectrum> moments(static_cast<std::size_t>(moment_count(light_.degree())));
     light_.moments_at(point.altitude_km, point.sun_cos_zenith, moments.data());
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree_)));
     zenith_harmonics(degree_, point.view_cos_zenith, harmonics.data());
     return moment_sum(degree_, point.azimuth_cosine, scattering_per_km, phase_moments_,
                       [&](int l, int m) {
                           const auto lm = static_cast<std::size_t>(moment_index(l, m));
-                          const double* value = moments.data() + lm * kMaxChannels;
-                          return WeightedMoment{harmonics[lm], {value[0], value[1], value[2]}};
+                          return WeightedMoment{harmonics[lm], moments[lm]};
                       });
 }
 

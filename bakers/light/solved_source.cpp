@@ -21,9 +21,7 @@ std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
             const auto lm = static_cast<std::size_t>(moment_index(l, m));
             for (std::size_t k = 0; k < scattering.size(); ++k) {
                 const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
-                for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    factors[lm][c] += scattering[k][c] * chi[c] * harmonics[lm];
-                }
+                factors[lm] += scattering[k] * chi * harmonics[lm];
             }
         }
     }
@@ -47,19 +45,16 @@ SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double 
         (altitude_km - low) / (levels[static_cast<std::size_t>(level) + 1] - low);
     const std::vector<Spectrum> factors =
         view_factors(degree, view_cos_zenith, scattering, phase_moments);
-    values_.resize(static_cast<std::size_t>(light.suns.count()) * orders * kMaxChannels);
+    values_.resize(static_cast<std::size_t>(light.suns.count()) * orders);
     for (int sun = 0; sun < light.suns.count(); ++sun) {
         const double* below = light.light.at(level, sun);
         const double* over = light.light.at(level + 1, sun);
-        double* values = values_.data() + static_cast<std::size_t>(sun) * orders * kMaxChannels;
+        Spectrum* values = values_.data() + static_cast<std::size_t>(sun) * orders;
         for (int l = 0; l <= degree; ++l) {
             for (int m = 0; m <= l; ++m) {
                 const auto lm = static_cast<std::size_t>(moment_index(l, m));
-                for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    const std::size_t i = lm * kChannelSlots + c;
-                    values[static_cast<std::size_t>(m) * kMaxChannels + c] +=
-                        factors[lm][c] * ((1 - fraction) * below[i] + fraction * over[i]);
-                }
+                values[m] += factors[lm] * ((1 - fraction) * packet_at(below + lm * kChannelSlots) +
+                                            fraction * packet_at(over + lm * kChannelSlots));
             }
         }
     }
@@ -68,20 +63,17 @@ SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double 
 Spectrum SolvedSource::scattered(double sun_cos_zenith, double azimuth_cosine) const {
     const SunStencil stencil = light_.stencil(sun_cos_zenith);
     const auto orders = static_cast<std::size_t>(light_.degree()) + 1;
-    const std::size_t column = orders * kMaxChannels;
-    const double* values = values_.data() + static_cast<std::size_t>(stencil.column) * column;
+    const Spectrum* values = values_.data() + static_cast<std::size_t>(stencil.column) * orders;
     const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
     Spectrum sum{};
     double power = 1;  // sine^m
     double last = 1;   // cos(m phi), by Chebyshev's recursion
     double before = azimuth_cosine;
     for (std::size_t m = 0; m < orders; ++m) {
-        for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            const double* at = values + m * kMaxChannels + c;
-            sum[c] += power * last *
-                      (stencil.weights[0] * at[0] + stencil.weights[1] * at[column] +
-                       stencil.weights[2] * at[2 * column] + stencil.weights[3] * at[3 * column]);
-        }
+        const Spectrum* at = values + m;
+        sum += power * last *
+               (stencil.weights[0] * at[0] + stencil.weights[1] * at[orders] +
+                stencil.weights[2] * at[2 * orders] + stencil.weights[3] * at[3 * orders]);
         const double next = 2 * azimuth_cosine * last - before;
         before = last;
         last = next;

@@ -22,7 +22,7 @@ class SolvedSource {
 
   private:
     const SolvedLight& light_;
-    std::vector<double> values_;  // [(sun * (degree + 1) + m) * kMaxChannels + channel]
+    std::vector<Spectrum> values_;  // [sun * (degree + 1) + m]
 };
 
 }  // namespace skybake

@@ -102,7 +102,7 @@ std::array<Spectrum, StripOrders::kStrips> StripOrders::radiances(double altitud
     const double v = texture_coordinate(
         kConvention, std::sqrt(std::clamp(altitude_km / thickness_km_, 0.0, 1.0)), kAltitudes);
     std::array<Spectrum, kStrips> result{};
-    for (std::size_t i = 0; i < result.size(); ++i) bilinear(grid_[i], u, v, result[i].data());
+    for (std::size_t i = 0; i < result.size(); ++i) bilinear(grid_[i], u, v, data(result[i]));
     return result;
 }
 
@@ -130,9 +130,7 @@ Spectrum StripOrders::scattered(const ScatteringPoint& point,
             const double one_plus = half_square(1);
             for (std::size_t layer = 0; layer < phases_.size(); ++layer) {
                 const Spectrum p = phase_values(phases_[layer], one_minus, one_plus);
-                for (std::size_t c = 0; c < sum.size(); ++c) {
-                    sum[c] += scattering_per_km[layer][c] * radiance[c] * p[c] * node.solid_angle;
-                }
+                sum += scattering_per_km[layer] * radiance * p * node.solid_angle;
             }
         }
     }
@@ -143,7 +141,7 @@ Spectrum StripOrders::sky_irradiance(double sun_cos_zenith) const {
     // The integral of mu over a strip is half its width in azimuth; each is there twice.
     Spectrum sum{};
     for (const Spectrum& radiance : radiances(0, sun_cos_zenith)) {
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += kStripWidth * radiance[c];
+        sum += kStripWidth * radiance;
     }
     return sum;
 }

@@ -29,7 +29,7 @@ Spectrum TableOrders::moment_at(const ScatteringPoint& point, int part) const {
     const double v = texture_coordinate(convention, at.y, table_.height / parts);
     Spectrum value{};
     bilinear(table_, texture_coordinate(convention, at.x, table_.width), (part + v) / parts,
-             value.data());
+             data(value));
     return value;
 }
 

@@ -10,7 +10,8 @@ namespace skybake {
 
 // The integral of a vector-valued function from a to b. Intervals are halved until Kronrod's 15
 // points and Gauss' 7 agree within `relative` of the interval's own integral of |f| plus
-// `absolute`, or `depth` halvings have been made. T is std::array<double, N>; f(x) returns T.
+// `absolute`, or `depth` halvings have been made. T holds doubles and is subscripted: an array or a
+// vector of GLM; f(x) returns T.
 template <class T, class Function>
 T adaptive_integral(const Function& f, double a, double b, double relative, double absolute,
                     int depth = 30) {
@@ -29,6 +30,7 @@ T adaptive_integral(const Function& f, double a, double b, double relative, doub
         0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
         0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
 
+    constexpr std::size_t kCount = sizeof(T) / sizeof(double);
     const double center = 0.5 * (a + b);
     const double half_width = 0.5 * (b - a);
     T kronrod{};
@@ -36,7 +38,7 @@ T adaptive_integral(const Function& f, double a, double b, double relative, doub
     T size{};
     const auto add = [&](double x, double weight, double gauss_weight) {
         const T value = f(x);
-        for (std::size_t c = 0; c < value.size(); ++c) {
+        for (std::size_t c = 0; c < kCount; ++c) {
             kronrod[c] += weight * value[c];
             gauss[c] += gauss_weight * value[c];
             size[c] += weight * std::fabs(value[c]);
@@ -48,7 +50,7 @@ T adaptive_integral(const Function& f, double a, double b, double relative, doub
         if (kNodes[j] > 0) add(center + half_width * kNodes[j], kKronrod[j], gauss_weight);
     }
     bool agree = true;
-    for (std::size_t c = 0; c < kronrod.size(); ++c) {
+    for (std::size_t c = 0; c < kCount; ++c) {
         kronrod[c] *= half_width;
         const double difference = std::fabs(kronrod[c] - gauss[c] * half_width);
         agree = agree && difference <= relative * size[c] * std::fabs(half_width) + absolute;
@@ -56,7 +58,7 @@ T adaptive_integral(const Function& f, double a, double b, double relative, doub
     if (agree || depth == 0) return kronrod;
     T sum = adaptive_integral<T>(f, a, center, relative, 0.5 * absolute, depth - 1);
     const T right = adaptive_integral<T>(f, center, b, relative, 0.5 * absolute, depth - 1);
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += right[c];
+    for (std::size_t c = 0; c < kCount; ++c) sum[c] += right[c];
     return sum;
 }
 

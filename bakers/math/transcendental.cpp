@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "bakers/math/channels.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bakers/math/transcendental.cpp"
 #include <hwy/foreach_target.h>
@@ -31,6 +33,10 @@ namespace skybake {
 HWY_EXPORT(Exponentials);
 
 double exponential(double x) { return HWY_NAMESPACE::exponential(x); }
+Channels exponential(const Channels& x) { return HWY_NAMESPACE::exponential(x); }
+Spectrum exponential(const Spectrum& x) {
+    return HWY_NAMESPACE::exponential(Channels(x)).spectrum();
+}
 double logarithm(double x) { return HWY_NAMESPACE::logarithm(x); }
 double arc_cosine(double x) { return HWY_NAMESPACE::arc_cosine(x); }
 double cosine_of_pi(double x) { return HWY_NAMESPACE::cosine_of_pi(x); }

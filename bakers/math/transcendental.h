@@ -2,13 +2,16 @@
 // promise and why the C library's do not serve.
 #pragma once
 
+#include "bakers/math/vectors.h"
+
 namespace skybake {
 
-double exponential(double x);      // e^x
-double logarithm(double x);        // ln x, x > 0 and normal
-double arc_cosine(double x);       // x in [-1, 1]
-double cosine_of_pi(double x);     // cos(pi x), x in [0, 1]
-double cosine_of_turns(double n);  // cos(2 pi n), any finite n
+double exponential(double x);             // e^x
+Spectrum exponential(const Spectrum& x);  // of each component, with the same bits
+double logarithm(double x);               // ln x, x > 0 and normal
+double arc_cosine(double x);              // x in [-1, 1]
+double cosine_of_pi(double x);            // cos(pi x), x in [0, 1]
+double cosine_of_turns(double n);         // cos(2 pi n), any finite n
 
 // sin x and cos x within 3e-16 absolute, |x| <= 1e6.
 struct SineCosine {

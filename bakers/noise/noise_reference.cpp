@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <limits>
 
+#include "bakers/math/vectors.h"
 #include "bakers/noise/lattice_hash.h"
 
 namespace skybake::noise {
@@ -17,7 +19,6 @@ using config::NoiseType;
 using config::WorleyFeature;
 using config::WorleyValue;
 
-using Vector = std::array<double, 3>;
 using Frequency = std::array<int, 3>;
 
 // One octave's lattice: hashed, with its period.
@@ -25,6 +26,7 @@ struct Lattice {
     Frequency period{};
     std::uint64_t key = 0;
 
+    glm::dvec3 periods() const { return {period[0], period[1], period[2]}; }
     std::uint32_t wrap(double cell, std::size_t axis) const {
         const double p = period[axis];
         return static_cast<std::uint32_t>(cell - std::floor(cell / p) * p);
@@ -56,20 +58,15 @@ double lerp(double a, double b, double t) { return a + t * (b - a); }
 // A number with its derivatives along x, y and z.
 struct Dual {
     double value = 0;
-    Vector slope{};
+    glm::dvec3 slope{};
 };
 
 // The value and its gradient per cell: Perlin 2002, with the chain rule written out.
-Dual improved_noise(const Lattice& lattice, const Vector& place) {
-    Vector cell;
-    Vector t;
-    Vector w;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double position = place[i] * lattice.period[i];
-        cell[i] = std::floor(position);
-        t[i] = position - cell[i];
-        w[i] = quintic(t[i]);
-    }
+Dual improved_noise(const Lattice& lattice, const glm::dvec3& place) {
+    const glm::dvec3 position = place * lattice.periods();
+    const glm::dvec3 cell = glm::floor(position);
+    const glm::dvec3 t = position - cell;
+    const glm::dvec3 w = {quintic(t.x), quintic(t.y), quintic(t.z)};
     double value[2][2][2];
     double slope[3][2][2][2];
     for (int k = 0; k < 2; ++k) {
@@ -113,13 +110,9 @@ Dual improved_noise(const Lattice& lattice, const Vector& place) {
 }
 
 // Distances to the nearest and second nearest of the points of 125 cells.
-std::array<double, 2> nearest_points(const Lattice& lattice, const Vector& place) {
-    Vector position;
-    Vector cell;
-    for (std::size_t i = 0; i < 3; ++i) {
-        position[i] = place[i] * lattice.period[i];
-        cell[i] = std::floor(position[i]);
-    }
+std::array<double, 2> nearest_points(const Lattice& lattice, const glm::dvec3& place) {
+    const glm::dvec3 position = place * lattice.periods();
+    const glm::dvec3 cell = glm::floor(position);
     std::array<double, 2> nearest = {std::numeric_limits<double>::infinity(),
                                      std::numeric_limits<double>::infinity()};
     for (int k = -2; k <= 2; ++k) {
@@ -140,7 +133,7 @@ std::array<double, 2> nearest_points(const Lattice& lattice, const Vector& place
     return nearest;
 }
 
-double worley(const NoiseChannel& channel, const Lattice& lattice, const Vector& place) {
+double worley(const NoiseChannel& channel, const Lattice& lattice, const glm::dvec3& place) {
     const auto [first, second] = nearest_points(lattice, place);
     double distance = first;
     if (channel.feature == WorleyFeature::f2) distance = second;
@@ -172,7 +165,8 @@ double weighted_mean(const NoiseOctaves& octaves, const Octave& octave) {
     return sum / weights;
 }
 
-double gradient_part(const config::Noise& noise, const NoiseChannel& channel, const Vector& place) {
+double gradient_part(const config::Noise& noise, const NoiseChannel& channel,
+                     const glm::dvec3& place) {
     const double sum = weighted_mean(channel.octaves, [&](const OctaveName& octave) {
         const double n =
             improved_noise(lattice_of(noise, channel, Purpose::gradient, octave), place).value;
@@ -184,14 +178,14 @@ double gradient_part(const config::Noise& noise, const NoiseChannel& channel, co
 }
 
 double cell_part(const config::Noise& noise, const NoiseChannel& channel,
-                 const NoiseOctaves& octaves, const Vector& place) {
+                 const NoiseOctaves& octaves, const glm::dvec3& place) {
     return weighted_mean(octaves, [&](const OctaveName& octave) {
         return worley(channel, lattice_of(noise, channel, Purpose::cells, octave), place);
     });
 }
 
 // A component of the curl, per tile, over the greatest frequency of the first octave.
-double curl_part(const config::Noise& noise, const NoiseChannel& channel, const Vector& place) {
+double curl_part(const config::Noise& noise, const NoiseChannel& channel, const glm::dvec3& place) {
     constexpr Purpose kPotentials[] = {Purpose::potential_x, Purpose::potential_y,
                                        Purpose::potential_z};
     const auto axis = static_cast<std::size_t>(channel.component);
@@ -208,7 +202,7 @@ double curl_part(const config::Noise& noise, const NoiseChannel& channel, const 
     return sum / *std::max_element(first.begin(), first.end());
 }
 
-double value_of(const config::Noise& noise, const NoiseChannel& channel, const Vector& place) {
+double value_of(const config::Noise& noise, const NoiseChannel& channel, const glm::dvec3& place) {
     switch (channel.type) {
         case NoiseType::constant:
             return channel.value;
@@ -248,9 +242,10 @@ double shaped(const NoiseChannel& channel, double value) {
 
 std::vector<double> noise_reference(const config::Noise& noise,
                                     const std::array<double, 3>& place) {
+    const auto& [x, y, z] = place;
     std::vector<double> values;
     for (const NoiseChannel& channel : noise.channels) {
-        values.push_back(shaped(channel, value_of(noise, channel, place)));
+        values.push_back(shaped(channel, value_of(noise, channel, {x, y, z})));
     }
     if (noise.pack == config::NoisePacking::none) return values;
     if (noise.pack == config::NoisePacking::detail) {

@@ -103,7 +103,7 @@ void CloudAir::fill_optical_depths(const Medium& air, double altitude_km) {
             const double x = (i + 1.0) / kDistances;
             distances_km[static_cast<std::size_t>(i)] = x * x * length_km;
         }
-        optical_depths(air, altitude_km, mu, distances_km, whole.data(),
+        optical_depths(air, altitude_km, mu, distances_km, data(whole),
                        static_cast<std::size_t>(air.channels));
         std::copy(whole.end() - air.channels, whole.end(), optical_depth_.texel(kDistances, row));
     }
@@ -116,7 +116,7 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     const double turns = (azimuth_degrees - sun_azimuth_degrees_) / 360 + 0.5;
     const double u = turns - std::floor(turns);
     Along result;
-    bilinear(panorama_, u, 1 - height, result.sky.data());
+    bilinear(panorama_, u, 1 - height, data(result.sky));
 
     // Row and column of the table, texel i at i.
     const double column =
@@ -124,13 +124,13 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     const double v = (0.5 + height * (kElevations - 1)) / kElevations;
     Spectrum depth{};
     Spectrum whole{};
-    bilinear(optical_depth_, (column + 0.5) / (kDistances + 1), v, depth.data());
-    bilinear(optical_depth_, 1, v, whole.data());
+    bilinear(optical_depth_, (column + 0.5) / (kDistances + 1), v, data(depth));
+    bilinear(optical_depth_, 1, v, data(whole));
     Spectrum air = result.sky;
     if (elevation_degrees < horizon_degrees_ + range_.degrees_per_pixel) {
         const double horizon =
             (horizon_degrees_ + range_.degrees_per_pixel - range_.lowest_degrees) / span;
-        bilinear(panorama_, u, 1 - std::clamp(horizon, 0.0, 1.0), air.data());
+        bilinear(panorama_, u, 1 - std::clamp(horizon, 0.0, 1.0), data(air));
     }
     for (int c = 0; c < panorama_.channels; ++c) {
         const auto i = static_cast<std::size_t>(c);

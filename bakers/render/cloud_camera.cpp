@@ -14,17 +14,12 @@ CameraRays::CameraRays(const CloudCamera& camera, int width, int height)
       width_(width),
       height_(height) {}
 
-Direction CameraRays::through(double x, double y) const {
+glm::dvec3 CameraRays::through(double x, double y) const {
     const double pixel = 2 * half_width_ / width_;
     const double across = (x + 0.5 - 0.5 * width_) * pixel;
     const double upwards = (0.5 * height_ - y - 0.5) * pixel;
-    Direction ray;
-    for (std::size_t a = 0; a < 3; ++a) {
-        ray[a] = forward_[a] + across * right_[a] + upwards * up_[a];
-    }
-    const double length = std::sqrt(dot(ray, ray));
-    for (double& component : ray) component /= length;
-    return ray;
+    const glm::dvec3 ray = forward_ + across * right_ + upwards * up_;
+    return ray / std::sqrt(glm::dot(ray, ray));
 }
 
 // Jimenez 2014; other layers are the same pattern moved by an irrational number of pixels.
@@ -36,7 +31,7 @@ float gradient_noise(int x, int y, int layer) {
 }
 
 RaySpan span_in_layer(const CloudMedium& medium, const CloudCamera& camera,
-                      const Direction& direction, double reach_m) {
+                      const glm::dvec3& direction, double reach_m) {
     RaySpan span{0, reach_m};
     for (std::size_t a = medium.repeats ? 2 : 0; a < 3; ++a) {
         const double low = (a == 2 ? medium.base_m : 0) - camera.position_m[a];

@@ -13,12 +13,12 @@ class CameraRays {
     CameraRays(const CloudCamera& camera, int width, int height);
 
     // Through the middle of pixel (x, y), row 0 at the top.
-    Direction through(double x, double y) const;
+    glm::dvec3 through(double x, double y) const;
 
   private:
-    Direction forward_{};
-    Direction right_{};
-    Direction up_{};
+    glm::dvec3 forward_{};
+    glm::dvec3 right_{};
+    glm::dvec3 up_{};
     double half_width_ = 0;  // of the picture, at distance 1
     int width_ = 0;
     int height_ = 0;
@@ -34,6 +34,6 @@ struct RaySpan {
     double last_m = 0;
 };
 RaySpan span_in_layer(const CloudMedium& medium, const CloudCamera& camera,
-                      const Direction& direction, double reach_m);
+                      const glm::dvec3& direction, double reach_m);
 
 }  // namespace skybake

@@ -34,8 +34,8 @@ void place_under_layer(const CloudMedium& medium, CloudCamera& camera) {
     camera.elevation_degrees = from_below ? 12 : -9;
 }
 
-std::array<Direction, 8> corners_of(const CloudBox& box) {
-    std::array<Direction, 8> corners;
+std::array<glm::dvec3, 8> corners_of(const CloudBox& box) {
+    std::array<glm::dvec3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) {
         for (std::size_t a = 0; a < 3; ++a) {
             corners[i][a] = (i >> a & 1) != 0 ? box.high_m[a] : box.low_m[a];
@@ -46,25 +46,23 @@ std::array<Direction, 8> corners_of(const CloudBox& box) {
 
 // The camera's position along its own axis, so far back from the box's middle that all corners are
 // within kFilled of the picture.
-std::array<double, 3> position_before(const CloudBox& box, const CloudCamera& camera,
-                                      double height_over_width) {
-    const Direction forward = direction_of(camera.elevation_degrees, camera.azimuth_degrees);
-    const Direction right = direction_of(0, camera.azimuth_degrees - 90);
-    const Direction up = direction_of(camera.elevation_degrees + 90, camera.azimuth_degrees);
+glm::dvec3 position_before(const CloudBox& box, const CloudCamera& camera,
+                           double height_over_width) {
+    const glm::dvec3 forward = direction_of(camera.elevation_degrees, camera.azimuth_degrees);
+    const glm::dvec3 right = direction_of(0, camera.azimuth_degrees - 90);
+    const glm::dvec3 up = direction_of(camera.elevation_degrees + 90, camera.azimuth_degrees);
     const double half = camera.horizontal_field_degrees / 2;
     const double half_width = kFilled * sine_of_degrees(half) / cosine_of_degrees(half);
-    Direction middle;
-    for (std::size_t a = 0; a < 3; ++a) middle[a] = 0.5 * (box.low_m[a] + box.high_m[a]);
+    const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m);
     double back = 0;
-    for (Direction corner : corners_of(box)) {
-        for (std::size_t a = 0; a < 3; ++a) corner[a] -= middle[a];
-        const double across = std::fabs(dot(corner, right)) / half_width;
-        const double upwards = std::fabs(dot(corner, up)) / (half_width * height_over_width);
-        back = std::max(back, std::max(across, upwards) - dot(corner, forward));
+    for (const glm::dvec3& corner : corners_of(box)) {
+        const glm::dvec3 from_middle = corner - middle;
+        const double across = std::fabs(glm::dot(from_middle, right)) / half_width;
+        const double upwards =
+            std::fabs(glm::dot(from_middle, up)) / (half_width * height_over_width);
+        back = std::max(back, std::max(across, upwards) - glm::dot(from_middle, forward));
     }
-    std::array<double, 3> position;
-    for (std::size_t a = 0; a < 3; ++a) position[a] = middle[a] - back * forward[a];
-    return position;
+    return middle - back * forward;
 }
 
 // From a little below, so that the cloud stands against the sky, unless the ground is in the way.
@@ -77,11 +75,11 @@ void place_before_box(const CloudBox& box, const CameraRequest& request, double 
     camera.position_m = position_before(box, camera, height_over_width);
 }
 
-double farthest_corner_m(const CloudBox& box, const std::array<double, 3>& from) {
+double farthest_corner_m(const CloudBox& box, const glm::dvec3& from) {
     double farthest = 0;
-    for (Direction corner : corners_of(box)) {
-        for (std::size_t a = 0; a < 3; ++a) corner[a] -= from[a];
-        farthest = std::max(farthest, std::sqrt(dot(corner, corner)));
+    for (const glm::dvec3& corner : corners_of(box)) {
+        const glm::dvec3 way = corner - from;
+        farthest = std::max(farthest, std::sqrt(glm::dot(way, way)));
     }
     return farthest;
 }
@@ -97,7 +95,10 @@ CloudCamera camera_for(const CloudMedium& medium, const CameraRequest& request,
         place_before_box(occupied_box(medium), request, height_over_width, camera);
     }
     camera.elevation_degrees = request.pitch_degrees.value_or(camera.elevation_degrees);
-    camera.position_m = request.position_m.value_or(camera.position_m);
+    if (request.position_m) {
+        const auto& [x, y, z] = *request.position_m;
+        camera.position_m = {x, y, z};
+    }
     // Under the ground there is nothing to be seen from.
     camera.position_m[2] = std::max(camera.position_m[2], kLowest_m);
     return camera;

@@ -31,8 +31,8 @@ std::string camera_text(const CloudCamera& camera);
 // from the tile's corner, altitudes. Of a
 // volume without anything the whole tile.
 struct CloudBox {
-    std::array<double, 3> low_m{};
-    std::array<double, 3> high_m{};
+    glm::dvec3 low_m{};
+    glm::dvec3 high_m{};
 };
 CloudBox occupied_box(const CloudMedium& medium);
 

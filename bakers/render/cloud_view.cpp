@@ -81,16 +81,15 @@ class ViewMarch {
 
   private:
     std::vector<float> leaps_towards_sun(int threads) const {
-        std::array<double, 3> step{};
-        for (std::size_t a = 0; a < 3; ++a) {
-            step[a] = double{march_.light_direction[a]} * double{march_.light_step_m};
-        }
+        const auto& direction = march_.light_direction;
+        const glm::dvec3 step =
+            double{march_.light_step_m} * glm::dvec3(direction[0], direction[1], direction[2]);
         return sun_leaps(medium_.leaps, medium_.volume.size, step,
                          static_cast<int>(march_.light_samples), threads);
     }
 
     void set_ray(RayBlock& block, std::size_t i, int x, int y) const {
-        const Direction direction = rays_.through(x, y);
+        const glm::dvec3 direction = rays_.through(x, y);
         const RaySpan span = span_in_layer(medium_, settings_.camera, direction, settings_.reach_m);
         for (std::size_t a = 0; a < 3; ++a) {
             block.direction[a][i] = static_cast<float>(direction[a] / medium_.meters_per_voxel(a));
@@ -108,7 +107,7 @@ class ViewMarch {
     const CloudMedium& medium_;
     const CloudViewSettings& settings_;
     CameraRays rays_;
-    Direction sun_;
+    glm::dvec3 sun_;
     DiffuseShare diffuse_;
     CloudMarch march_;
 };

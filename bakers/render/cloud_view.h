@@ -29,7 +29,7 @@ inline constexpr double kSunSamples = 256;
 
 // Azimuths are from +x towards +y.
 struct CloudCamera {
-    std::array<double, 3> position_m{};  // x, y from the tile's corner, altitude
+    glm::dvec3 position_m{};  // x, y from the tile's corner, altitude
     double azimuth_degrees = 0;
     double elevation_degrees = 0;
     double horizontal_field_degrees = 60;

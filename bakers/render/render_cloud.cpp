@@ -54,8 +54,7 @@ Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const Su
             weights += weight;
         }
     }
-    for (double& value : sum) value /= weights;
-    return sum;
+    return sum / weights;
 }
 
 // The elevations that a picture shows.
@@ -66,7 +65,7 @@ CloudAir::Range range_of(const CloudViewSettings& settings, const CameraRays& ra
         for (int y = 0; y < settings.height; ++y) {
             if (x != 0 && x != settings.width / 2 && y != 0 && y != settings.height - 1) continue;
             const double elevation =
-                90 - arc_cosine(std::clamp(rays.through(x, y)[2], -1.0, 1.0)) * kDegrees;
+                90 - arc_cosine(std::clamp(rays.through(x, y).z, -1.0, 1.0)) * kDegrees;
             lowest = std::min(lowest, elevation);
             highest = std::max(highest, elevation);
         }
@@ -79,20 +78,10 @@ CloudAir::Range range_of(const CloudViewSettings& settings, const CameraRays& ra
     return range;
 }
 
-struct Illuminated {
-    CloudIllumination light;
-    int channels = 0;
-};
-
 // Radiance of what a pixel's march has seen.
-Spectrum cloud_radiance(const Illuminated& lit, const float* seen) {
-    Spectrum radiance{};
-    for (std::size_t c = 0; c < static_cast<std::size_t>(lit.channels); ++c) {
-        radiance[c] = lit.light.sun_at_base[c] * double{seen[0]} +
-                      lit.light.sun_at_top[c] * double{seen[1]} +
-                      lit.light.sky[c] * double{seen[2]} + lit.light.ground[c] * double{seen[3]};
-    }
-    return radiance;
+Spectrum cloud_radiance(const CloudIllumination& light, const float* seen) {
+    return light.sun_at_base * double{seen[0]} + light.sun_at_top * double{seen[1]} +
+           light.sky * double{seen[2]} + light.ground * double{seen[3]};
 }
 
 }  // namespace
@@ -111,12 +100,12 @@ CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmo
 CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
                        const CloudViewSettings& settings, int threads, Progress* progress) {
     const int channels = atmosphere.medium.air.channels;
-    Illuminated lit{illumination(medium, atmosphere, settings.sun, threads), channels};
+    CloudIllumination light = illumination(medium, atmosphere, settings.sun, threads);
     CloudViewSettings lit_settings = settings;
     const Spectrum dark{};
-    if (lit.light.sun_at_base == dark && lit.light.sun_at_top == dark) lit_settings.sunlit = false;
+    if (light.sun_at_base == dark && light.sun_at_top == dark) lit_settings.sunlit = false;
     const MarchedView marched = march_view(medium, lit_settings, threads, progress);
-    for (double& value : lit.light.ground) value *= marched.through;
+    light.ground *= marched.through;
     const CameraRays rays(settings.camera, settings.width, settings.height);
     const CloudAir air(atmosphere, settings.camera, settings.sun, range_of(settings, rays),
                        threads);
@@ -125,19 +114,17 @@ CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
     view.radiance = Image2<float>(settings.width, settings.height, channels);
     parallel_for(settings.height, threads, [&](int y) {
         for (int x = 0; x < settings.width; ++x) {
-            const Direction direction = rays.through(x, y);
-            const double elevation =
-                90 - arc_cosine(std::clamp(direction[2], -1.0, 1.0)) * kDegrees;
-            const double level =
-                std::sqrt(direction[0] * direction[0] + direction[1] * direction[1]);
+            const glm::dvec3 direction = rays.through(x, y);
+            const double elevation = 90 - arc_cosine(std::clamp(direction.z, -1.0, 1.0)) * kDegrees;
+            const double level = std::sqrt(direction.x * direction.x + direction.y * direction.y);
             const double turn =
-                level > 0 ? arc_cosine(std::clamp(direction[0] / level, -1.0, 1.0)) * kDegrees : 0;
-            const double azimuth = direction[1] < 0 ? -turn : turn;
+                level > 0 ? arc_cosine(std::clamp(direction.x / level, -1.0, 1.0)) * kDegrees : 0;
+            const double azimuth = direction.y < 0 ? -turn : turn;
             const float* seen = marched.results.texel(x, y);
             const double opacity = 1 - double{seen[4]};
             const double distance = opacity > 0 ? double{seen[5]} / opacity : 0;
             const CloudAir::Along along = air.along(elevation, azimuth, distance);
-            const Spectrum cloud = cloud_radiance(lit, seen);
+            const Spectrum cloud = cloud_radiance(light, seen);
             for (int c = 0; c < channels; ++c) {
                 const auto i = static_cast<std::size_t>(c);
                 view.radiance.texel(x, y)[c] = static_cast<float>(

@@ -151,9 +151,9 @@ float samples_in_reach(float reach, double fastest) {
 }  // namespace
 
 std::vector<float> sun_leaps(const LeapGrid& grid, const std::array<int, 3>& voxels,
-                             const std::array<double, 3>& direction, int samples, int threads) {
+                             const glm::dvec3& direction, int samples, int threads) {
     double fastest = 0;
-    for (const double speed : direction) fastest = std::max(fastest, std::fabs(speed));
+    for (std::size_t a = 0; a < 3; ++a) fastest = std::max(fastest, std::fabs(direction[a]));
     const bool regular = voxels[0] % grid.cell == 0 && voxels[1] % grid.cell == 0 &&
                          samples * fastest <= kLongestBeam &&
                          *std::max_element(voxels.begin(), voxels.end()) <= kLongestBeam;

@@ -15,6 +15,7 @@
 #include <array>
 #include <vector>
 
+#include "bakers/math/vectors.h"
 #include "bakers/render/cloud_medium.h"
 
 namespace skybake {
@@ -29,6 +30,6 @@ inline constexpr double kBeamMargin = 0x1p-8;  // voxels
 // Where cells do not divide a tile that repeats, or where beams or the volume are longer than
 // kLongestBeam, by the reach of the grid alone.
 std::vector<float> sun_leaps(const LeapGrid& grid, const std::array<int, 3>& voxels,
-                             const std::array<double, 3>& direction, int samples, int threads);
+                             const glm::dvec3& direction, int samples, int threads);
 
 }  // namespace skybake

@@ -20,7 +20,7 @@ Spectrum psi_at(const Medium& medium, double altitude_km, double sun_cos_zenith,
     const Sunlight sunlight(medium, altitudes, {768, 128}, 1);
     const RowQuadrature row = make_row_quadrature(medium, altitudes, altitude_km, level);
     Spectrum psi{};
-    integrate_row(medium, sunlight, row, &sun_cos_zenith, 1, psi.data());
+    integrate_row(medium, sunlight, row, &sun_cos_zenith, 1, data(psi));
     if (row_out != nullptr) *row_out = row;
     return psi;
 }

@@ -31,7 +31,7 @@ Medium random_medium() {
     medium.channels = 3;
     medium.ground_radius_km = log_uniform(10, 1e6);
     medium.thickness_km = medium.ground_radius_km * log_uniform(1e-4, 1);
-    medium.ground_albedo = {uniform(0, 1), uniform(0, 1), uniform(0, 1)};
+    medium.ground_albedo = {uniform(0, 1), uniform(0, 1), uniform(0, 1), 0};
     const int layers = *rc::gen::inRange(1, 7);
     for (int i = 0; i < layers; ++i) {
         Spectrum scattering{};

@@ -26,9 +26,7 @@ TEST(ViewRay, KeepsEnergyAndAgreesWithTheOpticalDepth) {
             ViewRay ray = trace_view_ray(medium, altitudes, altitude, r * mu, below);
             Spectrum whole{};
             for (const RayCell& cell : ray.cells) {
-                for (std::size_t c = 0; c < 3; ++c) {
-                    whole[c] += cell.near_weight[c] + cell.far_weight[c];
-                }
+                whole += cell.near_weight + cell.far_weight;
             }
             refine_view_ray(medium, whole, 1e-4, ray);
             const Spectrum exact = optical_depth_along(medium, altitude, mu, ray.length_km);
@@ -63,14 +61,14 @@ TEST(ViewRay, NodesAreExactForLinearLight) {
         const double altitude = altitude_along_km(shell, 2, 6362 * 0.2, x);
         Spectrum value = scattering_at(earth, altitude);
         const Spectrum depth = optical_depth_along(earth, 2, 0.2, x);
-        for (std::size_t c = 0; c < 3; ++c) value[c] *= std::exp(-depth[c]) * (1 + 0.01 * x);
+        value *= exponential(-depth) * (1 + 0.01 * x);
         return value;
     };
     Spectrum exact{};
     double from = 0;
     for (double to : {5.0, 20.0, 60.0, 150.0, ray.length_km}) {
         const Spectrum part = adaptive_integral<Spectrum>(integrand, from, to, 1e-9, 0, 20);
-        for (std::size_t c = 0; c < 3; ++c) exact[c] += part[c];
+        exact += part;
         from = to;
     }
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], exact[c], 1e-6 * exact[c]);

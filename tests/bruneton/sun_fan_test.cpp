@@ -23,7 +23,7 @@ class Dice {
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
     }
-    Spectrum spectrum() { return {between(0, 1), between(0, 1), between(0, 1)}; }
+    Spectrum spectrum() { return {between(0, 1), between(0, 1), between(0, 1), 0}; }
 
   private:
     std::mt19937 engine_;
@@ -68,7 +68,7 @@ Spectrum sun_by_sun(const SolvedLight& light, const std::vector<std::vector<Spec
         const Spectrum value =
             SolvedSource(light, node.altitude_km, mu, node.coarse_weights, phases)
                 .scattered(there, (nu - mu * there) / sines);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += value[c];
+        sum += value;
     }
     return sum;
 }
@@ -107,7 +107,7 @@ void expect_as_sun_by_sun(double share_of_steep) {
             for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
                 const Spectrum wanted =
                     sun_by_sun(light, phases, view, piece, suns.sun_cosines[i], suns.nu[i]);
-                for (std::size_t c = 0; c < wanted.size(); ++c) {
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
                     EXPECT_NEAR(made[i * kChannelSlots + c], wanted[c], 1e-9)
                         << target << ", sun " << suns.sun_cosines[i];
                 }

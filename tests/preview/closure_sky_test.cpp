@@ -54,7 +54,7 @@ Spectrum adaptive_single_scattering(const SkyMedium& medium, const SkyView& view
             const Spectrum scattering = scattering_at(layer.alone, altitude);
             const Spectrum phase =
                 phase_values(layer.phase, direction.one_minus_cosine, direction.one_plus_cosine);
-            for (std::size_t c = 0; c < value.size(); ++c) {
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
                 value[c] += scattering[c] * phase[c] * std::exp(-to_sun[c] - to_eye[c]);
             }
         }
@@ -65,8 +65,7 @@ Spectrum adaptive_single_scattering(const SkyMedium& medium, const SkyView& view
     double from = 0;
     for (double to = std::ldexp(length, -12); from < length; to *= 2) {
         const double end = std::min(to, length);
-        const Spectrum part = adaptive_integral<Spectrum>(integrand, from, end, 1e-8, 1e-16, 22);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part[c];
+        sum += adaptive_integral<Spectrum>(integrand, from, end, 1e-8, 1e-16, 22);
         from = end;
     }
     return sum;
@@ -94,7 +93,7 @@ TEST(ClosureSky, SingleScatteringAgreesWithAdaptiveQuadrature) {
         const test::ClosureSky reference(medium, view, 1);
         const Spectrum single = reference.radiance(direction).single;
         const Spectrum adaptive = adaptive_single_scattering(medium, view, direction);
-        for (std::size_t c = 0; c < single.size(); ++c) {
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
             EXPECT_NEAR(single[c], adaptive[c], 2e-4 * adaptive[c] + 1e-12)
                 << at.preset << ' ' << at.altitude_km << ' ' << at.sun << ' ' << at.zenith;
         }

@@ -32,32 +32,32 @@ CloudMedium tower(double base_m, bool repeats) {
 
 TEST(CloudFraming, KnowsWhereThereIsSomething) {
     const CloudBox box = occupied_box(tower(1000, false));
-    EXPECT_EQ(box.low_m, (std::array<double, 3>{800, 600, 1400}));
-    EXPECT_EQ(box.high_m, (std::array<double, 3>{1200, 1000, 1800}));
+    EXPECT_EQ(box.low_m, (glm::dvec3{800, 600, 1400}));
+    EXPECT_EQ(box.high_m, (glm::dvec3{1200, 1000, 1800}));
     const std::vector<float> nothing(index_of(0, 0, kSize[2]));
     const CloudBox whole = occupied_box(
         cloud_medium(test::cloud_of({3200, 2400, 1600}, 500), nothing.data(), kSize, 1, 1, false));
-    EXPECT_EQ(whole.low_m, (std::array<double, 3>{0, 0, 500}));
-    EXPECT_EQ(whole.high_m, (std::array<double, 3>{3200, 2400, 2100}));
+    EXPECT_EQ(whole.low_m, (glm::dvec3{0, 0, 500}));
+    EXPECT_EQ(whole.high_m, (glm::dvec3{3200, 2400, 2100}));
 }
 
 // A corner of the box in the picture, from -1 to 1 along both edges, by the rays' own directions.
-std::array<double, 2> place_in_picture(const CloudViewSettings& settings, const Direction& point) {
+std::array<double, 2> place_in_picture(const CloudViewSettings& settings, const glm::dvec3& point) {
     const CameraRays rays(settings.camera, settings.width, settings.height);
-    const Direction left = rays.through(-0.5, 0.5 * settings.height - 0.5);
-    const Direction right = rays.through(settings.width - 0.5, 0.5 * settings.height - 0.5);
-    const Direction top = rays.through(0.5 * settings.width - 0.5, -0.5);
-    const Direction bottom = rays.through(0.5 * settings.width - 0.5, settings.height - 0.5);
-    const auto share = [&](const Direction& low, const Direction& high) {
-        Direction across;
-        Direction along;
+    const glm::dvec3 left = rays.through(-0.5, 0.5 * settings.height - 0.5);
+    const glm::dvec3 right = rays.through(settings.width - 0.5, 0.5 * settings.height - 0.5);
+    const glm::dvec3 top = rays.through(0.5 * settings.width - 0.5, -0.5);
+    const glm::dvec3 bottom = rays.through(0.5 * settings.width - 0.5, settings.height - 0.5);
+    const auto share = [&](const glm::dvec3& low, const glm::dvec3& high) {
+        glm::dvec3 across;
+        glm::dvec3 along;
         for (std::size_t a = 0; a < 3; ++a) {
             across[a] = high[a] - low[a];
             along[a] = high[a] + low[a];
         }
-        const double half = std::sqrt(dot(across, across) / dot(along, along));
-        return dot(point, across) / std::sqrt(dot(across, across)) /
-               (half * dot(point, along) / std::sqrt(dot(along, along)));
+        const double half = std::sqrt(glm::dot(across, across) / glm::dot(along, along));
+        return glm::dot(point, across) / std::sqrt(glm::dot(across, across)) /
+               (half * glm::dot(point, along) / std::sqrt(glm::dot(along, along)));
     };
     return {share(left, right), share(bottom, top)};
 }
@@ -76,7 +76,7 @@ TEST(CloudFraming, HasAllOfASingleTileInThePictureAndMostOfThePictureFilled) {
                 EXPECT_GE(settings.camera.position_m[2], 2);
                 double farthest = 0;
                 for (int corner = 0; corner < 8; ++corner) {
-                    Direction point;
+                    glm::dvec3 point;
                     for (std::size_t a = 0; a < 3; ++a) {
                         point[a] = ((corner >> a & 1) != 0 ? box.high_m[a] : box.low_m[a]) -
                                    settings.camera.position_m[a];
@@ -99,7 +99,7 @@ TEST(CloudFraming, ObeysARequest) {
     for (const bool repeats : {true, false}) {
         const CloudCamera camera =
             framed_view(tower(900, repeats), {20, 105}, 96, 54, request).camera;
-        EXPECT_EQ(camera.position_m, *request.position_m);
+        EXPECT_EQ(camera.position_m, (glm::dvec3{10, 20, 30}));
         EXPECT_EQ(camera.elevation_degrees, 7);
         EXPECT_EQ(camera.azimuth_degrees, 63);
         EXPECT_EQ(camera_text(camera),

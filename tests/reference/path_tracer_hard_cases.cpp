@@ -235,7 +235,7 @@ TEST(PathTracerHardCase, Case20DensitiesOfEveryLayerCombination) {
                                           ? alone.piecewise_layers[0].extinction_per_km
                                           : alone.exponential_layers[0].extinction_per_km;
                 const double density = air.density(shell, static_cast<int>(k), altitude);
-                for (std::size_t c = 0; c < 3; ++c) sum[c] += density * unit[c];
+                sum += density * unit;
             }
             for (std::size_t c = 0; c < 3; ++c) {
                 const double scale = exact[c] + 1e-6 * largest[c];

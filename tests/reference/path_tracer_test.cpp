@@ -61,8 +61,7 @@ TEST(PathTracer, SunlightThatComesInGoesOut) {
         const double square = uncovered * (i + 0.5) / kRings;
         const Spectrum depth =
             optical_depth_to_top(medium.air, medium.air.thickness_km, -top * std::sqrt(square));
-        for (std::size_t c = 0; c < 3; ++c)
-            passed[c] += uncovered * exponential(-depth[c]) / kRings;
+        passed += uncovered * exponential(-depth) / kRings;
     }
     // Middles of equal parts of the sun's cosine, of the direction's squared cosine, of azimuth.
     const PathTracer tracer(medium);
@@ -81,10 +80,8 @@ TEST(PathTracer, SunlightThatComesInGoesOut) {
         const PathTracedRadiance radiance =
             trace_paths(tracer, medium.air.thickness_km, sun, inwards,
                         paths(64, static_cast<std::uint32_t>(i)), 1);
-        for (std::size_t c = 0; c < 3; ++c) {
-            sum[c] += radiance.radiance[c] / kPoints;
-            variance[c] += radiance.standard_error[c] * radiance.standard_error[c];
-        }
+        sum += radiance.radiance / kPoints;
+        variance += radiance.standard_error * radiance.standard_error;
     }
     for (std::size_t c = 0; c < 3; ++c) {
         const double expected = (1 - passed[c]) / (4 * std::numbers::pi);

@@ -101,22 +101,22 @@ RC_GTEST_PROP(Scatter, KeepsTheAngle, ()) {
     const double z = uniform(-1, 1);
     const double sine = std::sqrt((1 - z) * (1 + z));
     const double azimuth = uniform(0, 6.3);
-    const Vector3 axis = {sine * std::cos(azimuth), sine * std::sin(azimuth), z};
+    const glm::dvec3 axis = {sine * std::cos(azimuth), sine * std::sin(azimuth), z};
     RandomStream random(*rc::gen::inRange<std::uint64_t>(0, 1000), 0, 0);
-    const Vector3 scattered = scatter(axis, {1 - nu, 1 + nu}, random);
+    const glm::dvec3 scattered = scatter(axis, {1 - nu, 1 + nu}, random);
     RC_ASSERT(std::fabs(dot(scattered, scattered) - 1) < 1e-14);
     RC_ASSERT(std::fabs(dot(scattered, axis) - nu) < 1e-14);
 }
 
 // All azimuths are alike: a mean direction lies on the axis.
 TEST(Scatter, HasNoPreferredAzimuth) {
-    for (const Vector3& axis :
-         {Vector3{0, 0, 1}, Vector3{0, 0, -1}, Vector3{0.6, 0, 0.8}, Vector3{0, 0.6, -0.8}}) {
+    for (const glm::dvec3& axis : {glm::dvec3{0, 0, 1}, glm::dvec3{0, 0, -1},
+                                   glm::dvec3{0.6, 0, 0.8}, glm::dvec3{0, 0.6, -0.8}}) {
         RandomStream random(9, 0, 0);
-        Vector3 sum;
+        glm::dvec3 sum{};
         constexpr int kSamples = 100000;
         for (int i = 0; i < kSamples; ++i) sum = sum + scatter(axis, {0.5, 1.5}, random);
-        const Vector3 across = (1.0 / kSamples) * sum - 0.5 * axis;
+        const glm::dvec3 across = (1.0 / kSamples) * sum - 0.5 * axis;
         // Each component across has a variance of (1 - 1/4) / 2.
         EXPECT_LT(std::sqrt(dot(across, across)), 4 * std::sqrt(0.75 / kSamples));
     }

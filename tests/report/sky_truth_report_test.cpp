@@ -213,9 +213,7 @@ TEST(SkyTruthReport, FilesHoldWhatWasMeasured) {
     methods.push_back({});
     methods[1].method = {"grey", "constants", "grey, <of> \"all\"", "of old", [&medium] {
                              return std::make_unique<IsotropicOrders>(
-                                 medium.air, [](double, double) {
-                                     return Spectrum{0.1, 0.1, 0.1};
-                                 });
+                                 medium.air, [](double, double) { return Spectrum(0.1); });
                          }};
     methods[1].orders = methods[1].method.make();
     methods[1].time_ms = 2;

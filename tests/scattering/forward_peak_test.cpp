@@ -32,7 +32,7 @@ TEST(ForwardPeak, PeakAndRestAreTheWhole) {
         const SplitPhase& split = phases[k];
         if (split.peak.empty()) {
             EXPECT_FALSE(medium.layers[k].phase.functions.front().table);
-            EXPECT_EQ(split.wide.share, (Spectrum{1, 1, 1}));
+            EXPECT_EQ(split.wide.share, (Spectrum(1.0)));
             continue;
         }
         ++peaks;

@@ -110,9 +110,7 @@ TEST(SolvedLight, IsReciprocalOverFlatGround) {
             100, sun,
             sky_direction(sun, -view_cosine, std::sqrt(1 - view_cosine * view_cosine),
                           std::cos(azimuth)));
-        Spectrum total = radiance.total();
-        for (double& value : total) value /= sun_cosine;
-        return total;
+        return radiance.total() / sun_cosine;
     };
     for (const double azimuth : {0.0, 1.0, kPi}) {
         for (const auto& [a, b] : {std::pair{0.9, 0.4}, {0.7, 0.25}, {0.95, 0.6}}) {

@@ -72,7 +72,7 @@ RC_GTEST_PROP(AerialPerspective, IsThePartOfTheSkyThatIsNearer, ()) {
             RC_ASSERT(values[i].transmittance[c] <= values[i - 1].transmittance[c]);
         }
     }
-    RC_ASSERT(values[0].transmittance == (Spectrum{1, 1, 1}));
+    RC_ASSERT(values[0].transmittance == (Spectrum(1.0)));
     const ViewDirection view = camera.direction(u, v);
     // Cut at the same places: how the quadrature depends on them is not for this test to say.
     const SkyRay ray =
@@ -138,7 +138,7 @@ TEST(AerialPerspective, TakesAnyCameraAndNoAir) {
                 }
                 const auto none = aerial_perspective(vacuum.light(), camera, 0.5, v, {1000});
                 EXPECT_EQ(none[0].total(), Spectrum{});
-                EXPECT_EQ(none[0].transmittance, (Spectrum{1, 1, 1}));
+                EXPECT_EQ(none[0].transmittance, (Spectrum(1.0)));
             }
         }
     }

@@ -74,7 +74,7 @@ class TestSky {
                      full_.air, [](double altitude_km, double sun_cos_zenith) {
                          const double psi =
                              0.02 * std::exp(3 * sun_cos_zenith) / (1 + 0.05 * altitude_km);
-                         return Spectrum{psi, 1.5 * psi, 2 * psi};
+                         return Spectrum{psi, 1.5 * psi, 2 * psi, 0};
                      })) {}
 
     const SkyLight& light() const { return light_; }
@@ -83,8 +83,5 @@ class TestSky {
     SkyMedium full_;
     SkyLight light_;
 };
-
-// The largest value of all channels.
-inline double largest(const Spectrum& value) { return std::max({value[0], value[1], value[2]}); }
 
 }  // namespace skybake::test

@@ -32,12 +32,12 @@ double error_of_row(const SkyLight& light, const SkyViewCamera& camera, double y
     double scale = 0;
     for (const double cosine : cosines) {
         wanted.push_back(light.wanted(light.integrator().radiance(ray_at(cosine))));
-        scale = std::max(scale, test::largest(wanted.back()));
+        scale = std::max(scale, largest(wanted.back()));
     }
     double error = 0;
     for (std::size_t i = 0; i < cosines.size(); ++i) {
         const Spectrum value = light.wanted(found[i]);
-        for (std::size_t c = 0; c < value.size(); ++c) {
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
             const double floor = std::max(wanted[i][c], 1e-3 * scale);
             if (floor > 0) error = std::max(error, std::fabs(value[c] - wanted[i][c]) / floor);
         }
@@ -116,7 +116,7 @@ RC_GTEST_PROP(SkyRow, PartsOfTheLightAddUp, ()) {
     const Spectrum sum_rest = of(rest);
     const Spectrum sum_one = of(one);
     const Spectrum sum_remaining = of(remaining);
-    for (std::size_t c = 0; c < whole.size(); ++c) {
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
         const double sum = sum_rest[c] + sum_one[c] + sum_remaining[c];
         RC_ASSERT(std::fabs(sum - whole[c]) <= 1e-12 * whole[c]);
     }

@@ -38,16 +38,11 @@ class Point {
         const auto side = [&](double range, double sign, bool below) {
             // mu = horizon +- range x^2 takes away the horizon's square root.
             const auto integrand = [&](double x) {
-                Spectrum value = g(horizon + sign * range * x * x, below);
-                for (double& v : value) v *= range * x;
-                return value;
+                return range * x * g(horizon + sign * range * x * x, below);
             };
             return adaptive_integral<Spectrum>(integrand, 0.0, 1.0, relative_, 1e-14, 12);
         };
-        Spectrum sum = side(1 - horizon, 1, false);
-        const Spectrum below = side(1 + horizon, -1, true);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += below[c];
-        return sum;
+        return side(1 - horizon, 1, false) + side(1 + horizon, -1, true);
     }
 
     // Integral along the ray of coefficient(h) T(start, x), per channel.
@@ -65,25 +60,20 @@ class Point {
         std::sort(breaks.begin(), breaks.end());
         const auto integrand = [&](double x) {
             const double altitude = altitude_at(s, x);
-            Spectrum value = source(x, altitude);
-            const Spectrum depth = optical_depth_along(medium_, altitude_km_, mu, x);
-            for (std::size_t c = 0; c < value.size(); ++c) value[c] *= exponential(-depth[c]);
-            return value;
+            return source(x, altitude) *
+                   exponential(-optical_depth_along(medium_, altitude_km_, mu, x));
         };
         Spectrum sum{};
         for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-            const Spectrum part = adaptive_integral<Spectrum>(integrand, breaks[i], breaks[i + 1],
-                                                              relative_, 1e-16, 12);
-            for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += part[c];
+            sum += adaptive_integral<Spectrum>(integrand, breaks[i], breaks[i + 1], relative_,
+                                               1e-16, 12);
         }
         return sum;
     }
 
     Spectrum end_transmittance(double mu, bool below) const {
         const double length = length_km(r_km_ * mu, below);
-        Spectrum result = optical_depth_along(medium_, altitude_km_, mu, length);
-        for (double& value : result) value = exponential(-value);
-        return result;
+        return exponential(-optical_depth_along(medium_, altitude_km_, mu, length));
     }
 
     // Light that arrives from (mu, azimuth) after one bounce off air or ground.
@@ -92,9 +82,7 @@ class Point {
         const double view_dot_sun = mu * sun_cos_ + sine * sun_sin_ * std::cos(azimuth);
         const auto source = [&](double x, double altitude) {
             const Spectrum sunlight = sunlight_at(altitude, r_km_ * sun_cos_ + x * view_dot_sun);
-            Spectrum value = scattering_at(medium_, altitude);
-            for (std::size_t c = 0; c < value.size(); ++c) value[c] *= sunlight[c] / (4 * kPi);
-            return value;
+            return scattering_at(medium_, altitude) * (sunlight / (4 * kPi));
         };
         const double length = length_km(r_km_ * mu, below);
         Spectrum sum = along_ray(mu, below, shadow_edges_km(mu, view_dot_sun, length), source);
@@ -104,10 +92,7 @@ class Point {
                 const Spectrum sunlight = sunlight_at(0, s);
                 const Spectrum transmittance = end_transmittance(mu, below);
                 const double cosine = s / shell_.ground_radius_km;
-                for (std::size_t c = 0; c < sum.size(); ++c) {
-                    sum[c] +=
-                        transmittance[c] * medium_.ground_albedo[c] / kPi * cosine * sunlight[c];
-                }
+                sum += transmittance * medium_.ground_albedo / kPi * cosine * sunlight;
             }
         }
         return sum;
@@ -118,17 +103,12 @@ class Point {
         const auto radiance = [&](double azimuth) {
             return second_order_radiance(mu, azimuth, below);
         };
-        Spectrum sum = adaptive_integral<Spectrum>(radiance, 0.0, kPi, relative_, 1e-12, 10);
-        for (double& value : sum) value /= kPi;
-        return sum;
+        return adaptive_integral<Spectrum>(radiance, 0.0, kPi, relative_, 1e-12, 10) / kPi;
     }
 
     Spectrum scattering(double altitude) const { return scattering_at(medium_, altitude); }
     Spectrum absorption(double altitude) const {
-        Spectrum value = extinction_at(medium_, altitude);
-        const Spectrum scattered = scattering_at(medium_, altitude);
-        for (std::size_t c = 0; c < value.size(); ++c) value[c] -= scattered[c];
-        return value;
+        return extinction_at(medium_, altitude) - scattering_at(medium_, altitude);
     }
 
   private:
@@ -144,9 +124,7 @@ class Point {
     // Transmittance towards the sun from an altitude where r mu_s = s; none in the planet's shadow.
     Spectrum sunlight_at(double altitude, double s) const {
         if (s < -horizon_distance_km(shell_, altitude)) return {};
-        Spectrum result = optical_depth_to_top(medium_, altitude, s);
-        for (double& value : result) value = exponential(-value);
-        return result;
+        return exponential(-optical_depth_to_top(medium_, altitude, s));
     }
 
     // Where the ray crosses the cylinder of the planet's shadow: |P|^2 - (P . sun)^2 = R^2.
@@ -187,17 +165,13 @@ MultipleScatteringTerms reference_multiple_scattering(const Medium& medium, doub
                                [&](double, double h) { return point.scattering(h); });
     });
     terms.escape = point.mean_over_zenith([&](double mu, bool below) {
-        Spectrum sum = point.end_transmittance(mu, below);
-        const Spectrum absorbed =
-            point.along_ray(mu, below, {}, [&](double, double h) { return point.absorption(h); });
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += absorbed[c];
-        return sum;
+        return point.end_transmittance(mu, below) +
+               point.along_ray(mu, below, {},
+                               [&](double, double h) { return point.absorption(h); });
     });
     terms.second_order = point.mean_over_zenith(
         [&](double mu, bool below) { return point.mean_over_azimuth(mu, below); });
-    for (std::size_t c = 0; c < static_cast<std::size_t>(medium.channels); ++c) {
-        terms.psi[c] = terms.second_order[c] / terms.escape[c];
-    }
+    terms.psi = terms.second_order / terms.escape;
     return terms;
 }
 

@@ -106,7 +106,7 @@ inline std::array<Quad, kMaxChannels> referee_optical_depth_to_top(const Medium&
 // 1e-34 of the planet's radius at the edges of thin layers.
 inline double relative_difference(const Spectrum& a, const std::array<Quad, kMaxChannels>& b) {
     double largest = 0;
-    for (std::size_t c = 0; c < a.size(); ++c) {
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
         const Quad size = b[c] > 1e-15 ? b[c] : Quad(1e-15);
         largest = std::max(largest, static_cast<double>(abs((Quad(a[c]) - b[c]) / size)));
     }

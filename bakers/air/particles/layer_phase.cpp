@@ -34,13 +34,12 @@ LayerPhase layer_phase(const config::Layer& layer) {
 }
 
 Spectrum phase_values(const LayerPhase& phase, double one_minus_cosine, double one_plus_cosine) {
-    Spectrum result{};
     if (phase.is_alike()) {
-        result.fill(phase_value(phase.functions.front(), one_minus_cosine, one_plus_cosine));
-        return result;
+        return Spectrum(phase_value(phase.functions.front(), one_minus_cosine, one_plus_cosine));
     }
+    Spectrum result{};
     for (std::size_t c = 0; c < phase.functions.size(); ++c) {
-        result[c] = phase_value(phase.functions[c], one_minus_cosine, one_plus_cosine);
+        data(result)[c] = phase_value(phase.functions[c], one_minus_cosine, one_plus_cosine);
     }
     return result;
 }
@@ -52,10 +51,11 @@ std::vector<Spectrum> legendre_moments(const LayerPhase& phase, int degree) {
     }
     std::vector<Spectrum> result(static_cast<std::size_t>(degree) + 1);
     for (std::size_t l = 0; l < result.size(); ++l) {
-        for (std::size_t c = 0; c < result[l].size(); ++c) {
-            const std::size_t function = phase.is_alike() ? 0 : c;
-            if (function < moments.size()) result[l][c] = moments[function][l];
+        if (phase.is_alike()) {
+            result[l] = Spectrum(moments.front()[l]);
+            continue;
         }
+        for (std::size_t c = 0; c < moments.size(); ++c) result[l][c] = moments[c][l];
     }
     return result;
 }

@@ -2,18 +2,14 @@
 // spheres in each by its wavelength.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "bakers/air/particles/phase_function.h"
+#include "bakers/math/vectors.h"
 #include "config/sections/atmosphere.h"
 
 namespace skybake {
-
-inline constexpr int kMaxChannels = 3;
-
-using Spectrum = std::array<double, kMaxChannels>;  // channels that there are not have 0
 
 struct LayerPhase {
     std::vector<PhaseFunction> functions;  // one for all channels, or one per channel

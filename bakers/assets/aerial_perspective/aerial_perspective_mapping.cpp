@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <glm/geometric.hpp>
 
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/aerial_perspective.h"
@@ -26,15 +26,10 @@ AerialCamera::AerialCamera(const config::AerialPerspectiveBake& bake)
 }
 
 ViewDirection AerialCamera::direction(double u, double v) const {
-    Vector ray;
-    double square = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        ray[i] = forward_[i] + (2 * u - 1) * right_[i] + (1 - 2 * v) * up_[i];
-        square += ray[i] * ray[i];
-    }
-    const double length = std::sqrt(square);
-    const double level = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
-    return {ray[2] / length, level / length, level > 0 ? std::clamp(ray[0] / level, -1.0, 1.0) : 1};
+    const glm::dvec3 ray = forward_ + (2 * u - 1) * right_ + (1 - 2 * v) * up_;
+    const double length = std::sqrt(glm::dot(ray, ray));
+    const double level = std::sqrt(ray.x * ray.x + ray.y * ray.y);
+    return {ray.z / length, level / length, level > 0 ? std::clamp(ray.x / level, -1.0, 1.0) : 1};
 }
 
 double AerialCamera::distance_km(double w) const {

@@ -17,9 +17,8 @@
 // falls from 1 about linearly with distance; a runtime scales by distance there.
 #pragma once
 
-#include <array>
-
 #include "bakers/light/sky_direction.h"
+#include "bakers/math/vectors.h"
 #include "config/assets/aerial_perspective.h"
 
 namespace skybake {
@@ -41,14 +40,14 @@ class AerialCamera {
     double distance_km(double w) const;
 
   private:
-    using Vector = std::array<double, 3>;  // towards the sun's azimuth, to its right, up
     SunZenith sun_;
     double altitude_km_;
     double view_distance_km_;
     config::SliceSpacing slices_;
-    Vector forward_{};
-    Vector right_{};  // times tan(fov / 2) and aspect
-    Vector up_{};     // times tan(fov / 2)
+    // Components: towards the sun's azimuth, to its right, up.
+    glm::dvec3 forward_{};
+    glm::dvec3 right_{};  // times tan(fov / 2) and aspect
+    glm::dvec3 up_{};     // times tan(fov / 2)
 };
 
 }  // namespace skybake

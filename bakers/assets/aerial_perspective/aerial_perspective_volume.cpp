@@ -30,10 +30,10 @@ std::vector<double> channels_of(const SkyLight& light, const SkyRadiance& radian
     const Spectrum in_scatter = light.wanted(radiance);
     std::vector<double> values;
     if (content == AerialContent::transmittance) {
-        values.assign(radiance.transmittance.begin(), radiance.transmittance.begin() + colours);
+        values.assign(data(radiance.transmittance), data(radiance.transmittance) + colours);
         return values;
     }
-    values.assign(in_scatter.begin(), in_scatter.begin() + colours);
+    values.assign(data(in_scatter), data(in_scatter) + colours);
     if (content == AerialContent::in_scatter_and_transmittance) {
         double sum = 0;
         for (int c = 0; c < colours; ++c) {

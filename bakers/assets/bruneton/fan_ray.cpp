@@ -59,16 +59,10 @@ class FanRayMaker {
 
     void add(double from_km, double to_km, const Spectrum& depth_from, const Spectrum& depth_to,
              int halvings) {
-        bool lit = false;
-        double deepest = 0;
-        for (std::size_t c = 0; c < channels(); ++c) {
-            if (depth_from[c] > ray_pieces::kLastLight) continue;
-            lit = true;
-            deepest = std::max(deepest, depth_to[c] - depth_from[c]);
-        }
-        if (!lit) return;
+        const auto deepest = ray_pieces::lit_depth(depth_from, depth_to, medium_.air.channels);
+        if (!deepest) return;
         const bool is_long = to_km - from_km > kLongestPiece * shell_.ground_radius_km;
-        if ((deepest > ray_pieces::kLargestDepth || is_long) &&
+        if ((*deepest > ray_pieces::kLargestDepth || is_long) &&
             halvings < ray_pieces::kMostHalvings) {
             const double middle = 0.5 * (from_km + to_km);
             const Spectrum depth_middle = depth(middle);
@@ -82,8 +76,6 @@ class FanRayMaker {
     std::vector<FanPiece> take() { return std::move(pieces_); }
 
   private:
-    std::size_t channels() const { return static_cast<std::size_t>(medium_.air.channels); }
-
     FanPiece piece(double from_km, double to_km) const {
         FanPiece result;
         result.from_km = from_km;
@@ -95,19 +87,12 @@ class FanRayMaker {
             node.altitude_km = std::clamp(
                 altitude_along_km(shell_, view_.altitude_km, view_.s_km, node.distance_km), 0.0,
                 shell_.thickness_km);  // rounding
-            const Spectrum depth_here = depth(node.distance_km);
-            Spectrum passing{};
-            for (std::size_t c = 0; c < channels(); ++c) passing[c] = exponential(-depth_here[c]);
+            const Spectrum passing = exponential(-depth(node.distance_km));
             for (const SkyLayer& layer : medium_.layers) {
-                Spectrum sent =
-                    layer.scatters ? scattering_at(layer.alone, node.altitude_km) : Spectrum{};
-                Spectrum weight{};
-                for (std::size_t c = 0; c < channels(); ++c) {
-                    sent[c] *= passing[c];
-                    weight[c] = width * ray_pieces::gauss_rule().weights[i] * sent[c];
-                }
+                Spectrum sent{};
+                if (layer.scatters) sent = scattering_at(layer.alone, node.altitude_km) * passing;
                 node.sent.push_back(sent);
-                node.weights.push_back(weight);
+                node.weights.push_back(width * ray_pieces::gauss_rule().weights[i] * sent);
             }
         }
         for (std::size_t j = 0; j < kCoarse.size(); ++j) {
@@ -115,9 +100,7 @@ class FanRayMaker {
             weights.resize(medium_.layers.size());
             for (std::size_t i = 0; i < kRayNodes; ++i) {
                 for (std::size_t k = 0; k < weights.size(); ++k) {
-                    for (std::size_t c = 0; c < channels(); ++c) {
-                        weights[k][c] += coarse_rule()[j][i] * result.nodes[i].weights[k][c];
-                    }
+                    weights[k] += coarse_rule()[j][i] * result.nodes[i].weights[k];
                 }
             }
         }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <utility>
 
@@ -25,15 +26,6 @@ constexpr int kIrradianceSize = 64;
 
 using Grid = std::vector<Spectrum>;  // [w][v][u]
 
-struct Vector3d {
-    double x, y, z;
-};
-double dot(const Vector3d& a, const Vector3d& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-void add(double weight, const Spectrum& from, Spectrum& to) {
-    for (std::size_t c = 0; c < to.size(); ++c) to[c] += weight * from[c];
-}
-
 class Iteration {
   public:
     Iteration(const SkyMedium& medium, const ScatteringMapping& mapping, const BakeOptions& options)
@@ -54,7 +46,7 @@ class Iteration {
             const Grid density = scattering_density(order);
             irradiance_ = indirect_irradiance(order);
             last_ = along_rays(density);
-            for (std::size_t i = 0; i < texels_; ++i) add(1, last_[i], sum[i]);
+            for (std::size_t i = 0; i < texels_; ++i) sum[i] += last_[i];
         }
         return sum;
     }
@@ -87,10 +79,8 @@ class Iteration {
         return radius(altitude_km) * view_cosine < -horizon_distance_km(shell_, altitude_km);
     }
     Spectrum transmittance(const ScatteringView& view, double distance_km) const {
-        Spectrum value =
-            optical_depth_along(medium_.air, view.altitude_km, cosine(view), distance_km);
-        for (double& channel : value) channel = exponential(-channel);
-        return value;
+        return exponential(
+            -optical_depth_along(medium_.air, view.altitude_km, cosine(view), distance_km));
     }
 
     template <class Visit>
@@ -124,8 +114,8 @@ class Iteration {
             const double sun = 2.0 * i / (kIrradianceSize - 1) - 1;
             irradiance_[static_cast<std::size_t>(i)] = {};
             if (sun <= 0) continue;
-            add(sun, integrator_.sunlight(0, shell_.ground_radius_km * sun),
-                irradiance_[static_cast<std::size_t>(i)]);
+            irradiance_[static_cast<std::size_t>(i)] +=
+                sun * integrator_.sunlight(0, shell_.ground_radius_km * sun);
         }
     }
 
@@ -133,7 +123,7 @@ class Iteration {
         const AxisTaps taps = axis_taps(0.5 * (sun_cos_zenith + 1), kIrradianceSize);
         Spectrum value{};
         for (std::size_t i = 0; i < 2; ++i) {
-            add(taps.weight[i], irradiance_[static_cast<std::size_t>(taps.texel[i])], value);
+            value += taps.weight[i] * irradiance_[static_cast<std::size_t>(taps.texel[i])];
         }
         return value;
     }
@@ -141,7 +131,7 @@ class Iteration {
     Spectrum look_up(const Grid& grid, const ScatteringCoordinates& x) const {
         Spectrum value{};
         for_each_tap(mapping_, x, [&](int u, int v, int w, double weight) {
-            add(weight, grid[first_of(v, w) + static_cast<std::size_t>(u)], value);
+            value += weight * grid[first_of(v, w) + static_cast<std::size_t>(u)];
         });
         return value;
     }
@@ -154,7 +144,7 @@ class Iteration {
             if (!medium_.layers[k].scatters) continue;
             const Spectrum light = look_up(single_[k], x);
             const Spectrum phase = phase_values(medium_.layers[k].phase, 1 - nu, 1 + nu);
-            for (std::size_t c = 0; c < value.size(); ++c) value[c] += light[c] * phase[c];
+            value += light * phase;
         }
         return value;
     }
@@ -181,7 +171,8 @@ class Iteration {
             view_at(view.altitude_km, from_cosine, meets_ground(view.altitude_km, from_cosine));
         const Spectrum to_ground =
             from.meets_ground ? transmittance(from, from.length_km) : Spectrum{};
-        const double solid_angle = std::numbers::pi / kDirections * (std::numbers::pi / kDirections) * from_sine;
+        const double solid_angle =
+            std::numbers::pi / kDirections * (std::numbers::pi / kDirections) * from_sine;
         std::vector<Spectrum> scattering;
         for (const SkyLayer& layer : medium_.layers) {
             scattering.push_back(layer.scatters ? scattering_at(layer.alone, view.altitude_km)
@@ -191,14 +182,15 @@ class Iteration {
             const double sun = mapping_.sun_of_texel(u);
             const double nu = nu_of(u, mu);
             const double sun_x = sine > 0 ? (nu - mu * sun) / sine : 0;
-            const Vector3d sun_vector = {
+            const glm::dvec3 sun_vector = {
                 sun_x, std::sqrt(std::max(1 - sun_x * sun_x - sun * sun, 0.0)), sun};
             ScatteringCoordinates x = mapping_.coordinates(from, sun, 0);
             for (int m = 0; m < 2 * kDirections; ++m) {
-                const SineCosine azimuth = sine_and_cosine(std::numbers::pi * (m + 0.5) / kDirections);
-                const Vector3d omega = {azimuth.cosine * from_sine, azimuth.sine * from_sine,
-                                        from_cosine};
-                const double from_nu = std::clamp(dot(omega, sun_vector), -1.0, 1.0);
+                const SineCosine azimuth =
+                    sine_and_cosine(std::numbers::pi * (m + 0.5) / kDirections);
+                const glm::dvec3 omega = {azimuth.cosine * from_sine, azimuth.sine * from_sine,
+                                          from_cosine};
+                const double from_nu = std::clamp(glm::dot(omega, sun_vector), -1.0, 1.0);
                 x.x_nu = 0.5 * (from_nu + 1);
                 Spectrum light = incident(order, x, from_nu);
                 if (from.meets_ground) add_ground(view, from, sun, from_nu, to_ground, light);
@@ -206,9 +198,7 @@ class Iteration {
                 for (std::size_t k = 0; k < scattering.size(); ++k) {
                     const Spectrum phase =
                         phase_values(medium_.layers[k].phase, 1 - turn, 1 + turn);
-                    for (std::size_t c = 0; c < light.size(); ++c) {
-                        row[u][c] += solid_angle * light[c] * scattering[k][c] * phase[c];
-                    }
+                    row[u] += solid_angle * light * scattering[k] * phase;
                 }
             }
         }
@@ -221,9 +211,7 @@ class Iteration {
             (radius(view.altitude_km) * sun + from.length_km * nu) / shell_.ground_radius_km, -1.0,
             1.0);
         const Spectrum irradiance = ground_irradiance(there);
-        for (std::size_t c = 0; c < light.size(); ++c) {
-            light[c] += passing[c] * medium_.air.ground_albedo[c] / std::numbers::pi * irradiance[c];
-        }
+        light += passing * medium_.air.ground_albedo / std::numbers::pi * irradiance;
     }
 
     using Irradiance = std::array<Spectrum, kIrradianceSize>;
@@ -238,14 +226,15 @@ class Iteration {
                 const double mu = cosine_of_pi((j + 0.5) / kIrradianceDirections);
                 const double sine = std::sqrt((1 - mu) * (1 + mu));
                 ScatteringCoordinates x = mapping_.coordinates(view_at(0, mu, false), sun, 0);
-                const double weight =
-                    std::numbers::pi / kIrradianceDirections * (std::numbers::pi / kIrradianceDirections) * sine * mu;
+                const double weight = std::numbers::pi / kIrradianceDirections *
+                                      (std::numbers::pi / kIrradianceDirections) * sine * mu;
                 for (int m = 0; m < 2 * kIrradianceDirections; ++m) {
                     const double along =
-                        sine_and_cosine(std::numbers::pi * (m + 0.5) / kIrradianceDirections).cosine;
+                        sine_and_cosine(std::numbers::pi * (m + 0.5) / kIrradianceDirections)
+                            .cosine;
                     const double nu = std::clamp(mu * sun + sine * sun_sine * along, -1.0, 1.0);
                     x.x_nu = 0.5 * (nu + 1);
-                    add(weight, incident(order, x, nu), result[static_cast<std::size_t>(i)]);
+                    result[static_cast<std::size_t>(i)] += weight * incident(order, x, nu);
                 }
             }
         });
@@ -276,9 +265,7 @@ class Iteration {
                         -1.0, 1.0);
                     const Spectrum light = look_up(density, mapping_.coordinates(here, sun, nu));
                     Spectrum& texel = result[first_of(v, w) + static_cast<std::size_t>(u)];
-                    for (std::size_t c = 0; c < texel.size(); ++c) {
-                        texel[c] += weight * passing[c] * light[c];
-                    }
+                    texel += weight * passing * light;
                 }
             }
         });

@@ -31,10 +31,7 @@ struct Remembered {
 };
 
 StoredSpectrum stored(const Spectrum& value) {
-    StoredSpectrum result{};
-    std::transform(value.begin(), value.end(), result.begin(),
-                   [](double channel) { return static_cast<float>(channel); });
-    return result;
+    return {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
 }
 
 }  // namespace

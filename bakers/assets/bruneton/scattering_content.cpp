@@ -71,17 +71,12 @@ ScatteringParts ScatteringContent::parts(const ScatteringRow& row, std::size_t s
         if (!medium_.layers[k].scatters) continue;
         const Spectrum own = phase_at(medium_.layers[k], nu);
         const Spectrum& light = row.single[k][sun];
-        for (std::size_t c = 0; c < colours_; ++c) {
-            if (is_mie_[k]) {
-                parts.mie[c] += light[c] * (own[c] == first[c] ? 1 : own[c] / first[c]);
-            } else {
-                parts.air[c] += light[c] * (own[c] / rayleigh);
-            }
+        if (!is_mie_[k]) parts.air += light * (own / rayleigh);
+        for (std::size_t c = 0; c < colours_ && is_mie_[k]; ++c) {
+            parts.mie[c] += light[c] * (own[c] == first[c] ? 1 : own[c] / first[c]);
         }
     }
-    if (!row.higher.empty()) {
-        for (std::size_t c = 0; c < colours_; ++c) parts.higher[c] = row.higher[sun][c] / rayleigh;
-    }
+    if (!row.higher.empty()) parts.higher = row.higher[sun] / rayleigh;
     return parts;
 }
 
@@ -103,12 +98,7 @@ Texel ScatteringContent::texel(const ScatteringParts& parts) const {
 }
 
 Spectrum ScatteringContent::radiance(const ScatteringParts& parts, double nu) const {
-    const Spectrum mie = mie_phase(nu);
-    Spectrum sum{};
-    for (std::size_t c = 0; c < colours_; ++c) {
-        sum[c] = (parts.air[c] + parts.higher[c]) * rayleigh_phase(nu) + parts.mie[c] * mie[c];
-    }
-    return sum;
+    return (parts.air + parts.higher) * rayleigh_phase(nu) + parts.mie * mie_phase(nu);
 }
 
 }  // namespace skybake

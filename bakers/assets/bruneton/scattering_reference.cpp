@@ -43,9 +43,9 @@ ScatteringParts ScatteringReference::parts(const ScatteringView& view, double su
         parts.mie = mie_alone_.up_to(ray, {ray.length_km}).front().single;
     }
     if (content_.wants_higher()) parts.higher = all_.up_to(ray, {ray.length_km}).front().multiple;
-    for (std::size_t c = 0; c < parts.air.size(); ++c) {
-        parts.air[c] /= rayleigh_phase(nu);
-        parts.higher[c] /= rayleigh_phase(nu);
+    parts.air /= rayleigh_phase(nu);
+    parts.higher /= rayleigh_phase(nu);
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
         if (parts.mie[c] > 0) parts.mie[c] /= mie_phase[c];
     }
     return parts;

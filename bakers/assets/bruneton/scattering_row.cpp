@@ -74,10 +74,7 @@ void ScatteringRows::add_cut_piece(const ScatteringView& view, const FanPiece& p
         const double weight = rule.weights[j] * (to_km - from_km);
         for (std::size_t i = 0; i < shares.size(); ++i) {
             for (std::size_t k = 0; k < sums.size(); ++k) {
-                const Spectrum& sent = piece.nodes[i].sent[k];
-                for (std::size_t c = 0; c < sent.size(); ++c) {
-                    sums[k][c] += weight * shares[i] * sent[c] * sun[c];
-                }
+                sums[k] += weight * shares[i] * piece.nodes[i].sent[k] * sun;
             }
         }
     }
@@ -127,9 +124,7 @@ ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunFan& suns
     if (light_ != nullptr) {
         result.higher.resize(wanted);
         for (std::size_t i = 0; i < wanted; ++i) {
-            for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                result.higher[i][c] = scattered[i * kChannelSlots + c];
-            }
+            result.higher[i] = packet_at(scattered.data() + i * kChannelSlots);
         }
     }
     return result;

@@ -69,7 +69,7 @@ void AddSunlight(const TransmittanceField& field, const ScatteringView& view, co
                 const auto channel = static_cast<std::size_t>(c);
                 const Lanes sunlight = value[c] * here;
                 for (std::size_t k = 0; k < layers; ++k) {
-                    const double weight = node.weights[k][channel];
+                    const double weight = data(node.weights[k])[channel];
                     if (weight == 0) continue;
                     double* to = single + (k * kMaxChannels + channel) * stride + i;
                     (Lanes::load(to) + Lanes(weight) * sunlight).store(to);
@@ -177,20 +177,15 @@ void SolvedNode::gather_rows(const FanNode& node,
     const int degree = light_.degree();
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
     harmonics_over_sines(degree, place_.view_cosine, harmonics.data());
-    std::vector<double> factors(harmonics.size() * kChannelSlots);
+    std::vector<Spectrum> factors(harmonics.size());
     for (int l = 0; l <= degree; ++l) {
         Spectrum sum{};
         for (std::size_t k = 0; k < phase_moments.size(); ++k) {
-            for (std::size_t c = 0; c < sum.size(); ++c) {
-                sum[c] +=
-                    node.coarse_weights[k][c] * phase_moments[k][static_cast<std::size_t>(l)][c];
-            }
+            sum += node.coarse_weights[k] * phase_moments[k][static_cast<std::size_t>(l)];
         }
         for (int m = 0; m <= l; ++m) {
             const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            for (std::size_t c = 0; c < sum.size(); ++c) {
-                factors[lm * kChannelSlots + c] = sum[c] * harmonics[lm];
-            }
+            factors[lm] = sum * harmonics[lm];
         }
     }
     const std::vector<double>& levels = light_.altitudes_km;
@@ -211,10 +206,10 @@ void SolvedNode::gather_rows(const FanNode& node,
         for (std::size_t m = 0; m < orders_; ++m) {
             Channels sum = Channels::all(0);
             for (std::size_t l = m; l < orders_; ++l) {
-                const std::size_t lm = (l * (l + 1) / 2 + m) * kChannelSlots;
-                sum =
-                    sum + Channels::load(factors.data() + lm) *
-                              (near * Channels::load(under + lm) + far * Channels::load(over + lm));
+                const std::size_t lm = l * (l + 1) / 2 + m;
+                const std::size_t at = lm * kChannelSlots;
+                sum = sum + Channels::load(data(factors[lm])) * (near * Channels::load(under + at) +
+                                                                 far * Channels::load(over + at));
             }
             sum.store(row + m * kChannelSlots);
         }

@@ -37,7 +37,7 @@ Spectrum irradiance(const SkyLight& light, IrradianceContent content, double alt
     }
     if (content != IrradianceContent::sky) {
         const Spectrum sun = sun_irradiance(light, altitude_km, sun_cos_zenith);
-        for (std::size_t c = 0; c < value.size(); ++c) value[c] += sun[c];
+        value += sun;
     }
     return value;
 }
@@ -95,7 +95,7 @@ TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
             const Spectrum value =
                 irradiance(light, content, irradiance_altitude_km(light.shell(), y),
                            sun_cos_zenith_at(mapping, coordinate), nodes);
-            values = std::copy_n(value.begin(), channels, values);
+            values = std::copy_n(data(value), channels, values);
         }
     };
     TableModel model;

@@ -55,10 +55,7 @@ std::vector<Spectrum> layer_shares(const SkyMedium& medium, double altitude_km) 
     for (const SkyLayer& layer : medium.layers) {
         Spectrum share{};
         if (layer.scatters) share = scattering_at(layer.alone, altitude_km);
-        for (std::size_t c = 0; c < share.size(); ++c) {
-            share[c] = total[c] > 0 ? share[c] / total[c] : 0;
-        }
-        shares.push_back(share);
+        shares.push_back(share_of(share, total));
     }
     return shares;
 }
@@ -68,11 +65,7 @@ std::vector<Node> nodes_along(const SkyMedium& medium, const SolvedLight& light,
     ViewRay ray = trace_view_ray(medium.air, quadrature_altitudes_km(medium.air), any.altitude_km,
                                  any.s_km, any.meets_ground);
     Spectrum whole{};
-    for (const RayCell& cell : ray.cells) {
-        for (std::size_t c = 0; c < whole.size(); ++c) {
-            whole[c] += cell.near_weight[c] + cell.far_weight[c];
-        }
-    }
+    for (const RayCell& cell : ray.cells) whole += cell.near_weight + cell.far_weight;
     refine_view_ray(medium.air, whole, kRayTolerance, ray);
     std::vector<std::vector<Spectrum>> phase_moments;
     for (const SkyLayer& layer : medium.layers) {
@@ -99,9 +92,9 @@ class TermCollector {
         if (!used_[texel]) {
             used_[texel] = true;
             texels_.push_back(texel);
-            weights_[texel] = {};
+            weights_[texel] = Spectrum(0.0);
         }
-        for (std::size_t c = 0; c < weight.size(); ++c) weights_[texel][c] += share * weight[c];
+        weights_[texel] += share * weight;
     }
 
     void end_equation(ViewEquations& equations) {
@@ -190,9 +183,7 @@ ViewEquations view_equations(const SkyMedium& medium, const SolvedLight& light,
             const double sun_s_km = ray.sun_s_km + node.distance_km * ray.cosine_to_sun;
             const ScatteringPoint point =
                 scattering_point(shell, ray, node.altitude_km, sun_s_km, node.distance_km);
-            const Spectrum source =
-                node.source.scattered(point.sun_cos_zenith, point.azimuth_cosine);
-            for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += node.weight[c] * source[c];
+            sum += node.weight * node.source.scattered(point.sun_cos_zenith, point.azimuth_cosine);
             add_node_terms(node, between(axes.column_of(point.sun_cos_zenith), axes.width()),
                            axes.width(), terms);
         }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <vector>
 
@@ -26,19 +27,10 @@ constexpr int kSteps = 20;
 constexpr double kSampleInStep = 0.3;
 constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
 
-struct Vector {
-    double x, y, z;  // z up, the sun in the xz plane
-};
-
-Vector along(Vector p, Vector direction, double t) {
-    return {p.x + t * direction.x, p.y + t * direction.y, p.z + t * direction.z};
-}
-
-double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-const std::vector<Vector>& directions() {
-    static const std::vector<Vector> all = [] {
-        std::vector<Vector> result;
+// z is up, and the sun in the xz plane.
+const std::vector<glm::dvec3>& directions() {
+    static const std::vector<glm::dvec3> all = [] {
+        std::vector<glm::dvec3> result;
         for (int i = 0; i < kSquareRootOfDirections; ++i) {
             for (int j = 0; j < kSquareRootOfDirections; ++j) {
                 const double turn = (i + 0.5) / kSquareRootOfDirections;
@@ -49,8 +41,8 @@ const std::vector<Vector>& directions() {
                     const double folded = std::fabs(t - std::floor(t + 0.5));
                     return HWY_NAMESPACE::cosine_of_pi(2 * folded);
                 };
-                result.push_back(
-                    {sine * cosine_of_turn(turn), sine * cosine_of_turn(turn - 0.25), cosine});
+                result.emplace_back(sine * cosine_of_turn(turn), sine * cosine_of_turn(turn - 0.25),
+                                    cosine);
             }
         }
         return result;
@@ -82,37 +74,36 @@ Spectrum multiple_scattering_as_in_paper(const Medium& medium, const Image2<floa
                                          double altitude_km, double sun_cos_zenith) {
     const Shell shell = shell_of(medium);
     const auto channels = static_cast<std::size_t>(medium.channels);
-    const Vector start = {0, 0, shell.ground_radius_km + altitude_km};
+    const glm::dvec3 start = {0, 0, shell.ground_radius_km + altitude_km};
     const double sun_sin = std::sqrt(std::max(0.0, 1 - sun_cos_zenith * sun_cos_zenith));
-    const Vector sun = {sun_sin, 0, sun_cos_zenith};
+    const glm::dvec3 sun = {sun_sin, 0, sun_cos_zenith};
 
-    const auto sunlight = [&](Vector p, double altitude) {
+    const auto sunlight = [&](const glm::dvec3& p, double altitude) {
         Spectrum result{};
-        const double s = dot(p, sun);
+        const double s = glm::dot(p, sun);
         if (s < -horizon_distance_km(shell, altitude)) return result;
         const double r = shell.ground_radius_km + altitude;
         const UnitCoordinates at = transmittance_coordinates(shell, altitude, s / r);
         bilinear(transmittance, texture_coordinate(kConvention, at.x_mu, kWidth),
-                 texture_coordinate(kConvention, at.x_r, kHeight), result.data());
+                 texture_coordinate(kConvention, at.x_r, kHeight), data(result));
         return result;
     };
 
     Spectrum second_order{};
     Spectrum scattered{};
-    for (const Vector& direction : directions()) {
+    for (const glm::dvec3& direction : directions()) {
         const double s = start.z * direction.z;
         const bool hits_ground =
             s < -horizon_distance_km(shell, altitude_km) || (altitude_km == 0 && s < 0);
         const double length = hits_ground ? distance_to_ground_km(shell, altitude_km, s)
                                           : distance_to_top_km(shell, altitude_km, s);
-        Spectrum throughput{};
-        std::fill_n(throughput.begin(), channels, 1.0);
+        Spectrum throughput(1.0);
         double t = 0;
         for (int step = 0; step < kSteps; ++step) {
             const double next = length * (step + kSampleInStep) / kSteps;
             const double dt = next - t;
             t = next;
-            const Vector p = along(start, direction, t);
+            const glm::dvec3 p = start + t * direction;
             const double altitude =
                 std::clamp(altitude_along_km(shell, altitude_km, s, t), 0.0, shell.thickness_km);
             const Coefficients at = coefficients_at(medium, altitude);
@@ -129,21 +120,14 @@ Spectrum multiple_scattering_as_in_paper(const Medium& medium, const Image2<floa
             }
         }
         if (hits_ground) {
-            const Vector p = along(start, direction, length);
-            const double cosine = dot(p, sun) / shell.ground_radius_km;
+            const glm::dvec3 p = start + length * direction;
+            const double cosine = glm::dot(p, sun) / shell.ground_radius_km;
             const Spectrum light = sunlight(p, 0);
-            for (std::size_t c = 0; c < channels; ++c) {
-                second_order[c] += throughput[c] * light[c] * std::max(0.0, cosine) *
-                                   medium.ground_albedo[c] / kPi;
-            }
+            second_order += throughput * light * std::max(0.0, cosine) * medium.ground_albedo / kPi;
         }
     }
-    Spectrum psi{};
     const auto count = static_cast<double>(directions().size());
-    for (std::size_t c = 0; c < channels; ++c) {
-        psi[c] = second_order[c] / count / (1 - scattered[c] / count);
-    }
-    return psi;
+    return second_order / count / (1.0 - scattered / count);
 }
 
 }  // namespace skybake

@@ -160,13 +160,8 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
         const double sine = square_root(maximum((1 - ray.mu) * (1 + ray.mu), 0.0));
         for (std::size_t k = 0; k < ray.nodes.size(); ++k) {
             const RayNode& node = ray.nodes[k];
-            Spectrum weight{};
-            double largest = 0;
-            for (std::size_t c = 0; c < weight.size(); ++c) {
-                weight[c] = ray.weight * node.weight[c] * (0.25 / kPi);
-                largest = maximum(largest, weight[c]);
-            }
-            if (largest == 0) continue;
+            const Spectrum weight = ray.weight * node.weight * (0.25 / kPi);
+            if (largest(weight) == 0) continue;
             const double* values = k == 0 ? start_row.data() : row.data();
             if (node.level >= 0) {
                 values = sunlight.row(node.level);
@@ -179,9 +174,7 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
         }
         if (!ray.hits_ground) continue;
         Spectrum weight{};
-        for (std::size_t c = 0; c < weight.size(); ++c) {
-            weight[c] = ray.weight * ray.end_transmittance[c] * medium.ground_albedo[c] / kPi;
-        }
+        weight = ray.weight * ray.end_transmittance * medium.ground_albedo / kPi;
         add_point<Real>(ground, ray.ground_azimuths, r + ray.length_km * ray.mu,
                         ray.length_km * sine, weight, channels, suns, sum.data());
     }

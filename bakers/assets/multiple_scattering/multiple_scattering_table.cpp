@@ -110,7 +110,7 @@ TableModel multiple_scattering_model(const Medium& medium, const MultipleScatter
             for (const double sun_cos_zenith : suns_at(mapping, x)) {
                 const Spectrum psi = multiple_scattering_as_in_paper(
                     medium, *transmittance, y * thickness_km, sun_cos_zenith);
-                values = std::copy_n(psi.begin(), medium.channels, values);
+                values = std::copy_n(data(psi), medium.channels, values);
             }
         };
     } else {

@@ -60,9 +60,7 @@ std::vector<Spectrum> sky_values(const SkyMedium& medium, const HigherOrders& hi
         const SkySample& sample = samples[static_cast<std::size_t>(i)];
         const SkyRadiance radiance =
             integrator.radiance(sample.altitude_km, sample.sun, sample.direction);
-        for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            values[static_cast<std::size_t>(i)][c] = radiance.single[c] + radiance.multiple[c];
-        }
+        values[static_cast<std::size_t>(i)] = radiance.single + radiance.multiple;
     });
     return values;
 }

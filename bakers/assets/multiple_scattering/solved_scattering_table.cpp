@@ -42,28 +42,20 @@ constexpr std::int64_t kPaths = 20000;
 Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
                    double sun_cos_zenith) {
     if (l == 0) return light.mean_radiance_at(altitude_km, sun_cos_zenith);
-    std::vector<double> moments(static_cast<std::size_t>(moment_count(light.degree())) *
-                                kMaxChannels);
+    std::vector<Spectrum> moments(static_cast<std::size_t>(moment_count(light.degree())));
     light.moments_at(altitude_km, sun_cos_zenith, moments.data());
-    Spectrum value{};
-    for (std::size_t c = 0; c < value.size(); ++c) {
-        value[c] = harmonic_norm(l, m) *
-                   moments[static_cast<std::size_t>(moment_index(l, m)) * kMaxChannels + c];
-    }
-    return value;
+    return harmonic_norm(l, m) * moments[static_cast<std::size_t>(moment_index(l, m))];
 }
 
 // Of all channels, on the solution's grid; 0 where there is no solution.
 double largest_moment(const SolvedLight& light, int l, int m) {
-    double largest = 0;
+    double most = 0;
     for (const double altitude_km : light.altitudes_km) {
         for (const double cosine : light.suns.cosines) {
-            for (const double value : moment_of(light, l, m, altitude_km, cosine)) {
-                largest = std::max(largest, std::fabs(value));
-            }
+            most = std::max(most, largest(absolute(moment_of(light, l, m, altitude_km, cosine))));
         }
     }
-    return largest;
+    return most;
 }
 
 TableModel moment_model(const SolvedLight& light, const SolvedLight& finer_light, int l, int m,
@@ -78,7 +70,7 @@ TableModel moment_model(const SolvedLight& light, const SolvedLight& finer_light
         for (const double coordinate : x) {
             const Spectrum value =
                 moment_of(from, l, m, y * thickness_km, columns.cosine(coordinate));
-            values = std::copy_n(value.begin(), from.channels, values);
+            values = std::copy_n(data(value), from.channels, values);
         }
     };
     model.row = [row, &light](int, double y, const std::vector<double>& x, double* values) {

@@ -354,7 +354,7 @@ void describe(const OpticalDepthBake& bake, const std::vector<ColumnKind>& kinds
         const Spectrum& extinction = kinds[k].extinction_per_km;
         add(fmt::format("channel_{}", volume.channel_names[k]), kinds[k].name);
         add(fmt::format("extinction_per_km_{}", kinds[k].name),
-            to_digits(std::vector<double>(extinction.begin(), extinction.begin() + channels), 9));
+            to_digits(std::vector<double>(data(extinction), data(extinction) + channels), 9));
     }
     if (has_paths(bake) && bake.sampling == DepthSampling::equal_attenuation) {
         add("mean_scale_height_km", to_digits(mean_scale_height_km(kinds), 9));

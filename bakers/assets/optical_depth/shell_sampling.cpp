@@ -7,13 +7,6 @@ namespace skybake {
 
 namespace {
 
-// Channels that there are not have 0.
-double sum_over_channels(const Spectrum& values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum;
-}
-
 template <class AltitudeOf>
 std::vector<double> boundaries_km(double max_altitude_km, int count, const AltitudeOf& altitude) {
     std::vector<double> shells;
@@ -28,7 +21,8 @@ double mean_scale_height_km(const std::vector<ColumnKind>& kinds) {
     double weighted = 0;
     double weights = 0;
     for (const ColumnKind& kind : kinds) {
-        const double extinction = sum_over_channels(kind.extinction_per_km);
+        const Spectrum& of = kind.extinction_per_km;
+        const double extinction = of.x + of.y + of.z;
         weighted += extinction * kind.mean_height_km;
         weights += extinction;
     }

@@ -113,7 +113,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
         const auto ray_at = [&](double cosine) { return camera.ray(y, sun, cosine); };
         for (const SkyRadiance& radiance : row.radiance(ray_at, cosines)) {
             const Spectrum wanted = light.wanted(radiance);
-            values = std::copy_n(wanted.begin(), channels, values);
+            values = std::copy_n(data(wanted), channels, values);
         }
     };
     model.reference = [&light, &camera, sun, channels](double y, const std::vector<double>& x,
@@ -121,7 +121,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
         for (const double azimuth : x) {
             const SkyRay ray = camera.ray(y, sun, cosine_of_pi(azimuth));
             const Spectrum wanted = light.wanted(light.integrator().radiance(ray));
-            values = std::copy_n(wanted.begin(), channels, values);
+            values = std::copy_n(data(wanted), channels, values);
         }
     };
     model.error = relative_error;

@@ -43,8 +43,7 @@ class SampledRay {
 
   private:
     void add_column(double column_km, const Spectrum& extinction_per_km) {
-        for (std::size_t c = 0; c < depth_.size(); ++c)
-            depth_[c] += column_km * extinction_per_km[c];
+        depth_ += column_km * extinction_per_km;
     }
 
     const Medium& medium_;

@@ -103,8 +103,7 @@ Samples interpolating_polynomial(const Samples& nodes, Samples values) {
 Spectrum least_extinction(const Medium& air, double bottom_km, double top_km) {
     Spectrum least = extinction_at(air, 0.5 * (bottom_km + top_km));
     for (const double share : {0.125, 0.875}) {
-        const Spectrum here = extinction_at(air, bottom_km + share * (top_km - bottom_km));
-        for (std::size_t c = 0; c < least.size(); ++c) least[c] = std::min(least[c], here[c]);
+        least = minimum(least, extinction_at(air, bottom_km + share * (top_km - bottom_km)));
     }
     return least;
 }
@@ -118,7 +117,7 @@ bool is_too_thick(const Medium& air, const Spectrum& largest_extinction, double 
         const double square = width / layer.scale_height_km * (width / layer.scale_height_km);
         const double error = square * square * std::max(1.0, square);
         const double density = exponential(-bottom_km / layer.scale_height_km);
-        for (std::size_t c = 0; c < all.size(); ++c) {
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
             const double extinction = layer.extinction_per_km[c] * density;
             const double scale = all[c] + kNegligible * largest_extinction[c];
             if (extinction * error > kFinest * scale) return true;
@@ -137,8 +136,7 @@ std::vector<double> levels_km(const Medium& air) {
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     Spectrum largest{};
     for (const double altitude : cuts) {
-        const Spectrum here = extinction_at(air, altitude);
-        for (std::size_t c = 0; c < largest.size(); ++c) largest[c] = std::max(largest[c], here[c]);
+        largest = maximum(largest, extinction_at(air, altitude));
     }
     std::vector<double> levels = {0};
     std::vector<double> ends(cuts.rbegin(), cuts.rend() - 1);  // the next one last
@@ -163,8 +161,9 @@ const Spectrum& extinction_at_density_one(const Medium& alone) {
 
 double density_of_layer(const Medium& alone, double altitude_km) {
     const Spectrum& unit = extinction_at_density_one(alone);
+    const double* first = data(unit);
     const auto channel =
-        static_cast<std::size_t>(std::max_element(unit.begin(), unit.end()) - unit.begin());
+        static_cast<std::size_t>(std::max_element(first, first + kMaxChannels) - first);
     return extinction_at(alone, altitude_km)[channel] / unit[channel];
 }
 

@@ -19,7 +19,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/air/sky_medium.h"
-#include "bakers/light/path_tracer/channels.h"
+#include "bakers/math/channels.h"
 
 namespace skybake {
 

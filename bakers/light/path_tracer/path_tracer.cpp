@@ -121,9 +121,9 @@ PathTracedRadiance trace(Sensor sensor, int threads) {
 }
 
 // The sun in the plane of x and z, z up.
-Vector3 sun_vector(const SunZenith& sun) { return {sun.sine, 0, sun.cosine}; }
+glm::dvec3 sun_vector(const SunZenith& sun) { return {sun.sine, 0, sun.cosine}; }
 
-Vector3 view_vector(const SunZenith& sun, const SkyDirection& direction) {
+glm::dvec3 view_vector(const SunZenith& sun, const SkyDirection& direction) {
     const double sine_squared = std::max((1 - direction.mu) * (1 + direction.mu), 0.0);
     const double sine = std::sqrt(sine_squared);
     // A vertical sun is at any azimuth.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "bakers/math/transcendental.h"
@@ -29,15 +30,15 @@ double depth_of_share(double y) {
 }
 
 // The angle between two unit vectors.
-ScatteringAngle angle_between(const Vector3& a, const Vector3& b) {
-    const Vector3 apart = a - b;
-    const Vector3 together = a + b;
-    return {0.5 * dot(apart, apart), 0.5 * dot(together, together)};
+ScatteringAngle angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 apart = a - b;
+    const glm::dvec3 together = a + b;
+    return {0.5 * glm::dot(apart, apart), 0.5 * glm::dot(together, together)};
 }
 
 // A direction towards the sun: its disc is uniform in solid angle, 1 - cosine in [0, 1 - cos
 // radius].
-Vector3 sample_sun(const PathSource& source, RandomStream& random) {
+glm::dvec3 sample_sun(const PathSource& source, RandomStream& random) {
     if (!(source.sun_radius > 0)) return source.sun;
     const double half_sine = cosine_of_pi(0.5 - 0.5 * source.sun_radius / std::numbers::pi);
     const double one_minus = 2 * half_sine * half_sine * random.next();
@@ -53,8 +54,8 @@ Channels zero_unless_positive(Channels numerator, Channels denominator) {
 // Where a path is, and what it carries. For channel c of a path that hero h walks, the light that
 // comes along is worth weight[c] / mean(ratio): weight is f_c / p_h, ratio p_c / p_h.
 struct PathWalker::State {
-    Vector3 up;
-    Vector3 direction;
+    glm::dvec3 up{};
+    glm::dvec3 direction{};
     double altitude_km = 0;
     int shell = 0;
     int order = 0;
@@ -101,7 +102,8 @@ PathWalker::PathWalker(const SkyMedium& medium)
 PathWalker::Flight PathWalker::begin_flight(const State& state) const {
     const Shell& planet = air_.planet();
     Flight flight;
-    flight.s_km = (planet.ground_radius_km + state.altitude_km) * dot(state.up, state.direction);
+    flight.s_km =
+        (planet.ground_radius_km + state.altitude_km) * glm::dot(state.up, state.direction);
     flight.falls = flight.s_km < 0;
     flight.from = air_.depth_to_top({state.altitude_km, std::fabs(flight.s_km), state.shell});
     flight.lowest = flight.from;
@@ -224,10 +226,10 @@ bool PathWalker::collide(const Flight& flight, const PathSource& source, bool co
     if (!(state.ratio[h] > 0)) return false;
     const Here here = look_around(state);
     if (counts) {
-        const Vector3 sun = sample_sun(source, random);
+        const glm::dvec3 sun = sample_sun(source, random);
         const double r = air_.planet().ground_radius_km + state.altitude_km;
         const Channels sunlight =
-            air_.sunlight(state.altitude_km, r * dot(state.up, sun), state.shell);
+            air_.sunlight(state.altitude_km, r * glm::dot(state.up, sun), state.shell);
         Channels& gathered = state.gathered(light);
         gathered = gathered +
                    state.worth() * sunlight * towards(here, angle_between(sun, state.direction));
@@ -265,7 +267,7 @@ void PathWalker::reflect(const Flight& flight, const PathSource& source, bool co
                          RandomStream& random, PathLight& light) const {
     arrive_on_ground(flight, state);
     if (counts) {
-        const double cosine = dot(state.up, sample_sun(source, random));
+        const double cosine = glm::dot(state.up, sample_sun(source, random));
         if (cosine > 0) {
             const Channels sunlight = air_.sunlight(0, air_.planet().ground_radius_km * cosine, 0);
             Channels& gathered = state.gathered(light);

@@ -18,10 +18,10 @@
 
 #include "bakers/air/sky_medium.h"
 #include "bakers/light/path_tracer/air_shells.h"
-#include "bakers/light/path_tracer/channels.h"
 #include "bakers/light/path_tracer/phase_sampling.h"
 #include "bakers/light/path_tracer/random_numbers.h"
-#include "bakers/light/path_tracer/vector3.h"
+#include "bakers/math/channels.h"
+#include "bakers/math/vectors.h"
 
 namespace skybake {
 
@@ -38,13 +38,13 @@ struct PathLight {
 // Where light comes from: a sun of irradiance 1, or a sky of radiance 1 all around the planet.
 struct PathSource {
     bool ambient = false;
-    Vector3 sun;
+    glm::dvec3 sun{};
     double sun_radius = 0;  // in radians, of a disc of even radiance
 };
 
 struct PathStart {
-    Vector3 up;
-    Vector3 direction;
+    glm::dvec3 up{};
+    glm::dvec3 direction{};
     double altitude_km = 0;
 };
 

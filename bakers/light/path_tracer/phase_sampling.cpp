@@ -1,6 +1,7 @@
 #include "bakers/light/path_tracer/phase_sampling.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace skybake {
 
@@ -47,20 +48,22 @@ ScatteringAngle sample_phase(const PhaseFunction& phase, RandomStream& random) {
     }
 }
 
-Vector3 scatter(const Vector3& direction, const ScatteringAngle& cosine, RandomStream& random) {
+glm::dvec3 scatter(const glm::dvec3& direction, const ScatteringAngle& cosine,
+                   RandomStream& random) {
     // An orthonormal basis without a branch on small components: Duff et al. 2017.
     const double sign = std::copysign(1.0, direction.z);
     const double a = -1 / (sign + direction.z);
     const double b = direction.x * direction.y * a;
-    const Vector3 first = {1 + sign * direction.x * direction.x * a, sign * b, -sign * direction.x};
-    const Vector3 second = {b, sign + direction.y * direction.y * a, -direction.y};
+    const glm::dvec3 first = {1 + sign * direction.x * direction.x * a, sign * b,
+                              -sign * direction.x};
+    const glm::dvec3 second = {b, sign + direction.y * direction.y * a, -direction.y};
     const CirclePoint circle = sample_circle(random);
     const double sine = std::sqrt(cosine.one_minus * cosine.one_plus);
     const double nu = 0.5 * (cosine.one_plus - cosine.one_minus);
-    const Vector3 result =
+    const glm::dvec3 result =
         nu * direction + sine * circle.cosine * first + sine * circle.sine * second;
     // Rounding of thousands of scatterings would add up.
-    return (1 / std::sqrt(dot(result, result))) * result;
+    return (1 / std::sqrt(glm::dot(result, result))) * result;
 }
 
 }  // namespace skybake

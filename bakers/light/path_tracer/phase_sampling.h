@@ -3,7 +3,7 @@
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/light/path_tracer/random_numbers.h"
-#include "bakers/light/path_tracer/vector3.h"
+#include "bakers/math/vectors.h"
 
 namespace skybake {
 
@@ -19,6 +19,7 @@ namespace skybake {
 ScatteringAngle sample_phase(const PhaseFunction& phase, RandomStream& random);
 
 // The direction at that angle to `direction`, the azimuth about it uniform.
-Vector3 scatter(const Vector3& direction, const ScatteringAngle& cosine, RandomStream& random);
+glm::dvec3 scatter(const glm::dvec3& direction, const ScatteringAngle& cosine,
+                   RandomStream& random);
 
 }  // namespace skybake

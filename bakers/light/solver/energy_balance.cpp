@@ -37,17 +37,9 @@ void for_all_suns(const SunAxis& axis, const Visit& visit) {
              [&](double cosine, double weight) { visit(cosine, -weight); });
 }
 
-void add(Spectrum& sum, double weight, const Spectrum& value) {
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += weight * value[c];
-}
-
 Spectrum sunlight(const Medium& air, double altitude_km, double sun_cos_zenith) {
     const double r = air.ground_radius_km + altitude_km;
-    Spectrum value = optical_depth_to_top(air, altitude_km, r * sun_cos_zenith);
-    for (std::size_t c = 0; c < static_cast<std::size_t>(air.channels); ++c) {
-        value[c] = exponential(-value[c]);
-    }
-    return value;
+    return exponential(-optical_depth_to_top(air, altitude_km, r * sun_cos_zenith));
 }
 
 void add_air(const Medium& air, const SolvedLight& light, double altitude_km, double thickness_km,
@@ -58,45 +50,35 @@ void add_air(const Medium& air, const SolvedLight& light, double altitude_km, do
     const double edge = -horizon_distance_km(shell_of(air), altitude_km) / r;
     for_suns(edge, 1, [&](double cosine, double weight) {
         const Spectrum sun = sunlight(air, altitude_km, cosine);
-        for (std::size_t c = 0; c < sun.size(); ++c) {
-            balance.in[c] += area * weight * here.scattering_per_km[c] * sun[c];
-        }
+        balance.in += area * weight * here.scattering_per_km * sun;
     });
     for_all_suns(light.suns, [&](double cosine, double weight) {
         const Spectrum mean = light.mean_radiance_at(altitude_km, cosine);
-        for (std::size_t c = 0; c < mean.size(); ++c) {
-            const double absorption = here.extinction_per_km[c] - here.scattering_per_km[c];
-            balance.absorbed[c] += area * weight * absorption * 4 * kPi * mean[c];
-        }
+        const Spectrum absorption = here.extinction_per_km - here.scattering_per_km;
+        balance.absorbed += area * weight * absorption * 4.0 * kPi * mean;
     });
 }
 
 void add_ground(const Medium& air, const SolvedLight& light, EnergyBalance& balance) {
     const double area = 2 * kPi * air.ground_radius_km * air.ground_radius_km;
     for_suns(0, 1, [&](double cosine, double weight) {
-        Spectrum sun = sunlight(air, 0, cosine);
-        for (std::size_t c = 0; c < sun.size(); ++c) sun[c] *= air.ground_albedo[c] * cosine;
-        add(balance.in, area * weight, sun);
+        balance.in += area * weight * (sunlight(air, 0, cosine) * (air.ground_albedo * cosine));
     });
     for_all_suns(light.suns, [&](double cosine, double weight) {
-        Spectrum sky = light.sky_irradiance_at(cosine);
-        for (std::size_t c = 0; c < sky.size(); ++c) sky[c] *= 1 - air.ground_albedo[c];
-        add(balance.absorbed, area * weight, sky);
+        balance.absorbed +=
+            area * weight * (light.sky_irradiance_at(cosine) * (1.0 - air.ground_albedo));
     });
 }
 
 void add_top(const Medium& air, const SolvedLight& light, EnergyBalance& balance) {
     const double area = 2 * kPi * air.top_radius_km() * air.top_radius_km();
-    std::vector<double> moments(static_cast<std::size_t>(moment_count(light.degree())) *
-                                kMaxChannels);
+    std::vector<Spectrum> moments(static_cast<std::size_t>(moment_count(light.degree())));
     // Nothing comes from above, so the first moment along the vertical is minus the upward flux.
-    const auto vertical = static_cast<std::size_t>(moment_index(1, 0)) * kMaxChannels;
+    const Spectrum& vertical = moments[static_cast<std::size_t>(moment_index(1, 0))];
     const double norm = harmonic_norm(1, 0);
     for_all_suns(light.suns, [&](double cosine, double weight) {
         light.moments_at(air.thickness_km, cosine, moments.data());
-        for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            balance.escaped[c] -= area * weight * moments[vertical + c] / norm;
-        }
+        balance.escaped -= area * weight * vertical / norm;
     });
 }
 
@@ -104,7 +86,7 @@ void add_top(const Medium& air, const SolvedLight& light, EnergyBalance& balance
 
 double EnergyBalance::largest_error() const {
     double error = 0;
-    for (std::size_t c = 0; c < in.size(); ++c) {
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
         if (in[c] > 0) error = std::max(error, std::fabs(in[c] - escaped[c] - absorbed[c]) / in[c]);
     }
     return error;

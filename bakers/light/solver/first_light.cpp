@@ -306,12 +306,8 @@ void FirstLightPass::gather(const RayFan& fan, double* out, double* sky_irradian
         }
         if (ray.hits_ground) {
             combine_row<Lanes>(field_, 0, row_.data());
-            Spectrum reflected{};
-            for (std::size_t c = 0; c < reflected.size(); ++c) {
-                reflected[c] =
-                    ray.end_transmittance[c] * medium_.air.ground_albedo[c] * std::numbers::inv_pi;
-            }
-            add_ground(place_at(r, ray, ray.length_km, 0), reflected);
+            add_ground(place_at(r, ray, ray.length_km, 0),
+                       ray.end_transmittance * medium_.air.ground_albedo * std::numbers::inv_pi);
         }
         add_moments(ray);
     }

@@ -20,27 +20,19 @@ SplitPhase split(const LayerPhase& phase, int degree) {
     const std::vector<Spectrum> whole = legendre_moments(phase, degree);
     const std::vector<Spectrum> rest = legendre_moments(result.wide.phase, degree);
     for (std::size_t l = 0; l < whole.size(); ++l) {
-        Spectrum moment{};
-        for (std::size_t c = 0; c < moment.size(); ++c) {
-            moment[c] = whole[l][c] - result.wide.share[c] * rest[l][c];
-        }
-        result.peak.push_back(moment);
+        result.peak.push_back(whole[l] - result.wide.share * rest[l]);
     }
     return result;
 }
 
 // Scattering as a share of extinction, the same at all altitudes of one layer.
 Spectrum single_scattering_albedo(const Medium& alone) {
-    Spectrum result{};
     const bool is_exponential = !alone.exponential_layers.empty();
     const Spectrum& scattering = is_exponential ? alone.exponential_layers[0].scattering_per_km
                                                 : alone.piecewise_layers[0].scattering_per_km;
     const Spectrum& extinction = is_exponential ? alone.exponential_layers[0].extinction_per_km
                                                 : alone.piecewise_layers[0].extinction_per_km;
-    for (std::size_t c = 0; c < result.size(); ++c) {
-        result[c] = extinction[c] > 0 ? scattering[c] / extinction[c] : 0;
-    }
-    return result;
+    return share_of(scattering, extinction);
 }
 
 }  // namespace
@@ -65,7 +57,7 @@ void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& p
     for (std::size_t sun = 0; sun < suns.cosines.size(); ++sun) {
         const double mu = suns.cosines[sun];
         if (r * mu < -horizon_km) continue;
-        const Spectrum depth = optical_depth_to_top(medium.air, altitude_km, r * mu);
+        const Spectrum passed = exponential(-optical_depth_to_top(medium.air, altitude_km, r * mu));
         std::vector<Spectrum> light(static_cast<std::size_t>(degree) + 1);  // by l
         for (std::size_t k = 0; k < phases.size(); ++k) {
             if (phases[k].peak.empty() || !medium.layers[k].scatters) continue;
@@ -73,10 +65,7 @@ void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& p
             const Spectrum albedo = single_scattering_albedo(alone);
             const Spectrum own = optical_depth_to_top(alone, altitude_km, r * mu);
             for (std::size_t l = 0; l < light.size(); ++l) {
-                for (std::size_t c = 0; c < own.size(); ++c) {
-                    light[l][c] +=
-                        exponential(-depth[c]) * albedo[c] * own[c] * phases[k].peak[l][c];
-                }
+                light[l] += passed * albedo * own * phases[k].peak[l];
             }
         }
         zenith_harmonics(degree, mu, harmonics.data());

@@ -39,7 +39,6 @@ FanPoint point_at(const std::vector<double>& levels_km, double distance_km, doub
 void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray) {
     const Shell shell = shell_of(medium.air);
     const std::size_t layers = medium.layers.size();
-    const auto channels = static_cast<std::size_t>(medium.air.channels);
     std::vector<double> altitudes;
     for (const RayCell& cell : view.cells) {
         const double width = cell.to.distance_km - cell.from.distance_km;
@@ -54,45 +53,47 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
     for (const SkyLayer& layer : medium.layers) {
         of_layer.push_back(coefficients_at(layer.alone, altitudes));
     }
-    ray.near.assign(view.cells.size() * layers, {});
-    ray.far.assign(view.cells.size() * layers, {});
+    ray.near.assign(view.cells.size() * layers, Spectrum(0.0));
+    ray.far.assign(view.cells.size() * layers, Spectrum(0.0));
     Spectrum depth{};
     for (std::size_t i = 0; i < view.cells.size(); ++i) {
         const double width = view.cells[i].to.distance_km - view.cells[i].from.distance_km;
-        for (std::size_t c = 0; c < channels; ++c) {
-            double extinction[cell_rule::kGauss] = {};
-            for (std::size_t k = 0; k < layers; ++k) {
-                for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
-                    extinction[j] += of_layer[k][i * cell_rule::kGauss + j].extinction_per_km[c];
-                }
-            }
-            double cell_depth = 0;
-            double lost = 0;  // by the nodes
-            double share[cell_rule::kGauss] = {};
+        Spectrum extinction[cell_rule::kGauss] = {};
+        for (std::size_t k = 0; k < layers; ++k) {
             for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
-                double up_to = 0;
-                for (std::size_t k = 0; k < cell_rule::kGauss; ++k)
-                    up_to += cell_rule::kUpTo[j][k] * extinction[k];
-                share[j] = cell_rule::kWeights[j] * exponential(-width * up_to);
-                lost += share[j] * extinction[j];
-                cell_depth += width * cell_rule::kWeights[j] * extinction[j];
+                extinction[j] += of_layer[k][i * cell_rule::kGauss + j].extinction_per_km;
             }
-            if (!(lost > 0)) continue;
-            // The nodes share out exactly what the cell takes from the light.
-            const double factor = exponential(-depth[c]) * one_minus_exponential(cell_depth) / lost;
-            depth[c] += cell_depth;
-            for (std::size_t k = 0; k < layers; ++k) {
-                for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
-                    const double scattered =
-                        factor * share[j] *
-                        of_layer[k][i * cell_rule::kGauss + j].scattering_per_km[c];
-                    ray.near[i * layers + k][c] += scattered * (1 - cell_rule::kNodes[j]);
-                    ray.far[i * layers + k][c] += scattered * cell_rule::kNodes[j];
-                }
+        }
+        Spectrum cell_depth{};
+        Spectrum lost{};  // by the nodes
+        Spectrum share[cell_rule::kGauss] = {};
+        for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+            Spectrum up_to{};
+            for (std::size_t k = 0; k < cell_rule::kGauss; ++k) {
+                up_to += cell_rule::kUpTo[j][k] * extinction[k];
+            }
+            share[j] = cell_rule::kWeights[j] * exponential(-width * up_to);
+            lost += share[j] * extinction[j];
+            cell_depth += width * cell_rule::kWeights[j] * extinction[j];
+        }
+        // The nodes share out exactly what the cell takes from the light.
+        const Spectrum before = exponential(-depth);
+        Spectrum factor{};
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            if (!(lost[c] > 0)) continue;
+            factor[c] = before[c] * one_minus_exponential(cell_depth[c]) / lost[c];
+            depth[c] += cell_depth[c];
+        }
+        for (std::size_t k = 0; k < layers; ++k) {
+            for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+                const Spectrum scattered =
+                    factor * share[j] * of_layer[k][i * cell_rule::kGauss + j].scattering_per_km;
+                ray.near[i * layers + k] += scattered * (1 - cell_rule::kNodes[j]);
+                ray.far[i * layers + k] += scattered * cell_rule::kNodes[j];
             }
         }
     }
-    for (std::size_t c = 0; c < channels; ++c) ray.end_transmittance[c] = exponential(-depth[c]);
+    ray.end_transmittance = exponential(-depth);
 }
 
 }  // namespace
@@ -123,19 +124,14 @@ RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_k
             ray.hits_ground = part.below_horizon;
             ray.length_km = views.back().length_km;
             for (const RayCell& cell : views.back().cells) {
-                for (std::size_t c = 0; c < whole.size(); ++c) {
-                    whole[c] += ray.weight * (cell.near_weight[c] + cell.far_weight[c]);
-                }
+                whole += ray.weight * (cell.near_weight + cell.far_weight);
             }
             fan.rays.push_back(std::move(ray));
         }
     }
     for (std::size_t i = 0; i < fan.rays.size(); ++i) {
         FanRay& ray = fan.rays[i];
-        Spectrum whole_per_ray{};
-        for (std::size_t c = 0; c < whole.size(); ++c) {
-            whole_per_ray[c] = whole[c] / (ray.weight * static_cast<double>(fan.rays.size()));
-        }
+        const Spectrum whole_per_ray = whole / (ray.weight * static_cast<double>(fan.rays.size()));
         refine_view_ray(medium.air, whole_per_ray, tolerance, views[i]);
         ray.points.push_back(point_at(levels_km, 0, altitude, level));
         for (const RayCell& cell : views[i].cells) {

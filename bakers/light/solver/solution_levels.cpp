@@ -36,8 +36,7 @@ double levels_per_km(const Medium& medium, double altitude_km) {
 }
 
 double largest_extinction(const Medium& medium, double altitude_km) {
-    const Spectrum extinction = extinction_at(medium, altitude_km);
-    return *std::max_element(extinction.begin(), extinction.end());
+    return largest(extinction_at(medium, altitude_km));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::vector<double> steep_columns(const LightField& light, int channels) {
 double slowest_ratio(const Medium& air) {
     const Spectrum depth = optical_depth_to_top(air, 0, air.ground_radius_km);
     double inverse_loss = 0;
-    for (std::size_t c = 0; c < depth.size(); ++c) {
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
         inverse_loss =
             std::max(inverse_loss, 2 + (1 + 3 * air.ground_albedo[c]) * depth[c] * depth[c]);
     }

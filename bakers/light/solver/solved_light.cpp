@@ -33,12 +33,12 @@ SunStencil SolvedLight::stencil(double sun_cos_zenith) const {
     return cubic;
 }
 
-void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, double* values) const {
+void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const {
     const LevelPlace place = place_of(altitudes_km, altitude_km);
     const SunStencil around = stencil(sun_cos_zenith);
     const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
     const auto count = static_cast<std::size_t>(moment_count(light.degree));
-    std::fill_n(values, count * kMaxChannels, 0.0);
+    std::fill_n(values, count, Spectrum(0.0));
     for (int side = 0; side < 2; ++side) {
         const double share = side == 0 ? 1 - place.fraction : place.fraction;
         if (share == 0) continue;
@@ -46,17 +46,14 @@ void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, double* 
             const double weight = share * around.weights[j];
             const double* from = light.at(place.level + side, around.column + j);
             for (std::size_t lm = 0; lm < count; ++lm) {
-                for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    values[lm * kMaxChannels + c] += weight * from[lm * kChannelSlots + c];
-                }
+                values[lm] += weight * packet_at(from + lm * kChannelSlots);
             }
         }
     }
     double power = 1;
     for (int m = 0; m <= light.degree; ++m) {
         for (int l = m; l <= light.degree; ++l) {
-            const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            for (std::size_t c = 0; c < kMaxChannels; ++c) values[lm * kMaxChannels + c] *= power;
+            values[moment_index(l, m)] *= power;
         }
         power *= sine;
     }
@@ -67,15 +64,11 @@ Spectrum SolvedLight::mean_radiance_at(double altitude_km, double sun_cos_zenith
     const SunStencil around = stencil(sun_cos_zenith);
     Spectrum mean{};
     for (int j = 0; j < 4; ++j) {
-        const double* low = light.at(place.level, around.column + j);
-        const double* high = light.at(place.level + 1, around.column + j);
-        for (std::size_t c = 0; c < mean.size(); ++c) {
-            mean[c] +=
-                around.weights[j] * ((1 - place.fraction) * low[c] + place.fraction * high[c]);
-        }
+        const Spectrum low = packet_at(light.at(place.level, around.column + j));
+        const Spectrum high = packet_at(light.at(place.level + 1, around.column + j));
+        mean += around.weights[j] * ((1 - place.fraction) * low + place.fraction * high);
     }
-    for (double& value : mean) value *= 0.5 / std::sqrt(std::numbers::pi);
-    return mean;
+    return mean * (0.5 / std::sqrt(std::numbers::pi));
 }
 
 Spectrum SolvedLight::sky_irradiance_at(double sun_cos_zenith) const {
@@ -84,7 +77,7 @@ Spectrum SolvedLight::sky_irradiance_at(double sun_cos_zenith) const {
     for (int j = 0; j < 4; ++j) {
         const double* from = light.sky_irradiance.data() +
                              static_cast<std::size_t>(around.column + j) * kChannelSlots;
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += around.weights[j] * from[c];
+        sum += around.weights[j] * packet_at(from);
     }
     return sum;
 }

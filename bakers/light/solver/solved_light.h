@@ -23,8 +23,8 @@ struct SolvedLight {
     int degree() const { return light.degree; }
     // Weights of the columns around a sun.
     SunStencil stencil(double sun_cos_zenith) const;
-    // Moments between the grid's points: values[lm * kMaxChannels + channel].
-    void moments_at(double altitude_km, double sun_cos_zenith, double* values) const;
+    // Moments between the grid's points: values[lm].
+    void moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const;
     // L_00 / sqrt(4 pi): what Hillaire's texture stands for.
     Spectrum mean_radiance_at(double altitude_km, double sun_cos_zenith) const;
     // Irradiance of level ground by the sky, without the sun.

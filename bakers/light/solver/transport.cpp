@@ -33,6 +33,10 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
     }
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
     LevelTransport transport;
+    const auto add_weights = [&](const Spectrum& weights) {
+        transport.weights.insert(transport.weights.end(), data(weights),
+                                 data(weights) + kChannelSlots);
+    };
     for (const FanRay& ray : fan.rays) {
         TransportRay made;
         made.mu = ray.mu;
@@ -45,17 +49,13 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
         };
         for (std::size_t k = 0; k < ray.points.size(); ++k) {
             std::vector<Spectrum> scattered(layers);
-            double largest = 0;
+            double most = 0;
             for (std::size_t i = 0; i < layers; ++i) {
-                for (std::size_t c = 0; c < scattered[i].size(); ++c) {
-                    if (k > 0) scattered[i][c] += ray.far[(k - 1) * layers + i][c];
-                    if (k + 1 < ray.points.size()) {
-                        scattered[i][c] += ray.near[k * layers + i][c];
-                    }
-                    largest = std::max(largest, scattered[i][c]);
-                }
+                if (k > 0) scattered[i] += ray.far[(k - 1) * layers + i];
+                if (k + 1 < ray.points.size()) scattered[i] += ray.near[k * layers + i];
+                most = std::max(most, largest(scattered[i]));
             }
-            if (!(largest > kLeastShare)) continue;
+            if (!(most > kLeastShare)) continue;
             const FanPoint& point = ray.points[k];
             TransportNode node;
             node.level = point.level;
@@ -70,15 +70,10 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
             for (int l = 0; l <= degree; ++l) {
                 Spectrum once{};
                 for (std::size_t i = 0; i < layers; ++i) {
-                    for (std::size_t c = 0; c < once.size(); ++c) {
-                        once[c] += scattered[i][c] * phases[i][static_cast<std::size_t>(l)][c];
-                    }
+                    once += scattered[i] * phases[i][static_cast<std::size_t>(l)];
                 }
                 for (int m = 0; m <= l; ++m) {
-                    const double y = harmonics[static_cast<std::size_t>(moment_index(l, m))];
-                    for (std::size_t c = 0; c < kChannelSlots; ++c) {
-                        transport.weights.push_back(c < once.size() ? y * once[c] : 0.0);
-                    }
+                    add_weights(harmonics[static_cast<std::size_t>(moment_index(l, m))] * once);
                 }
             }
             made.nodes.push_back(node);
@@ -88,13 +83,7 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
             node.ground = true;
             add_turn(node, ray.length_km, 0);
             node.weights = transport.weights.size();
-            for (std::size_t c = 0; c < kChannelSlots; ++c) {
-                const bool used = c < ray.end_transmittance.size();
-                transport.weights.push_back(used ? ray.end_transmittance[c] *
-                                                       medium.air.ground_albedo[c] *
-                                                       std::numbers::inv_pi
-                                                 : 0.0);
-            }
+            add_weights(ray.end_transmittance * medium.air.ground_albedo * std::numbers::inv_pi);
             made.nodes.push_back(node);
         }
         transport.rays.push_back(std::move(made));

@@ -53,8 +53,7 @@ Spectrum coefficients_at_ground(const SkyMedium& medium, const std::vector<bool>
     Spectrum sum{};
     for (std::size_t k = 0; k < medium.layers.size(); ++k) {
         if (!medium.layers[k].scatters || is_mie[k] != wanted) continue;
-        const Spectrum layer = scattering_at(medium.layers[k].alone, 0);
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += layer[c];
+        sum += scattering_at(medium.layers[k].alone, 0);
     }
     return sum;
 }
@@ -79,7 +78,7 @@ class BrunetonSky {
         }
         guess_ = coefficients_at_ground(medium_, content_.is_mie(), true);
         const Spectrum others = coefficients_at_ground(medium_, content_.is_mie(), false);
-        for (std::size_t c = guess_.size(); c-- > 0;) {  // red last: the others need it
+        for (std::size_t c = kMaxChannels; c-- > 0;) {  // red last: the others need it
             const double red = guess_[0] * others[c];
             guess_[c] = red > 0 ? guess_[c] * others[0] / red : 0;
         }

@@ -66,7 +66,7 @@ std::unique_ptr<HigherOrders> orders_of_table(const Medium& medium, const TableS
         bilinear(
             *table,
             texture_coordinate(kConvention, sun_coordinate(mapping, sun_cos_zenith), table->width),
-            texture_coordinate(kConvention, altitude_km / thickness_km, table->height), psi.data());
+            texture_coordinate(kConvention, altitude_km / thickness_km, table->height), data(psi));
         return psi;
     });
 }
@@ -114,7 +114,7 @@ std::unique_ptr<HigherOrders> mean_radiance(const SkyMedium& medium, const Table
     for (const double altitude_km : axes.altitudes_km_of_rows) {
         for (const double sun_cos_zenith : axes.sun_cos_zenith_of_columns) {
             const Spectrum mean = light.mean_radiance_at(altitude_km, sun_cos_zenith);
-            texel = std::copy_n(mean.begin(), texels.channels, texel);
+            texel = std::copy_n(data(mean), texels.channels, texel);
         }
     }
     return orders_of_table(medium.air, shape, texels);

@@ -156,9 +156,7 @@ AirRadiance air_radiance(const SkyMedium& medium, const MadeSkyMethod& made) {
     const auto integrator = std::make_shared<const SkyIntegrator>(medium, made.orders.get());
     return [integrator](double altitude_km, const SunZenith& sun, const SkyDirection& direction) {
         const SkyRadiance sky = integrator->radiance(altitude_km, sun, direction);
-        Spectrum sum{};
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sky.single[c] + sky.multiple[c];
-        return sum;
+        return sky.single + sky.multiple;
     };
 }
 

@@ -1,17 +1,17 @@
-// The channels of a path, worked on together, with the operations that transcendental-inl.h asks of
-// a Real.
+// The wavelengths of a packet in registers, with the operations that transcendental-inl.h asks of a
+// Real.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#include "bakers/air/medium.h"
+#include "bakers/math/vectors.h"
 
 namespace skybake {
 
-// Three channels and one that pads. As two pairs, in the vector types that GCC and Clang share:
-// pairs are what every x86-64 and ARM has, so that no code needs to be compiled per processor.
+// A Spectrum as two pairs, in the vector types that GCC and Clang share: pairs are what every x86-64
+// and ARM has, so that no code needs to be compiled per processor.
 struct Channels {
     using Pair = double __attribute__((vector_size(16)));
     using Bits = std::int64_t __attribute__((vector_size(16)));
@@ -22,7 +22,7 @@ struct Channels {
 
     Channels() = default;
     explicit Channels(double x) : low{x, x}, high{x, x} {}
-    explicit Channels(const Spectrum& x) : low{x[0], x[1]}, high{x[2], 0} {}
+    explicit Channels(const Spectrum& x) : low{x.x, x.y}, high{x.z, x.w} {}
     Channels(Pair a, Pair b) : low(a), high(b) {}
     // By copies: GCC 12 loses what is stored through a variable subscript of a pair, unless it is
     // told -fno-strict-aliasing.
@@ -34,7 +34,7 @@ struct Channels {
     void set(std::size_t c, double x) {
         std::memcpy(reinterpret_cast<char*>(this) + c * sizeof x, &x, sizeof x);
     }
-    Spectrum spectrum() const { return {low[0], low[1], high[0]}; }
+    Spectrum spectrum() const { return {low[0], low[1], high[0], high[1]}; }
 };
 
 struct ChannelMask {
