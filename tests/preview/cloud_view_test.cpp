@@ -218,12 +218,12 @@ double slab_radiance(double tau, double mu, double mu_sun, double offset) {
 TEST(CloudView, ScattersSunlightAsTheClosedFormSays) {
     for (const double tau : {0.02, 1.0, 6.0}) {
         const Slab slab(tau, {65, 170});
-        const Direction sun = direction_of(65, 170);
+        const glm::dvec3 sun = direction_of(65, 170);
         const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
         const CameraRays rays(slab.settings.camera, view.width, view.height);
         for (int y = 0; y < view.height; ++y) {
             for (int x = 0; x < view.width; ++x) {
-                const Direction ray = rays.through(x, y);
+                const glm::dvec3 ray = rays.through(x, y);
                 const double wanted =
                     slab_radiance(tau, ray[2], sun[2], one_minus_cosine(ray, sun));
                 const double made =

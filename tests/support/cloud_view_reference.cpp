@@ -38,7 +38,7 @@ double share(const CloudMedium& medium, const PaddedVolume& shares, const VoxelP
     return lookup(shares, scaled);
 }
 
-VoxelPlace moved(const CloudMedium& medium, const VoxelPlace& from, const Direction& direction,
+VoxelPlace moved(const CloudMedium& medium, const VoxelPlace& from, const glm::dvec3& direction,
                  double t) {
     VoxelPlace to;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -47,7 +47,7 @@ VoxelPlace moved(const CloudMedium& medium, const VoxelPlace& from, const Direct
     return to;
 }
 
-double depth_towards_sun(const CloudMedium& medium, const VoxelPlace& from, const Direction& sun,
+double depth_towards_sun(const CloudMedium& medium, const VoxelPlace& from, const glm::dvec3& sun,
                          double length_m, int steps) {
     // Up or down to the layer's face, if that is nearer.
     const double z = from[2] * medium.meters_per_voxel(2);
@@ -63,13 +63,13 @@ double depth_towards_sun(const CloudMedium& medium, const VoxelPlace& from, cons
 }  // namespace
 
 ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffuse,
-                           const CloudViewSettings& settings, const Direction& direction,
+                           const CloudViewSettings& settings, const glm::dvec3& direction,
                            int steps) {
     const RaySpan span = span_in_layer(medium, settings.camera, direction, settings.reach_m);
     ReferenceRay result;
     if (!(span.first_m < span.last_m)) return result;
     const auto octaves = octave_phases();
-    const Direction sun =
+    const glm::dvec3 sun =
         direction_of(settings.sun.elevation_degrees, settings.sun.azimuth_degrees);
     const double offset = one_minus_cosine(direction, sun);
     VoxelPlace origin;

@@ -19,7 +19,7 @@ struct ReferenceRay {
 
 // `steps` samples over the ray's span in the layer, and from each as many over its way to the sun.
 ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffuse,
-                           const CloudViewSettings& settings, const Direction& direction,
+                           const CloudViewSettings& settings, const glm::dvec3& direction,
                            int steps);
 
 }  // namespace skybake
