@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "config/fields/fields.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 
@@ -36,28 +38,12 @@ std::string spell_seed(std::uint64_t seed) {
 
 std::string quoted_length(double meters) { return toml_string(spell_length(meters)); }
 
-std::string spell_one(Kind kind, double value) {
-    switch (kind) {
-        case Kind::length:
-        case Kind::lengths:
-        case Kind::length_bounds:
-            return quoted_length(value);
-        case Kind::wavelengths:
-            return toml_string(spell_wavelength(value));
-        case Kind::coefficient:
-        case Kind::coefficients:
-            return toml_string(spell_inverse_length(value));
-        case Kind::levels:
-            return value > 0 ? spell_number(value) : toml_string("all");
-        case Kind::number_density:
-            return toml_string(spell_number_density(value));
-        case Kind::angle:
-        case Kind::angles:
-        case Kind::angle_bounds:
-            return toml_string(spell_angle(value));
-        default:
-            return spell_number(value);
-    }
+// A number with a unit is text.
+std::string spell_one(const ValueKind& kind, double value) {
+    const Scale& scale = kind.scale ? *kind.scale : Scales::plain;
+    const bool bare =
+        scale.dimension == Dimension::number || scale.dimension == Dimension::fraction;
+    return bare ? scale.spell(value) : toml_string(scale.spell(value));
 }
 
 // Spells each alternative of a FieldValue.
@@ -80,7 +66,7 @@ struct Speller {
         return fmt::format("[{}, {}]", size[0], size[1]);
     }
     std::string operator()(const std::array<int, 3>& numbers) const {
-        if (field.kind == Kind::frequency) return spell_frequency(numbers);
+        if (field.kind.one_for_all_axes) return spell_frequency(numbers);
         return fmt::format("[{}, {}, {}]", numbers[0], numbers[1], numbers[2]);
     }
     std::string operator()(const std::vector<std::array<int, 3>>& frequencies) const {
@@ -88,7 +74,7 @@ struct Speller {
     }
     template <std::size_t count>
     std::string operator()(const std::array<double, count>& numbers) const {
-        if (field.kind == Kind::clamp && std::isinf(numbers[0])) return "false";
+        if (std::isinf(numbers[0])) return "false";  // no bounds
         return (*this)(std::vector<double>(numbers.begin(), numbers.end()));
     }
     std::string operator()(std::uint64_t seed) const { return spell_seed(seed); }
@@ -112,6 +98,14 @@ struct Speller {
 };
 
 }  // namespace
+
+std::string spell_degrees(double radians) {
+    return fmt::format("{:.6g} deg", radians * (180 / std::numbers::pi));
+}
+
+std::string spell_level_count(double levels) {
+    return levels > 0 ? spell_number(levels) : toml_string("all");
+}
 
 std::string canonical_text(const Field& field, const FieldValue& value) {
     return std::visit(Speller{field}, value);

@@ -7,11 +7,12 @@
 #include <variant>
 #include <vector>
 
-#include "config/fields/fields.h"
 #include "config/fields/point_tables.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {
+
+struct Field;
 
 // Which of a field's choices.
 struct ChoiceIndex {

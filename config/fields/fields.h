@@ -10,52 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "config/fields/kinds.h"
 #include "config/fields/roles.h"
 
 namespace skybake::config {
-
-// What a key's value looks like in TOML.
-enum class Kind {
-    flag,            // true or false
-    integer,         // 1
-    number,          // 0.8
-    fraction,        // 0.002 or "0.2 %"
-    text,            // "earth"
-    text_list,       // ["a.toml", "b.toml"], or one text
-    choice,          // one of the field's choices
-    length,          // "8 km"
-    wavelengths,     // ["680 nm", "550 nm", "440 nm"], or one
-    coefficients,    // "4e-6 /m", or one per channel
-    fractions,       // 0.3, or one per channel
-    size,            // [256, 64]
-    density_table,   // [["0 km", 1.0], ["10 km", 0.5]]
-    choice_list,     // ["exr", "vdb"], or one of the field's choices
-    voxels,          // [128, 128, 128]
-    seed,            // 7, or "0xffffffffffffffff"
-    frequency,       // 4, or [4, 4, 8]
-    frequencies,     // [8, 32, 56], one frequency an octave
-    gains,           // [0.625, 0.25, 0.125], one an octave
-    remap,           // [0.4, 1, 0, 1]
-    edges,           // [0.8, 1.4], the first below the second
-    clamp,           // true, false or [0, 1]
-    levels,          // 4, or "all", which is read as 0
-    angle,           // "30 deg"
-    angles,          // ["30 deg", "5 deg"], or one
-    angle_bounds,    // ["-10 deg", "90 deg"], the first not above the second
-    coefficient,     // "40 /km"
-    lengths,         // ["6 km", "6 km", "1.5 km"]
-    length_bounds,   // ["0 km", "3 km"], the first not above the second
-    pair,            // [0.2, 0.35]
-    bounds,          // [0.02, 0.05], the first not above the second
-    height_table,    // [[0, 0.0], [0.2, 1.0]]
-    power_of_two,    // 4
-    path_groups,     // [["a.b", "c.d"]], or one group of paths
-    number_density,  // "1e8 /m3"
-    swept,           // a number or a quantity, as the key that varies takes it
-};
-
-// Angles that a list of them may have.
-inline constexpr int most_angles = 64;
 
 // In base units: metres, 1/m, radians, 1.
 struct Range {
@@ -84,7 +42,7 @@ struct Choice {
 
 struct Field {
     std::string_view key;
-    Kind kind = Kind::text;
+    ValueKind kind = Kind::text;
     Range range = {};                       // of every number in the value
     std::span<const Choice> choices = {};   // Kind::choice, Kind::choice_list
     std::string_view fallback = {};         // the default as TOML text; empty: none
@@ -153,8 +111,5 @@ std::string describe_choices(const Field& field);
 
 // Documentation, range or choices, and typical values, in one line.
 std::string describe_field(const Field& field);
-
-// What a key takes: "a length, such as \"8 km\"".
-std::string_view describe_kind(Kind kind);
 
 }  // namespace skybake::config

@@ -32,10 +32,11 @@ bool within(const Range& range, double value) {
     return above && below;
 }
 
+Dimension dimension_of(const Reader& reader) { return reader.field.kind.scale->dimension; }
+
 std::optional<double> check_range(const Reader& reader, const Value& value, double number) {
     if (within(reader.field.range, number)) return number;
-    const bool is_fraction =
-        reader.field.kind == Kind::fraction || reader.field.kind == Kind::fractions;
+    const bool is_fraction = dimension_of(reader) == Dimension::fraction;
     // A whole number above 1 was most likely to be per cents.
     const bool is_percent = is_fraction && number > 1 && within(reader.field.range, number / 100);
     std::string label = with_hint("must be " + describe_range(reader.field), reader.field);
@@ -44,30 +45,6 @@ std::optional<double> check_range(const Reader& reader, const Value& value, doub
     }
     report_range(reader, value, std::isfinite(number), std::move(label));
     return std::nullopt;
-}
-
-Dimension wanted_dimension(Kind kind) {
-    switch (kind) {
-        case Kind::fraction:
-        case Kind::fractions:
-            return Dimension::fraction;
-        case Kind::length:
-        case Kind::lengths:
-        case Kind::length_bounds:
-        case Kind::wavelengths:
-            return Dimension::length;
-        case Kind::coefficient:
-        case Kind::coefficients:
-            return Dimension::inverse_length;
-        case Kind::number_density:
-            return Dimension::number_density;
-        case Kind::angle:
-        case Kind::angles:
-        case Kind::angle_bounds:
-            return Dimension::angle;
-        default:
-            return Dimension::number;
-    }
 }
 
 std::string list_units(Dimension dimension) {
@@ -84,7 +61,7 @@ void report_quantity(const Reader& reader, const Value& value, const QuantityErr
     using ErrorKind = QuantityError::Kind;
     const std::string part = shorten(error.part);
     std::string message;
-    std::string label = fmt::format("expected {}", describe_kind(reader.field.kind));
+    std::string label = fmt::format("expected {}", reader.field.kind.words);
     switch (error.kind) {
         case ErrorKind::not_a_number:
             message =
@@ -115,7 +92,7 @@ void report_dimension(const Reader& reader, const Value& value, Dimension wanted
     const std::string what = unit_missing ? "a bare number" : std::string(dimension_name(found));
     const std::string label = unit_missing && wanted != Dimension::fraction
                                   ? fmt::format("expected a unit: {}", list_units(wanted))
-                                  : fmt::format("expected {}", describe_kind(reader.field.kind));
+                                  : fmt::format("expected {}", reader.field.kind.words);
     reader.error("E0107", value,
                  fmt::format("`{}`: expected {}{}, not {}", reader.path, dimension_name(wanted),
                              wanted == Dimension::number ? "" : " with a unit", what),
@@ -164,14 +141,14 @@ void report_range(const Reader& reader, const Value& value, bool finite, std::st
 }
 
 std::optional<double> read_number(const Reader& reader, const Value& value) {
-    const Dimension wanted = wanted_dimension(reader.field.kind);
+    const Dimension wanted = dimension_of(reader);
     if (const auto* text = std::get_if<std::string>(&value.data)) {
         return read_quantity_text(reader, value, *text, wanted);
     }
     const auto* integer = std::get_if<std::int64_t>(&value.data);
     const auto* floating = std::get_if<double>(&value.data);
     if (!integer && !floating) {
-        report_type(reader, value, describe_kind(reader.field.kind));
+        report_type(reader, value, reader.field.kind.words);
         return std::nullopt;
     }
     const double number = integer ? static_cast<double>(*integer) : *floating;
@@ -191,6 +168,18 @@ std::optional<double> read_integer(const Reader& reader, const Value& value) {
         return std::nullopt;
     }
     return check_range(reader, value, static_cast<double>(*integer));
+}
+
+const Array* read_items(const Reader& reader, const Value& value, std::size_t count,
+                        std::string label) {
+    const auto* array = std::get_if<Array>(&value.data);
+    if (!array) {
+        report_type(reader, value, reader.field.kind.words);
+    } else if (array->size() != count) {
+        report_count(reader, value, array->size(), std::move(label));
+        return nullptr;
+    }
+    return array;
 }
 
 std::optional<std::vector<double>> read_numbers(const Reader& reader, const Value& value) {

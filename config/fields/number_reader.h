@@ -17,6 +17,7 @@ struct Reader {
     const Field& field;
     std::string_view path;
     DiagnosticList& diagnostics;
+    std::optional<int> channels = {};  // the number of wavelengths; none if they are at fault
 
     void error(std::string code, const Value& value, std::string message, std::string label) const {
         diagnostics.error(std::move(code), value.place, std::move(message), std::move(label));
@@ -40,6 +41,11 @@ std::optional<double> read_number(const Reader& reader, const Value& value);
 
 // A TOML integer in the field's range.
 std::optional<double> read_integer(const Reader& reader, const Value& value);
+
+// A list's items, of which there must be `count`; null, and an error, if it is none. `label` names
+// them.
+const Array* read_items(const Reader& reader, const Value& value, std::size_t count,
+                        std::string label);
 
 // Each of a list's values, or the one value; none if one of them is at fault.
 std::optional<std::vector<double>> read_numbers(const Reader& reader, const Value& value);

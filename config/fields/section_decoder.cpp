@@ -90,9 +90,8 @@ struct SectionReader {
             if (selector.source) place = selector.source->place;
             message += fmt::format(": {} {} needs it", field.selector, *selected(field));
         }
-        std::string label = field.kind == Kind::choice
-                                ? "give it " + describe_choices(field)
-                                : fmt::format("give {}", describe_kind(field.kind));
+        std::string label = field.kind == Kind::choice ? "give it " + describe_choices(field)
+                                                       : fmt::format("give {}", field.kind.words);
         decoder.diagnostics.error("E0105", place, std::move(message), label);
     }
 

@@ -1,10 +1,11 @@
-#include "config/fields/table_reader.h"
-
+// Tables of pairs: density over altitude, and a cloud's profile over height.
 #include <fmt/format.h>
 
 #include <array>
 #include <string>
 
+#include "config/fields/number_reader.h"
+#include "config/fields/point_tables.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -48,7 +49,7 @@ std::string pair_words(const Columns& columns) {
     return fmt::format("[{}, {}]", columns.first.key, columns.second);
 }
 
-std::optional<Pair> read_pair(const Reader& reader, const Columns& columns, const Value& value) {
+std::optional<Pair> read_entry(const Reader& reader, const Columns& columns, const Value& value) {
     const auto* pair = std::get_if<Array>(&value.data);
     if (!pair || pair->size() != 2) {
         reader.error(
@@ -81,7 +82,7 @@ std::optional<std::vector<Pair>> read_table(const Reader& reader, const Columns&
                                             const Value& value) {
     const auto* array = std::get_if<Array>(&value.data);
     if (!array) {
-        report_type(reader, value, describe_kind(reader.field.kind));
+        report_type(reader, value, reader.field.kind.words);
         return std::nullopt;
     }
     if (array->size() < columns.fewest) {
@@ -93,7 +94,7 @@ std::optional<std::vector<Pair>> read_table(const Reader& reader, const Columns&
     std::vector<Pair> table;
     bool valid = true;
     for (const Value& item : *array) {
-        const std::optional<Pair> pair = read_pair(reader, columns, item);
+        const std::optional<Pair> pair = read_entry(reader, columns, item);
         valid = valid && pair;
         if (!pair) continue;
         const bool increases =
@@ -107,8 +108,7 @@ std::optional<std::vector<Pair>> read_table(const Reader& reader, const Columns&
 
 }  // namespace
 
-std::optional<std::vector<DensityPoint>> read_density_table(const Reader& reader,
-                                                            const Value& value) {
+std::optional<FieldValue> read_density_table(const Reader& reader, const Value& value) {
     const auto pairs = read_table(reader, density_columns, value);
     if (!pairs) return std::nullopt;
     std::vector<DensityPoint> table;
@@ -116,8 +116,7 @@ std::optional<std::vector<DensityPoint>> read_density_table(const Reader& reader
     return table;
 }
 
-std::optional<std::vector<HeightPoint>> read_height_table(const Reader& reader,
-                                                          const Value& value) {
+std::optional<FieldValue> read_height_table(const Reader& reader, const Value& value) {
     const auto pairs = read_table(reader, height_columns, value);
     if (!pairs) return std::nullopt;
     std::vector<HeightPoint> table;

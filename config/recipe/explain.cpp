@@ -104,7 +104,7 @@ std::string explain_choices(const Field& field) {
 std::string explain_field(const Section& section, const Field& field) {
     std::string text = field_path(section, field) + '\n';
     text += wrap(field.documentation, "  ", explanation_width) + '\n';
-    text += field.choices.empty() ? line("takes", describe_kind(field.kind))
+    text += field.choices.empty() ? line("takes", field.kind.words)
                                   : line("choices", explain_choices(field));
     const std::string range = with_hint(describe_range(field), field.hint);
     if (!range.empty()) text += line("range", range);

@@ -4,195 +4,19 @@
 
 #include <nlohmann/json.hpp>
 
-#include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"
-#include "config/fields/noise_value_reader.h"
 #include "config/presets/presets.h"
-#include "config/text/units.h"
 
 namespace skybake::config {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A number followed by one of a dimension's units, as units.h reads it.
-Json quantity_schema(Dimension dimension) {
-    std::string names;
-    for (const std::string_view name : unit_spellings(dimension)) {
-        if (!names.empty()) names += '|';
-        for (const char c : name) {
-            if (c == '^') names += '\\';
-            names += c;
-        }
-    }
-    const std::string number = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
-    return {{"type", "string"},
-            {"pattern", fmt::format("^[ \t]*{}[ \t]*({})[ \t]*$", number, names)}};
-}
-
-Json number_schema(const Range& range) {
-    Json schema = {{"type", "number"}};
-    schema[range.open_minimum ? "exclusiveMinimum" : "minimum"] = range.minimum;
-    schema[range.open_maximum ? "exclusiveMaximum" : "maximum"] = range.maximum;
-    if (range.or_zero) return {{"anyOf", {{{"const", 0}}, schema}}};
-    return schema;
-}
-
-Json integer_schema(const Range& range) {
-    return {{"type", "integer"},
-            {"minimum", static_cast<int>(range.minimum)},
-            {"maximum", static_cast<int>(range.maximum)}};
-}
-
-Json fraction_schema(const Range& range) {
-    return {{"anyOf", {number_schema(range), quantity_schema(Dimension::fraction)}}};
-}
-
-// One item, or a list of one or three: the numbers of channels there are.
-Json per_channel(const Json& item) {
-    const Json list = {{"type", "array"}, {"items", item}, {"minItems", 1}, {"maxItems", 3}};
-    return {{"anyOf", {item, list}}};
-}
-
-Json text_schema() { return {{"type", "string"}}; }
-
-Json text_list_schema() {
-    const Json list = {{"type", "array"}, {"items", text_schema()}};
-    return {{"anyOf", {text_schema(), list}}};
-}
-
-Json choice_schema(const Field& field) {
-    Json names = Json::array();
-    for (const std::string_view name : choice_names(field)) names.push_back(name);
-    return {{"enum", names}};
-}
-
-Json list_schema(const Json& item, int fewest, int most) {
-    return {{"type", "array"}, {"items", item}, {"minItems", fewest}, {"maxItems", most}};
-}
-
-Json one_or_list(const Json& item, int fewest, int most) {
-    return {{"anyOf", {item, list_schema(item, fewest, most)}}};
-}
-
-Json choice_list_schema(const Field& field) {
-    const Json choice = choice_schema(field);
-    Json list = list_schema(choice, 1, static_cast<int>(field.choices.size()));
-    list["uniqueItems"] = true;
-    return {{"anyOf", {choice, list}}};
-}
-
-Json seed_schema() {
-    const Json integer = {{"type", "integer"}, {"minimum", 0}};
-    const Json text = {{"type", "string"}, {"pattern", "^(0[xX][0-9a-fA-F]+|[0-9]+)$"}};
-    return {{"anyOf", {integer, text}}};
-}
-
-Json levels_schema(const Range& range) {
-    return {{"anyOf", {integer_schema(range), {{"const", "all"}}}}};
-}
-
-Json pair_table_schema(const Json& first, const Json& second, int fewest) {
-    const Json pair = {
-        {"type", "array"}, {"items", {first, second}}, {"minItems", 2}, {"maxItems", 2}};
-    return {{"type", "array"}, {"items", pair}, {"minItems", fewest}};
-}
-
-Json power_of_two_schema(const Range& range) {
-    Json powers = Json::array();
-    for (int power = 1; power <= range.maximum; power *= 2) powers.push_back(power);
-    return {{"enum", powers}};
-}
-
-Json path_groups_schema() {
-    const Json group = {{"type", "array"}, {"items", text_schema()}};
-    return {{"anyOf", {group, {{"type", "array"}, {"items", group}}}}};
-}
-
-Json value_schema(const Field& field) {
-    switch (field.kind) {
-        case Kind::flag:
-            return {{"type", "boolean"}};
-        case Kind::integer:
-            return integer_schema(field.range);
-        case Kind::number:
-            return number_schema(field.range);
-        case Kind::fraction:
-            return fraction_schema(field.range);
-        case Kind::text:
-            return text_schema();
-        case Kind::text_list:
-            return text_list_schema();
-        case Kind::choice:
-            return choice_schema(field);
-        case Kind::length:
-            return quantity_schema(Dimension::length);
-        case Kind::wavelengths:
-            return per_channel(quantity_schema(Dimension::length));
-        case Kind::coefficients:
-            return per_channel(quantity_schema(Dimension::inverse_length));
-        case Kind::fractions:
-            return per_channel(fraction_schema(field.range));
-        case Kind::size:
-            return list_schema(integer_schema(field.range), 2, 2);
-        case Kind::density_table:
-            return pair_table_schema(quantity_schema(Dimension::length), number_schema(field.range),
-                                     2);
-        case Kind::choice_list:
-            return choice_list_schema(field);
-        case Kind::voxels:
-            return list_schema(integer_schema(field.range), 3, 3);
-        case Kind::seed:
-            return seed_schema();
-        case Kind::frequency:
-            return one_or_list(integer_schema(field.range), 3, 3);
-        case Kind::frequencies:
-            return list_schema(one_or_list(integer_schema(field.range), 3, 3), 1, most_octaves);
-        case Kind::gains:
-            return list_schema(number_schema(field.range), 1, most_octaves);
-        case Kind::remap:
-            return list_schema(number_schema(field.range), 4, 4);
-        case Kind::edges:
-            return list_schema(number_schema(field.range), 2, 2);
-        case Kind::clamp:
-            return {
-                {"anyOf", {{{"type", "boolean"}}, list_schema(number_schema(field.range), 2, 2)}}};
-        case Kind::levels:
-            return levels_schema(field.range);
-        case Kind::angle:
-            return quantity_schema(Dimension::angle);
-        case Kind::angles:
-            return one_or_list(quantity_schema(Dimension::angle), 1, most_angles);
-        case Kind::angle_bounds:
-            return list_schema(quantity_schema(Dimension::angle), 2, 2);
-        case Kind::length_bounds:
-            return list_schema(quantity_schema(Dimension::length), 2, 2);
-        case Kind::coefficient:
-            return quantity_schema(Dimension::inverse_length);
-        case Kind::number_density:
-            return quantity_schema(Dimension::number_density);
-        case Kind::lengths:
-            return list_schema(quantity_schema(Dimension::length), 3, 3);
-        case Kind::pair:
-        case Kind::bounds:
-            return list_schema(number_schema(field.range), 2, 2);
-        case Kind::height_table:
-            return pair_table_schema(number_schema({0, 1}), number_schema(field.range), 1);
-        case Kind::power_of_two:
-            return power_of_two_schema(field.range);
-        case Kind::path_groups:
-            return path_groups_schema();
-        case Kind::swept:
-            return {{"type", {"number", "string"}}};
-    }
-    return {};
-}
-
 // The default as JSON: those of the field tables are TOML that is JSON as well.
 Json default_json(const Field& field) { return Json::parse(field.fallback, nullptr, false); }
 
 Json field_schema(const Field& field) {
-    Json schema = value_schema(field);
+    Json schema = field.kind.schema(field);
     schema["description"] = describe_field(field);
     if (!field.fallback.empty()) schema["default"] = default_json(field);
     return schema;
@@ -329,7 +153,7 @@ Json layer_schema() {
     schema["properties"]["preset"]["examples"] = layer_preset_names();
     Json& phase = schema["properties"]["phase"];
     const Json named = {{"type", "object"},
-                        {"properties", {{"mie", text_schema()}}},
+                        {"properties", {{"mie", {{"type", "string"}}}}},
                         {"required", {"mie"}},
                         {"additionalProperties", false}};
     phase["anyOf"] = {{{"enum", phase["enum"]}}, named};

@@ -24,37 +24,6 @@ constexpr double smallest_log_end = 1e-100;
 constexpr double largest_whole_end =
     9007199254740992.0;  // 2^53: doubles have all integers up to it
 
-bool takes_whole_numbers(Kind kind) {
-    switch (kind) {
-        case Kind::integer:
-        case Kind::seed:
-        case Kind::frequency:
-        case Kind::levels:
-        case Kind::power_of_two:
-            return true;
-        default:
-            return false;
-    }
-}
-
-// Kinds of which one number, or one for all channels, is a value.
-bool takes_one_number(Kind kind) {
-    switch (kind) {
-        case Kind::number:
-        case Kind::fraction:
-        case Kind::length:
-        case Kind::wavelengths:
-        case Kind::coefficients:
-        case Kind::fractions:
-        case Kind::angle:
-        case Kind::coefficient:
-        case Kind::number_density:
-            return true;
-        default:
-            return takes_whole_numbers(kind);
-    }
-}
-
 std::string_view base_unit(Dimension dimension) {
     switch (dimension) {
         case Dimension::length:
@@ -228,9 +197,9 @@ bool check_form(const Field& field, const std::string& path, const Value& value,
 std::optional<SweptRange> read_range(const Field& field, const std::string& path,
                                      const Entry& entry, Decoder& decoder) {
     const RangeReader reader{field, path, entry, decoder};
-    if (!takes_one_number(field.kind)) {
+    if (field.kind.swept == RangeOver::nothing) {
         reader.error(entry.key_place, fmt::format("`{}` cannot vary over a range", path),
-                     fmt::format("list its values, each {}", describe_kind(field.kind)));
+                     fmt::format("list its values, each {}", field.kind.words));
         return std::nullopt;
     }
     const DecodedSection section =
@@ -253,7 +222,7 @@ std::optional<SweptRange> read_range(const Field& field, const std::string& path
     if (!from_fits || !to_fits) return std::nullopt;
     SweptRange range;
     set_ends(*from.source, *to.source, range);
-    range.whole = takes_whole_numbers(field.kind);
+    range.whole = field.kind.swept == RangeOver::wholes;
     range.log = choice_of<SweepScale>(scale) == SweepScale::log;
     if (count.value) range.count = static_cast<int>(std::get<double>(*count.value));
     if (!reader.check_ends(range, *from.source, *to.source)) return std::nullopt;

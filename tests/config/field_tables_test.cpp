@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "config/fields/field_reader.h"
@@ -22,6 +23,21 @@ TEST(FieldTables, KeysAreUniqueAndDocumented) {
             EXPECT_FALSE(!field.exclusive_side.empty() && field.exclusive_group.empty());
             EXPECT_FALSE(field.required && !field.fallback.empty()) << field.key;
             EXPECT_LE(field.range.minimum, field.range.maximum) << field.key;
+        }
+    }
+}
+
+// Kinds are told apart by their words.
+TEST(FieldTables, KindsHaveWordsOfTheirOwn) {
+    std::map<std::string_view, const ValueKind*> kinds;
+    for (const Section& section : sections()) {
+        for (const Field& field : section.fields) {
+            const ValueKind& kind = field.kind;
+            EXPECT_FALSE(kind.words.empty()) << field.key;
+            EXPECT_TRUE(kind.read && kind.schema) << field.key;
+            const ValueKind& known = *kinds.emplace(kind.words, &kind).first->second;
+            EXPECT_TRUE(kind.read == known.read && kind.scale == known.scale) << kind.words;
+            EXPECT_TRUE(kind.schema == known.schema && kind.most == known.most) << kind.words;
         }
     }
 }

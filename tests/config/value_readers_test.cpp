@@ -1,4 +1,4 @@
-#include "config/fields/noise_value_reader.h"
+#include "config/fields/kinds.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ std::uint64_t seed_of(const std::string& text) {
     return channel_of("type = 'perlin'\nseed = " + text).seed;
 }
 
-TEST(NoiseValueReader, SeedsAreIntegersOrText) {
+TEST(ValueReaders, SeedsAreIntegersOrText) {
     EXPECT_EQ(seed_of("0"), 0u);
     EXPECT_EQ(seed_of("9223372036854775807"), 9223372036854775807u);
     EXPECT_EQ(seed_of("'9223372036854775808'"), 9223372036854775808u);
@@ -27,7 +27,7 @@ TEST(NoiseValueReader, SeedsAreIntegersOrText) {
     EXPECT_EQ(seed_of("'010'"), 10u);
 }
 
-TEST(NoiseValueReader, OtherSeedsAreRefused) {
+TEST(ValueReaders, OtherSeedsAreRefused) {
     const auto code = [](const std::string& text) {
         return only_diagnostic(channel_recipe("type = 'perlin'\nseed = " + text)).code;
     };
@@ -41,19 +41,19 @@ TEST(NoiseValueReader, OtherSeedsAreRefused) {
 }
 
 // On the command line quotes are a nuisance, and not needed.
-TEST(NoiseValueReader, ASettingMayBeAnySeed) {
+TEST(ValueReaders, ASettingMayBeAnySeed) {
     const Recipe recipe =
         valid(channel_recipe("type = 'perlin'"), {"noise.n.seed=18446744073709551615"});
     EXPECT_EQ(recipe.parameters.noises.at(0).seed, 18446744073709551615u);
 }
 
-TEST(NoiseValueReader, AHugeSeedInAFileIsAdvised) {
+TEST(ValueReaders, AHugeSeedInAFileIsAdvised) {
     const Diagnostic diagnostic = only_diagnostic("[noise.n]\nseed = 18446744073709551615\n");
     EXPECT_EQ(diagnostic.code, "E0101");
     EXPECT_EQ(diagnostic.label, "write a number above 2^63 - 1 in quotes");
 }
 
-TEST(NoiseValueReader, FrequenciesAreOneNumberOrOnePerAxis) {
+TEST(ValueReaders, FrequenciesAreOneNumberOrOnePerAxis) {
     using Frequencies = std::vector<std::array<int, 3>>;
     EXPECT_EQ(channel_of("type = 'perlin'\nfrequency = 7").octaves.frequencies,
               (Frequencies{{7, 7, 7}}));
@@ -68,7 +68,7 @@ struct Refused {
     std::string code;
 };
 
-TEST(NoiseValueReader, RefusesWhatIsNone) {
+TEST(ValueReaders, RefusesWhatIsNone) {
     const std::vector<Refused> all = {
         {"frequency = 0", "E0110"},
         {"frequency = -4", "E0110"},
@@ -117,7 +117,7 @@ TEST(NoiseValueReader, RefusesWhatIsNone) {
     }
 }
 
-TEST(NoiseValueReader, RemapsMayFall) {
+TEST(ValueReaders, RemapsMayFall) {
     EXPECT_EQ(channel_of("type = 'perlin'\nremap = [1, 0.25, -3, 2]").remap,
               (std::array<double, 4>{1, 0.25, -3, 2}));
 }

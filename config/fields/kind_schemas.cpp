@@ -1,0 +1,136 @@
+// The JSON Schemas of the kinds of values.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "config/fields/fields.h"
+
+namespace skybake::config {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A number followed by one of a dimension's units, as units.h reads it.
+Json quantity(Dimension dimension) {
+    std::string names;
+    for (const std::string_view name : unit_spellings(dimension)) {
+        if (!names.empty()) names += '|';
+        for (const char c : name) {
+            if (c == '^') names += '\\';
+            names += c;
+        }
+    }
+    const std::string number = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+    return {{"type", "string"},
+            {"pattern", fmt::format("^[ \t]*{}[ \t]*({})[ \t]*$", number, names)}};
+}
+
+Json bare_number(const Range& range) {
+    Json schema = {{"type", "number"}};
+    schema[range.open_minimum ? "exclusiveMinimum" : "minimum"] = range.minimum;
+    schema[range.open_maximum ? "exclusiveMaximum" : "maximum"] = range.maximum;
+    if (range.or_zero) return {{"anyOf", {{{"const", 0}}, schema}}};
+    return schema;
+}
+
+Json list_of(const Json& item, int fewest, int most) {
+    return {{"type", "array"}, {"items", item}, {"minItems", fewest}, {"maxItems", most}};
+}
+
+Json one_or_list(const Json& item, int fewest, int most) {
+    return {{"anyOf", {item, list_of(item, fewest, most)}}};
+}
+
+Json texts() { return {{"type", "array"}, {"items", {{"type", "string"}}}}; }
+
+Json pair_table(const Json& first, const Json& second, int fewest) {
+    Json pair = {{"type", "array"}, {"items", {first, second}}, {"minItems", 2}, {"maxItems", 2}};
+    return {{"type", "array"}, {"items", std::move(pair)}, {"minItems", fewest}};
+}
+
+}  // namespace
+
+Json flag_schema(const Field&) { return {{"type", "boolean"}}; }
+
+Json whole_schema(const Field& field) {
+    return {{"type", "integer"},
+            {"minimum", static_cast<int>(field.range.minimum)},
+            {"maximum", static_cast<int>(field.range.maximum)}};
+}
+
+Json number_schema(const Field& field) {
+    const Dimension dimension = field.kind.scale->dimension;
+    if (dimension == Dimension::number) return bare_number(field.range);
+    if (dimension != Dimension::fraction) return quantity(dimension);
+    return {{"anyOf", {bare_number(field.range), quantity(dimension)}}};
+}
+
+Json numbers_schema(const Field& field) {
+    return list_of(number_schema(field), field.kind.fewest, field.kind.most);
+}
+
+Json one_or_numbers_schema(const Field& field) {
+    return one_or_list(number_schema(field), field.kind.fewest, field.kind.most);
+}
+
+Json wholes_schema(const Field& field) {
+    return list_of(whole_schema(field), field.kind.fewest, field.kind.most);
+}
+
+Json text_schema(const Field&) { return {{"type", "string"}}; }
+
+Json text_list_schema(const Field& field) { return {{"anyOf", {text_schema(field), texts()}}}; }
+
+Json path_groups_schema(const Field&) {
+    return {{"anyOf", {texts(), {{"type", "array"}, {"items", texts()}}}}};
+}
+
+Json choice_schema(const Field& field) {
+    Json names = Json::array();
+    for (const std::string_view name : choice_names(field)) names.push_back(name);
+    return {{"enum", names}};
+}
+
+Json choice_list_schema(const Field& field) {
+    Json list = list_of(choice_schema(field), 1, static_cast<int>(field.choices.size()));
+    list["uniqueItems"] = true;
+    return {{"anyOf", {choice_schema(field), list}}};
+}
+
+Json frequency_schema(const Field& field) { return one_or_list(whole_schema(field), 3, 3); }
+
+Json frequencies_schema(const Field& field) {
+    return list_of(frequency_schema(field), field.kind.fewest, field.kind.most);
+}
+
+Json clamp_schema(const Field& field) {
+    return {{"anyOf", {flag_schema(field), numbers_schema(field)}}};
+}
+
+Json levels_schema(const Field& field) {
+    return {{"anyOf", {whole_schema(field), {{"const", "all"}}}}};
+}
+
+Json power_of_two_schema(const Field& field) {
+    Json powers = Json::array();
+    for (int power = 1; power <= field.range.maximum; power *= 2) powers.push_back(power);
+    return {{"enum", powers}};
+}
+
+Json seed_schema(const Field&) {
+    const Json integer = {{"type", "integer"}, {"minimum", 0}};
+    const Json text = {{"type", "string"}, {"pattern", "^(0[xX][0-9a-fA-F]+|[0-9]+)$"}};
+    return {{"anyOf", {integer, text}}};
+}
+
+Json density_table_schema(const Field& field) {
+    return pair_table(quantity(Dimension::length), bare_number(field.range), 2);
+}
+
+Json height_table_schema(const Field& field) {
+    return pair_table(bare_number({0, 1}), bare_number(field.range), 1);
+}
+
+Json swept_schema(const Field&) { return {{"type", {"number", "string"}}}; }
+
+}  // namespace skybake::config
