@@ -10,17 +10,28 @@
 
 #include "bakers/io/files/byte_size_text.h"
 #include "bakers/workspace/asset_cache.h"
-#include "cli/byte_size.h"
-#include "cli/cache_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/parse_arguments.h"
+#include "cli/events.h"
+#include "cli/options.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
+namespace options {
+
+// In bytes.
+config::Outcome<std::uint64_t> read_max_size(const std::string& text) {
+    if (const auto bytes = parse_byte_size(text)) return {*bytes, {}};
+    return {{}, {bad_value("--max-size", text, std::string(byte_size_words))}};
+}
+
+inline const Option<std::uint64_t> max_size{"max-size", 0, "SIZE", {}, read_max_size};
+
+}  // namespace options
+
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 std::string counted(std::size_t count, std::string_view what, std::string_view plural) {
@@ -38,7 +49,7 @@ struct KindTotals {
     std::uint64_t bytes = 0;
 };
 
-ExitCode stats(const std::string& folder, bool json, Console& console) {
+ExitCode stats(const fs::path& folder, bool json, Console& console) {
     const auto entries = cache_entries(folder);
     if (const ExitCode code = console.report(entries.diagnostics); !entries.value) return code;
     std::map<std::string, KindTotals> kinds;
@@ -71,10 +82,8 @@ ExitCode stats(const std::string& folder, bool json, Console& console) {
     return ExitCode::done;
 }
 
-ExitCode gc(const std::string& folder, const std::string& size, bool json, Console& console) {
-    const auto largest = parse_byte_size(size);
-    if (!largest) return console.report(std::array{byte_size_error("--max-size", size)});
-    const auto removed = collect_garbage(folder, *largest);
+ExitCode gc(const fs::path& folder, std::uint64_t largest, bool json, Console& console) {
+    const auto removed = collect_garbage(folder, largest);
     if (const ExitCode code = console.report(removed.diagnostics); !removed.value) return code;
     const std::uint64_t bytes = bytes_of(*removed.value);
     if (json) {
@@ -88,7 +97,7 @@ ExitCode gc(const std::string& folder, const std::string& size, bool json, Conso
     return ExitCode::done;
 }
 
-ExitCode verify(const std::string& folder, bool json, Console& console) {
+ExitCode verify(const fs::path& folder, bool json, Console& console) {
     const auto verified = verify_cache(folder);
     if (const ExitCode code = console.report(verified.diagnostics); !verified.value) return code;
     std::vector<std::string> damaged;
@@ -113,7 +122,7 @@ ExitCode verify(const std::string& folder, bool json, Console& console) {
 
 ExitCode run_cache(const Invocation& invocation, Console& console) {
     const std::string& what = invocation.arguments()[0];
-    const std::string folder = cache_folder(invocation);
+    const fs::path folder = cache_folder(invocation);
     if (folder.empty()) {
         return console.report(std::array{usage_error(
             "no cache folder is given", "name one with --cache-dir or $SKYBAKE_CACHE_DIR")});
@@ -126,11 +135,11 @@ ExitCode run_cache(const Invocation& invocation, Console& console) {
             std::array{usage_error(fmt::format("`skybake cache` has no action `{}`", what),
                                    "its actions are stats, gc and verify")});
     }
-    if (!invocation.has("max-size")) {
+    if (!invocation.has(options::max_size)) {
         return console.report(std::array{
             usage_error("`skybake cache gc` needs --max-size", "for example --max-size 10GiB")});
     }
-    return gc(folder, invocation.value("max-size"), json, console);
+    return gc(folder, invocation[options::max_size], json, console);
 }
 
 }  // namespace
@@ -140,13 +149,11 @@ Command cache_command() {
             .brief = "look after the asset cache",
             .summary = "inspect, verify and trim the asset cache",
             .arguments = {{.name = "stats|gc|verify",
-                           .help = "show its contents, remove old assets, or check its files"}},
-            .options = {{.name = "cache-dir",
-                         .value = "FOLDER",
-                         .help = "the folder of the cache (default: $SKYBAKE_CACHE_DIR)"},
-                        {.name = "max-size",
-                         .value = "SIZE",
-                         .help = "let gc remove the least recently used assets beyond this size"}},
+                           .help = "show its contents, remove old assets, or check its files",
+                           .choices = {"stats", "gc", "verify"}}},
+            .options = {options::cache_dir("the folder of the cache (default: $SKYBAKE_CACHE_DIR)"),
+                        options::max_size(
+                            "let gc remove the least recently used assets beyond this size")},
             .examples = {{"skybake cache stats --cache-dir ~/.cache/skybake", "shows its contents"},
                          {"skybake cache gc --cache-dir ~/.cache/skybake --max-size 10GiB",
                           "keeps at most 10 GiB"}},

@@ -8,12 +8,10 @@
 
 #include "bakers/air/particles/check_particles.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
-#include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/diagnostic_json.h"
-#include "cli/event_line.h"
-#include "cli/recipe_argument.h"
+#include "cli/events.h"
+#include "cli/options.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake::cli {
@@ -74,7 +72,7 @@ Command check_command() {
         .brief = "find its errors",
         .summary = "find all errors of a recipe without baking it",
         .arguments = {{.name = "recipe.toml", .help = recipe_help}},
-        .options = {set_option()},
+        .options = {set_row()},
         .examples = {{"skybake check earth.toml", "shows every error with its line and a remedy"},
                      {"skybake check - < earth.toml", "checks the text that an editor pipes in"},
                      {"skybake check earth.toml --json", "reports the errors to a program"}},

@@ -1,14 +1,16 @@
 #include "cli/console.h"
 
+#include <signal.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <utility>
 
-#include "cli/event_line.h"
-#include "cli/interrupt.h"
+#include "bakers/io/files/atomic_file.h"
+#include "cli/events.h"
 #include "config/diagnostics/diagnostic_codes.h"
 
 namespace skybake::cli {
@@ -25,6 +27,16 @@ bool forces(const char* variable) { return is_set(variable) && std::string_view(
 int columns_of_terminal(int descriptor) {
     winsize size{};
     return ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+std::atomic<bool> signal_arrived{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+// Does only what is allowed in a handler: an atomic, unlink, _exit.
+void on_signal(int) {
+    if (!signal_arrived.exchange(true)) return;
+    unlink_current_temporaries();
+    ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
 }  // namespace
@@ -45,9 +57,9 @@ Sink descriptor_sink(int descriptor) {
     return sink;
 }
 
-bool wants_color(std::string_view choice, bool terminal, const ColorEnvironment& environment) {
-    if (choice == "always") return true;
-    if (choice == "never" || is_set(environment.no_color)) return false;
+bool wants_color(WhenColor choice, bool terminal, const ColorEnvironment& environment) {
+    if (choice == WhenColor::always) return true;
+    if (choice == WhenColor::never || is_set(environment.no_color)) return false;
     return terminal || forces(environment.clicolor_force) || forces(environment.force_color);
 }
 
@@ -123,5 +135,23 @@ ExitCode Console::exit_code(ExitCode code) const {
     if (interrupted()) return ExitCode::interrupted;
     return result_lost_ ? std::max(code, ExitCode::io) : code;
 }
+
+void install_signal_handlers() {
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    sigemptyset(&action.sa_mask);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        // Under nohup a lost terminal stays ignored. Ctrl-C does not, though shells ignore it for
+        // what scripts start in the background: whoever sends it means it.
+        struct sigaction old {};
+        const bool ignored = ::sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;
+        if (number == SIGHUP && ignored) continue;
+        ::sigaction(number, &action, nullptr);
+    }
+    action.sa_handler = SIG_IGN;
+    for (const int number : {SIGPIPE, SIGXFSZ}) ::sigaction(number, &action, nullptr);
+}
+
+bool interrupted() { return signal_arrived; }
 
 }  // namespace skybake::cli

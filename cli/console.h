@@ -1,4 +1,5 @@
-// The two streams: results on stdout, words for people and diagnostics on stderr.
+// What the process tells the world, and is told by signals: results on stdout, words for people and
+// diagnostics on stderr, the exit code.
 #pragma once
 
 #include <functional>
@@ -9,10 +10,20 @@
 #include <vector>
 
 #include "cli/diagnostic_printer.h"
-#include "cli/exit_code.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
+
+// What the process says to the shell. main.cpp is the only place that exits.
+enum class ExitCode : int {
+    done = 0,
+    differs = 1,   // a comparison or verification differs
+    usage = 2,     // usage or parameter error
+    io = 3,        // cannot open, read or write
+    checks = 4,    // the result failed its physical or error checks
+    internal = 5,  // a mistake of the program's own
+    interrupted = 130,
+};
 
 // Where text goes. `write` returns false once the other end is gone or the disk is full.
 struct Sink {
@@ -40,10 +51,12 @@ struct ColorEnvironment {
     const char* force_color = nullptr;     // https://force-color.org
 };
 
+enum class WhenColor { automatic, always, never };
+
 // Whether to colour a stream. --color=always and --color=never decide. With auto, NO_COLOR turns
 // colours off, else CLICOLOR_FORCE or FORCE_COLOR turns them on, else a terminal gets them. A
 // variable that is empty counts as not set; `0` forces nothing.
-bool wants_color(std::string_view choice, bool terminal, const ColorEnvironment& environment);
+bool wants_color(WhenColor choice, bool terminal, const ColorEnvironment& environment);
 
 // Never throws for a stream that is gone. Once a result could not be written the process's exit
 // code becomes `io`, see finish. Notes may come from any thread.
@@ -89,5 +102,17 @@ class Console {
     std::vector<config::Diagnostic> sarif_;
     std::vector<config::Diagnostic> reported_;  // with --json
 };
+
+// --- Ctrl-C and its kin -------------------------------------------------------------------------
+
+// The first signal asks the bake to stop and leave no partial file, a second one ends the process
+// at once (and leaves none either).
+
+// Takes over SIGINT, SIGTERM and SIGHUP; ignores SIGPIPE and SIGXFSZ, whose errors the writes
+// report.
+void install_signal_handlers();
+
+// True once a signal has arrived.
+bool interrupted();
 
 }  // namespace skybake::cli

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "cli/diagnostic_json.h"
-#include "cli/text_width.h"
+#include "cli/events.h"
+#include "cli/table_printer.h"
 
 namespace skybake::cli {
 namespace {
@@ -220,29 +220,10 @@ std::string print_github(std::span<const Diagnostic> diagnostics) {
     return text;
 }
 
-struct FormatName {
-    std::string_view name;
-    DiagnosticFormat format;
-};
-constexpr std::array<FormatName, 5> format_names = {{
-    {"human", DiagnosticFormat::human},
-    {"short", DiagnosticFormat::short_},
-    {"json", DiagnosticFormat::json},
-    {"github", DiagnosticFormat::github},
-    {"sarif", DiagnosticFormat::sarif},
-}};
-
 }  // namespace
 
 std::string_view severity_word(const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error ? "error" : "warning";
-}
-
-std::optional<DiagnosticFormat> diagnostic_format(std::string_view name) {
-    for (const FormatName& entry : format_names) {
-        if (entry.name == name) return entry.format;
-    }
-    return std::nullopt;
 }
 
 std::string print_diagnostics(std::span<const Diagnostic> diagnostics, DiagnosticFormat format,

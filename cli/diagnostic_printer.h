@@ -18,9 +18,6 @@ enum class DiagnosticFormat {
     sarif,   // one SARIF 2.1.0 document
 };
 
-// "human", "short", "json", "github", "sarif".
-std::optional<DiagnosticFormat> diagnostic_format(std::string_view name);
-
 // "error" or "warning".
 std::string_view severity_word(const config::Diagnostic& diagnostic);
 

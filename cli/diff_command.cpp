@@ -12,13 +12,28 @@
 #include "bakers/io/files/file_input.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/compare.h"
-#include "cli/command.h"
+#include "cli/options.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/parse_arguments.h"
+#include "cli/events.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
+namespace options {
+
+// A number of at least 0.
+config::Outcome<double> read_tolerance(const std::string& text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, number);
+    if (parsed.ec == std::errc{} && parsed.ptr == end && number >= 0) return {number, {}};
+    return {{}, {bad_value("--tolerance", text, "it takes a number of at least 0, such as 1e-6")}};
+}
+
+inline const Option<double> tolerance{"tolerance", 0, "NUMBER", {}, read_tolerance};
+inline const Option<bool> metadata{"metadata"};
+
+}  // namespace options
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -259,24 +274,9 @@ std::string as_text(const Comparison& comparison, const Judgement& judgement) {
     return text;
 }
 
-std::optional<double> tolerance_of(const std::string& text) {
-    double value = 0;
-    const char* const end = text.data() + text.size();
-    const auto parsed = std::from_chars(text.data(), end, value);
-    if (parsed.ec != std::errc{} || parsed.ptr != end || !(value >= 0)) return std::nullopt;
-    return value;
-}
-
 ExitCode run_diff(const Invocation& invocation, Console& console) {
-    const std::string text = invocation.value("tolerance");
-    const auto tolerance = tolerance_of(text);
-    if (!tolerance) {
-        return console.report(
-            std::array{usage_error(fmt::format("`--tolerance` cannot be `{}`", text),
-                                   "it takes a number of at least 0, such as 1e-6")});
-    }
     const Comparison comparison = compare(invocation.arguments()[0], invocation.arguments()[1]);
-    const Judgement judgement{*tolerance, invocation.has("metadata")};
+    const Judgement judgement{invocation[options::tolerance], invocation[options::metadata]};
     const ExitCode code = console.report(comparison.diagnostics);
     if (comparison.files.empty() && code != ExitCode::done) return code;
     console.result(console.display().json ? as_json(comparison, judgement)
@@ -293,11 +293,8 @@ Command diff_command() {
             .summary = "compare two baked files or folders",
             .arguments = {{.name = "first", .help = "an EXR, VDB or raw file, or a folder of them"},
                           {.name = "second", .help = "the file or folder to compare it with"}},
-            .options = {{.name = "tolerance",
-                         .value = "NUMBER",
-                         .help = "count values as equal up to this difference",
-                         .fallback = "0"},
-                        {.name = "metadata", .help = "count differences in the metadata too"}},
+            .options = {options::tolerance("count values as equal up to this difference", "0"),
+                        options::metadata("count differences in the metadata too")},
             .examples = {{"skybake diff old new", "compares all files of two folders"},
                          {"skybake diff a.exr b.exr --tolerance 1e-6", "allows for rounding"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.h"
+#include "cli/options.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/parse_arguments.h"
+#include "cli/events.h"
 #include "config/recipe/explain.h"
 #include "config/text/key_path.h"
 #include "config/text/suggest.h"

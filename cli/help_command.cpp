@@ -1,27 +1,146 @@
 // skybake help: the help of the program or of a command.
-#include "cli/help_command.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
+#include "cli/events.h"
 #include "cli/help.h"
-#include "cli/parse_arguments.h"
+#include "cli/options.h"
+#include "cli/table_printer.h"
 
 namespace skybake::cli {
+
+namespace options {
+
+inline const Option<bool> man{"man"};
+inline const Option<Shell> completion{
+    "completion", 0, "SHELL", {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}}};
+
+}  // namespace options
+
 namespace {
 
+constexpr std::array<ExitCodeWords, 7> exit_code_words = {{
+    {ExitCode::done, "done"},
+    {ExitCode::differs, "a comparison or verification found differences"},
+    {ExitCode::usage, "usage or parameter error"},
+    {ExitCode::io, "a file cannot be opened, read or written"},
+    {ExitCode::checks, "the result failed its checks"},
+    {ExitCode::internal, "internal error"},
+    {ExitCode::interrupted, "interrupted"},
+}};
+
+// "-o, --output FOLDER"; long names are aligned whether there is a short one or not.
+std::string option_text(const OptionRow& option) {
+    const std::string short_name =
+        option.short_name != 0 ? fmt::format("-{}, ", option.short_name) : "    ";
+    const std::string value = option.value.empty() ? "" : fmt::format(" {}", option.value);
+    return fmt::format("{}--{}{}", short_name, option.name, value);
+}
+
+std::string option_table(std::span<const OptionRow> options) {
+    TextTable table;
+    for (const OptionRow& option : options)
+        table.add_row({option_text(option), option_help(option)});
+    return table.text();
+}
+
+std::string example_table(std::span<const Example> examples) {
+    TextTable table;
+    for (const Example& example : examples) {
+        table.add_row({std::string(example.command), std::string(example.what)});
+    }
+    return table.text();
+}
+
+std::string command_table(std::span<const Command> commands) {
+    TextTable table;
+    for (const Command& command : commands) {
+        table.add_row({std::string(command.name), std::string(command.summary)});
+    }
+    return table.text();
+}
+
+std::string exit_code_table(std::span<const ExitCode> codes) {
+    TextTable table({Align::right});
+    for (const auto& [code, words] : exit_codes(codes)) {
+        table.add_row({fmt::format("{}", static_cast<int>(code)), std::string(words)});
+    }
+    return table.text();
+}
+
+std::string usage_line(const Command& command) {
+    std::string line = fmt::format("usage: skybake {}", command.name);
+    for (const Argument& argument : command.arguments) {
+        const std::string name =
+            fmt::format("{}{}", argument.name, argument.repeatable ? "..." : "");
+        line += argument.required ? fmt::format(" <{}>", name) : fmt::format(" [{}]", name);
+    }
+    return line + " [options]\n";
+}
+
+constexpr std::array<Example, 2> first_steps = {{
+    {"skybake init earth.toml", "writes a commented recipe"},
+    {"skybake bake earth.toml -o out", "bakes its tables and measures their errors"},
+}};
+
+std::string global_help(std::span<const Command> commands,
+                        std::span<const OptionRow> global_options) {
+    std::string text = fmt::format("skybake {}\n", program_summary) +
+                       "usage: skybake <command> [recipe.toml] [options]\n\ncommands:\n";
+    text += command_table(commands);
+    text += "\noptions (after the command):\n" + option_table(global_options);
+    text += "\nexamples:\n" + example_table(first_steps);
+    return text + "\nexit codes:\n" + exit_code_table({});
+}
+
+std::string command_help(const Command& command) {
+    std::string text = fmt::format("skybake {}: {}\n\n", command.name, command.summary);
+    text += usage_line(command);
+    if (!command.arguments.empty()) {
+        TextTable table;
+        for (const Argument& argument : command.arguments) {
+            table.add_row({std::string(argument.name), std::string(argument.help)});
+        }
+        text += "\narguments:\n" + table.text();
+    }
+    if (!command.options.empty()) text += "\noptions:\n" + option_table(command.options);
+    text += "\n`skybake help` shows the options that every command has.\n";
+    text += "\nexamples:\n" + example_table(command.examples);
+    std::vector<ExitCode> codes = command.exit_codes;
+    codes.insert(codes.end(), {ExitCode::done, ExitCode::usage});
+    return text + "\nexit codes:\n" + exit_code_table(codes);
+}
+
+ExitCode print(const std::string& text, Console& console) {
+    console.result(console.display().json ? event_line({{"event", "help"}, {"text", text}}) : text);
+    return ExitCode::done;
+}
+
 ExitCode run_help(const Invocation& invocation, Console& console) {
+    if (invocation.has(options::completion)) {
+        return print(completion(invocation[options::completion], commands(), global_options()),
+                     console);
+    }
     const Command* command = nullptr;
     if (!invocation.arguments().empty()) {
         const std::string& name = invocation.arguments()[0];
-        command = find_command(name);
-        if (command == nullptr) {
+        const auto found = std::find_if(commands().begin(), commands().end(),
+                                        [&](const Command& one) { return one.name == name; });
+        if (found == commands().end()) {
             return console.report(std::array{unknown_command(name, commands())});
         }
+        command = &*found;
+    }
+    if (invocation[options::man]) {
+        return print(command != nullptr ? man_page(*command)
+                                        : man_page(commands(), global_options(), first_steps),
+                     console);
     }
     show_help(command, console);
     return ExitCode::done;
@@ -29,10 +148,40 @@ ExitCode run_help(const Invocation& invocation, Console& console) {
 
 }  // namespace
 
+std::vector<ExitCodeWords> exit_codes(std::span<const ExitCode> codes) {
+    std::vector<ExitCodeWords> known(exit_code_words.begin(), exit_code_words.end());
+    std::erase_if(known, [&](const ExitCodeWords& entry) {
+        return !codes.empty() && std::find(codes.begin(), codes.end(), entry.code) == codes.end();
+    });
+    return known;
+}
+
+std::string option_help(const OptionRow& option) {
+    std::string text(option.help);
+    if (!option.choices.empty()) text += fmt::format(": {}", fmt::join(option.choices, ", "));
+    if (!option.fallback.empty()) text += fmt::format(" (default {})", option.fallback);
+    if (option.repeatable) text += "; may be given more than once";
+    return text;
+}
+
+std::string short_help(std::span<const Command> commands) {
+    TextTable table;
+    const std::size_t rows = (commands.size() + 1) / 2;
+    for (std::size_t i = 0; i < rows; ++i) {
+        std::vector<std::string> row;
+        for (std::size_t k = i; k < commands.size(); k += rows) {
+            row.emplace_back(commands[k].name);
+            row.emplace_back(commands[k].brief);
+        }
+        table.add_row(row);
+    }
+    return "usage: skybake <command> [recipe.toml] [options]\n" + table.text() +
+           "`skybake help` and `skybake help <command>` show more\n";
+}
+
 void show_help(const Command* command, Console& console) {
-    const std::string text =
-        command != nullptr ? command_help(*command) : global_help(commands(), global_options());
-    console.result(console.display().json ? event_line({{"event", "help"}, {"text", text}}) : text);
+    print(command != nullptr ? command_help(*command) : global_help(commands(), global_options()),
+          console);
 }
 
 Command help_command() {
@@ -42,7 +191,12 @@ Command help_command() {
             .arguments = {{.name = "command",
                            .help = "the command to explain (default: all commands, one line each)",
                            .required = false}},
-            .examples = {{"skybake help bake", "shows what `skybake bake --help` shows"}},
+            .options = {options::man("print the man page, for man -l"),
+                        options::completion("print a script that completes words in this shell")},
+            .examples = {{"skybake help bake", "shows what `skybake bake --help` shows"},
+                         {"skybake help bake --man | man -l -", "shows the man page"},
+                         {"source <(skybake help --completion bash)",
+                          "completes commands and options in this shell"}},
             .run = run_help};
 }
 

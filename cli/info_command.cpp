@@ -16,10 +16,10 @@
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
-#include "cli/bake_summary.h"
+#include "cli/bake_output.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
+#include "cli/events.h"
 #include "cli/table_printer.h"
 #include "config/text/key_path.h"
 

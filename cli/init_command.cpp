@@ -1,5 +1,6 @@
 // skybake init: a commented recipe to start from.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <filesystem>
@@ -11,26 +12,149 @@
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/file_diagnostic.h"
 #include "bakers/io/files/output_folder.h"
-#include "cli/command.h"
+#include "cli/options.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/parse_arguments.h"
-#include "cli/preset_kinds.h"
+#include "cli/events.h"
 #include "cli/table_printer.h"
 #include "config/presets/presets.h"
+#include "config/recipe/init_text.h"
+#include "config/text/suggest.h"
 
 namespace skybake::cli {
+namespace options {
+
+inline const Option<std::string> preset{"preset", 0, "NAME"};
+inline const Option<bool> list{"list"};
+
+}  // namespace options
+
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+// --- Kinds of presets ---------------------------------------------------------------------------
+
+struct PresetKind {
+    std::string_view name;    // "clouds": what comes before the dot of "clouds.thesis"
+    std::string_view plural;  // "clouds", for lists
+    std::string_view use;     // how a recipe names such a preset
+    std::span<const config::Preset> (*all)();
+    std::string (*recipe)(const config::Preset& preset);  // the text of init; null: not a recipe
+};
+struct KnownPreset {
+    const PresetKind* kind = nullptr;
+    const config::Preset* preset = nullptr;
+
+    // "clouds.thesis"
+    std::string full_name() const { return fmt::format("{}.{}", kind->name, preset->name); }
+    std::string recipe() const { return kind->recipe(*preset); }
+};
+
+// In the order in which `init` lists them.
+constexpr std::array<PresetKind, 5> kinds = {{
+    {"atmosphere", "atmospheres", "preset = \"NAME\" at the top of a recipe",
+     [] { return config::presets(); }, config::init_text},
+    {"noise", "noises", "preset = \"NAME\" below [noise.ANY_NAME]", config::noise_presets,
+     config::noise_init_text},
+    {"particles", "particles", "preset = \"NAME\" below [particles.ANY_NAME]",
+     config::particle_presets, config::particle_init_text},
+    {"layers", "layers", "preset = \"NAME\" below [atmosphere.layers.ANY_NAME]",
+     config::layer_presets, nullptr},
+    {"clouds", "clouds", "preset = \"NAME\" below [clouds.ANY_NAME]", config::cloud_presets,
+     config::cloud_init_text},
+}};
+
+std::vector<std::string> names_with(std::string_view piece) {
+    std::vector<std::string> names;
+    for (const PresetKind& kind : kinds) {
+        if (kind.recipe == nullptr) continue;
+        for (const config::Preset& preset : kind.all()) {
+            if (preset.name.find(piece) != std::string_view::npos) {
+                names.push_back(KnownPreset{&kind, &preset}.full_name());
+            }
+        }
+    }
+    return names;
+}
+
+std::string nearest_preset(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const PresetKind& kind : kinds) {
+        if (kind.recipe == nullptr) continue;
+        for (const config::Preset& preset : kind.all()) names.push_back(preset.name);
+    }
+    return config::did_you_mean(name, names);
+}
+
+// What someone may have meant by a name that no preset has.
+std::string preset_hint(const std::string& name) {
+    for (const PresetKind& kind : kinds) {
+        const bool is_kind = name == kind.name || name == kind.plural;
+        if (!is_kind || kind.recipe == nullptr) continue;
+        return fmt::format("{}: {}", kind.plural,
+                           fmt::join(config::preset_names(kind.all()), ", "));
+    }
+    const std::string nearest = nearest_preset(name);
+    if (!nearest.empty()) return nearest;
+    constexpr std::size_t shortest_piece = 3;
+    const auto names = name.size() < shortest_piece ? std::vector<std::string>() : names_with(name);
+    if (!names.empty()) return fmt::format("did you mean {}?", fmt::join(names, " or "));
+    return "`skybake init --list` lists the presets of each kind";
+}
+
+// Presets of that name that `init` can write: none, one, or one of each kind ("thesis"). A full
+// name, "clouds.thesis", fits one.
+std::vector<KnownPreset> presets_for_init(std::string_view name) {
+    std::vector<KnownPreset> found;
+    for (const PresetKind& kind : kinds) {
+        if (kind.recipe == nullptr) continue;
+        const bool has_kind = name.size() > kind.name.size() && name.starts_with(kind.name) &&
+                              name[kind.name.size()] == '.';
+        const std::string_view own = has_kind ? name.substr(kind.name.size() + 1) : name;
+        if (const auto* preset = config::find_preset(kind.all(), own)) {
+            found.push_back({&kind, preset});
+        }
+    }
+    return found;
+}
+
+// The command that writes a recipe from the first of them: `name`, where it fits just that one, or
+// its full name.
+std::string init_command_of(std::span<const KnownPreset> presets, std::string_view name) {
+    const KnownPreset& first = presets.front();
+    return fmt::format("skybake init {}.toml --preset {}", first.preset->name,
+                       presets.size() == 1 ? std::string(name) : first.full_name());
+}
+
+// E0115: there is no such preset, or it is one of a layer. The label names those that are meant.
+config::Diagnostic unknown_preset(const std::string& name) {
+    const bool of_layer = config::find_preset(config::layer_presets(), name) != nullptr;
+    config::Diagnostic diagnostic =
+        of_layer
+            ? usage_error(
+                  fmt::format("`{}` is the preset of a layer and not of a whole recipe", name),
+                  fmt::format("write preset = \"{}\" below [atmosphere.layers.ANY_NAME]", name))
+            : usage_error(fmt::format("there is no preset `{}`", name), preset_hint(name));
+    diagnostic.code = "E0115";
+    return diagnostic;
+}
+
+// "noise.thesis or clouds.thesis".
+std::string full_names(std::span<const KnownPreset> presets) {
+    std::vector<std::string> names;
+    for (const KnownPreset& preset : presets) names.push_back(preset.full_name());
+    return fmt::format("{}", fmt::join(names, " or "));
+}
+
+// --- The command --------------------------------------------------------------------------------
 
 constexpr std::string_view default_file = "skybake.toml";
 constexpr std::string_view standard_output = "-";
 
 std::string preset_list() {
     std::string text;
-    for (const PresetKind& kind : preset_kinds()) {
+    for (const PresetKind& kind : kinds) {
         text += fmt::format("{}{}: {}\n", text.empty() ? "" : "\n", kind.plural, kind.use);
         TextTable table({}, 2);
         for (const config::Preset& preset : kind.all()) {
@@ -45,7 +169,7 @@ std::string preset_list() {
 
 std::string preset_list_event() {
     Json presets = Json::array();
-    for (const PresetKind& kind : preset_kinds()) {
+    for (const PresetKind& kind : kinds) {
         for (const config::Preset& preset : kind.all()) {
             presets.push_back({{"kind", kind.name},
                                {"name", preset.name},
@@ -105,11 +229,11 @@ void print_recipe(const KnownPreset& preset, Console& console) {
 }
 
 ExitCode run_init(const Invocation& invocation, Console& console) {
-    if (invocation.has("list")) {
+    if (invocation[options::list]) {
         console.result(console.display().json ? preset_list_event() : preset_list());
         return ExitCode::done;
     }
-    const auto preset = preset_of(invocation.value("preset"));
+    const auto preset = preset_of(invocation[options::preset]);
     if (!preset.value) return console.report(preset.diagnostics);
     const auto& arguments = invocation.arguments();
     const std::string file = arguments.empty() ? std::string(default_file) : arguments[0];
@@ -122,10 +246,22 @@ ExitCode run_init(const Invocation& invocation, Console& console) {
         print_recipe(*preset.value, console);
         return ExitCode::done;
     }
-    return write_recipe(file, *preset.value, invocation.has("force"), console);
+    return write_recipe(file, *preset.value, invocation[options::force], console);
 }
 
 }  // namespace
+
+std::optional<config::Diagnostic> preset_in_place_of_file(const std::filesystem::path& path) {
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(path, error))) return std::nullopt;
+    const auto presets = presets_for_init(path.string());
+    if (presets.empty()) return std::nullopt;
+    config::Diagnostic diagnostic =
+        file_error("E0300", "", fmt::format("`{}` is a preset and not a file", path.string()));
+    diagnostic.label =
+        fmt::format("write a recipe from it: {}", init_command_of(presets, path.string()));
+    return diagnostic;
+}
 
 Command init_command() {
     return {
@@ -135,12 +271,9 @@ Command init_command() {
         .arguments = {{.name = "file",
                        .help = "the recipe to write (default skybake.toml); - prints it",
                        .required = false}},
-        .options = {{.name = "preset",
-                     .value = "NAME",
-                     .help = "the preset to start from, such as clouds.thesis",
-                     .fallback = "earth"},
-                    {.name = "list", .help = "list the presets of each kind and write nothing"},
-                    {.name = "force", .help = "overwrite an existing file"}},
+        .options = {options::preset("the preset to start from, such as clouds.thesis", "earth"),
+                    options::list("list the presets of each kind and write nothing"),
+                    options::force("overwrite an existing file")},
         .examples = {{"skybake init earth.toml",
                       "writes the Earth's atmosphere, with the meaning of every value"},
                      {"skybake init mars.toml --preset mars", "writes another planet"},
@@ -151,5 +284,4 @@ Command init_command() {
         .exit_codes = {ExitCode::io},
         .run = run_init};
 }
-
 }  // namespace skybake::cli

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bakers/math/keep_memory.h"
-#include "cli/interrupt.h"
-#include "cli/run.h"
+#include "cli/command.h"
+#include "cli/console.h"
 
 namespace {
 

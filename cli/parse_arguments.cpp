@@ -1,6 +1,6 @@
 // The one translation unit that knows CLI11. It sorts words into options and arguments; what is
 // allowed stands in the tables, and the words for errors are ours.
-#include "cli/parse_arguments.h"
+#include "cli/command.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/options.h"
 #include "config/text/suggest.h"
 
 namespace skybake::cli {
@@ -18,19 +19,20 @@ namespace {
 
 bool is_option(std::string_view word) { return word.size() > 1 && word[0] == '-'; }
 
-const Option* find_option(std::span<const Option> options, std::string_view name) {
-    const auto found = std::find_if(options.begin(), options.end(),
-                                    [name](const Option& option) { return option.name == name; });
+const OptionRow* find_option(std::span<const OptionRow> options, std::string_view name) {
+    const auto found =
+        std::find_if(options.begin(), options.end(),
+                     [name](const OptionRow& option) { return option.name == name; });
     return found != options.end() ? &*found : nullptr;
 }
 
-bool has_letter(std::span<const Option> options, char letter) {
+bool has_letter(std::span<const OptionRow> options, char letter) {
     return std::any_of(options.begin(), options.end(),
-                       [letter](const Option& option) { return option.short_name == letter; });
+                       [letter](const OptionRow& option) { return option.short_name == letter; });
 }
 
 // Whether a word that begins like an option is one of these: "--name", "--name=value", "-n", "-nm".
-bool is_option_of(std::string_view word, std::span<const Option> options) {
+bool is_option_of(std::string_view word, std::span<const OptionRow> options) {
     if (!word.starts_with("--")) {
         word.remove_prefix(1);
         return std::all_of(word.begin(), word.end(),
@@ -43,7 +45,7 @@ bool is_option_of(std::string_view word, std::span<const Option> options) {
 // The first option before the command that is not a global one. (No value of a global option begins
 // with a dash.)
 std::optional<std::string> first_stray(std::span<const std::string> before,
-                                       std::span<const Option> globals) {
+                                       std::span<const OptionRow> globals) {
     for (const std::string& word : before) {
         if (is_option(word) && !is_option_of(word, globals)) return word;
     }
@@ -52,10 +54,11 @@ std::optional<std::string> first_stray(std::span<const std::string> before,
 
 // The position of the command among the words: the first that is neither an option nor the value of
 // a global one.
-std::size_t command_position(std::span<const std::string> words, std::span<const Option> globals) {
+std::size_t command_position(std::span<const std::string> words,
+                             std::span<const OptionRow> globals) {
     std::size_t i = 0;
     while (i < words.size() && is_option(words[i])) {
-        const Option* option =
+        const OptionRow* option =
             words[i].starts_with("--") ? find_option(globals, words[i].substr(2)) : nullptr;
         i += option != nullptr && !option->value.empty() ? 2 : 1;
     }
@@ -67,7 +70,7 @@ std::string dashed(std::string_view name) { return fmt::format("`--{}`", name); 
 
 // The option of a command that a word before the command's name may mean, as help writes it.
 std::string misplaced_option(std::string_view word, const Command& command) {
-    for (const Option& option : command.options) {
+    for (const OptionRow& option : command.options) {
         const bool by_letter = !word.starts_with("--") && option.short_name == word[1];
         const bool by_name =
             word.starts_with("--") && word.substr(2, word.find('=') - 2) == option.name;
@@ -79,11 +82,11 @@ std::string misplaced_option(std::string_view word, const Command& command) {
     return "";
 }
 
-config::Diagnostic unknown_option(const std::string& word, std::span<const Option> options,
+config::Diagnostic unknown_option(const std::string& word, std::span<const OptionRow> options,
                                   const std::string& help) {
     const std::string shown = word.substr(0, word.find('='));
     std::vector<std::string> names;
-    for (const Option& option : options) names.push_back(fmt::format("--{}", option.name));
+    for (const OptionRow& option : options) names.push_back(fmt::format("--{}", option.name));
     const std::vector<std::string_view> known(names.begin(), names.end());
     std::string hint = shown.starts_with("--") ? config::did_you_mean(shown, known) : std::string();
     if (hint.empty()) hint = fmt::format("`{}` lists the options", help);
@@ -106,37 +109,37 @@ const Command* command_of_option(const std::string& option, std::span<const std:
 // An option before the command that is no global one: an option of commands, or of none.
 config::Diagnostic stray_option(const std::string& option, std::span<const std::string> words,
                                 std::span<const Command> commands,
-                                std::span<const Option> globals) {
+                                std::span<const OptionRow> globals) {
     if (const Command* command = command_of_option(option, words, commands)) {
         return usage_error(fmt::format("`{}` stands before the command", option),
                            fmt::format("the options of a command come after it: skybake {} {}",
                                        command->name, misplaced_option(option, *command)));
     }
-    std::vector<Option> all(globals.begin(), globals.end());
+    std::vector<OptionRow> all(globals.begin(), globals.end());
     for (const Command& command : commands) {
         all.insert(all.end(), command.options.begin(), command.options.end());
     }
     return unknown_option(option, all, "skybake --help");
 }
 
-config::Diagnostic unknown_choice(const Option& option, const std::string& value) {
+config::Diagnostic unknown_choice(const OptionRow& option, const std::string& value) {
     std::string hint = config::did_you_mean(value, option.choices);
     if (hint.empty()) hint = fmt::format("use one of {}", fmt::join(option.choices, ", "));
     return usage_error(fmt::format("{} cannot be `{}`", dashed(option.name), value),
                        std::move(hint));
 }
 
-config::Diagnostic missing_value(const Option& option) {
+config::Diagnostic missing_value(const OptionRow& option) {
     return usage_error(
         fmt::format("{} needs a value: --{} {}", dashed(option.name), option.name, option.value));
 }
 
 // The library names the option at fault at the head of its message: "--output: 1 required ...",
 // "json was given a disallowed flag override".
-config::Diagnostic malformed(const CLI::ParseError& error, std::span<const Option> options) {
+config::Diagnostic malformed(const CLI::ParseError& error, std::span<const OptionRow> options) {
     std::string_view text = error.what();
     if (text.starts_with("--")) text.remove_prefix(2);
-    for (const Option& option : options) {
+    for (const OptionRow& option : options) {
         if (!text.starts_with(option.name)) continue;
         if (text.substr(option.name.size()).find_first_of(": ") != 0) continue;
         if (!option.value.empty()) return missing_value(option);
@@ -153,13 +156,13 @@ struct Found {
 };
 
 // Declares the options to the library and lets it sort the words. Throws CLI::ParseError.
-Found sort_words(std::vector<std::string> words, std::span<const Option> options) {
+Found sort_words(std::vector<std::string> words, std::span<const OptionRow> options) {
     Found found;
     CLI::App app;
     app.set_help_flag();
     app.allow_extras();
     std::vector<CLI::Option*> declared;
-    for (const Option& option : options) {
+    for (const OptionRow& option : options) {
         const std::string name = option.short_name != 0
                                      ? fmt::format("--{},-{}", option.name, option.short_name)
                                      : fmt::format("--{}", option.name);
@@ -179,35 +182,41 @@ Found sort_words(std::vector<std::string> words, std::span<const Option> options
     return found;
 }
 
-void check_choices(const Option& option, const std::vector<std::string>& values,
-                   std::vector<config::Diagnostic>& diagnostics) {
-    if (option.choices.empty()) return;
+// What is wrong with the values of an option; of one that cannot be repeated the last one counts.
+std::vector<config::Diagnostic> check_values(const OptionRow& option,
+                                             const std::vector<std::string>& values) {
+    std::vector<config::Diagnostic> problems;
     for (const std::string& value : values) {
-        if (std::find(option.choices.begin(), option.choices.end(), value) ==
-            option.choices.end()) {
-            diagnostics.push_back(unknown_choice(option, value));
-        }
+        const bool counts = option.repeatable || &value == &values.back();
+        const bool known =
+            std::find(option.choices.begin(), option.choices.end(), value) != option.choices.end();
+        if (!option.choices.empty() && !known) problems.push_back(unknown_choice(option, value));
+        if (!option.check || !counts) continue;
+        const auto found = option.check(value);
+        problems.insert(problems.end(), found.begin(), found.end());
     }
+    return problems;
 }
 
 // `--output --force` forgets a folder rather than naming one so.
-bool is_known_option(std::string_view word, std::span<const Option> options) {
+bool is_known_option(std::string_view word, std::span<const OptionRow> options) {
     return word.starts_with("--") && find_option(options, word.substr(2)) != nullptr;
 }
 
-void take_options(const Found& found, std::span<const Option> options, CommandLine& line) {
+void take_options(const Found& found, std::span<const OptionRow> options, CommandLine& line) {
     for (std::size_t i = 0; i < options.size(); ++i) {
-        const Option& option = options[i];
-        if (!option.fallback.empty()) line.invocation.add_fallback(option.name, option.fallback);
+        const OptionRow& option = options[i];
         if (found.values[i].empty()) continue;
         if (is_known_option(found.values[i].back(), options)) {
             line.diagnostics.push_back(missing_value(option));
             continue;
         }
-        check_choices(option, found.values[i], line.diagnostics);
-        const bool is_switch = option.value.empty();
-        line.invocation.add_option(option.name,
-                                   is_switch ? std::vector<std::string>() : found.values[i]);
+        if (!option.value.empty()) {
+            const auto problems = check_values(option, found.values[i]);
+            line.diagnostics.insert(line.diagnostics.end(), problems.begin(), problems.end());
+            if (!problems.empty()) continue;
+        }
+        line.invocation.give(option.name, found.values[i]);
     }
 }
 
@@ -250,10 +259,11 @@ config::Diagnostic usage_error(std::string message, std::string label) {
 }
 
 CommandLine parse_arguments(std::span<const std::string> words, std::span<const Command> commands,
-                            std::span<const Option> global_options) {
+                            std::span<const OptionRow> global_options) {
     CommandLine line;
     std::vector<std::string> rest(words.begin(), words.end());
-    std::vector<Option> options(global_options.begin(), global_options.end());
+    std::vector<OptionRow> options(global_options.begin(), global_options.end());
+    for (const OptionRow& option : global_options) line.invocation.declare(option);
     const std::size_t position = command_position(words, global_options);
     if (const auto stray = first_stray(words.first(position), global_options)) {
         line.diagnostics.push_back(stray_option(*stray, words, commands, global_options));
@@ -269,6 +279,7 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
         }
         line.command = &*command;
         options.insert(options.end(), command->options.begin(), command->options.end());
+        for (const OptionRow& option : command->options) line.invocation.declare(option);
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(position));
     }
     const std::string help = line.command != nullptr
@@ -286,7 +297,7 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
     for (const std::string& word : found.unknown) {
         line.diagnostics.push_back(unknown_option(word, options, help));
     }
-    const bool asks_only = line.invocation.has("help") || line.invocation.has("version");
+    const bool asks_only = line.invocation[options::help] || line.invocation[options::version];
     if (line.command != nullptr && !asks_only && line.diagnostics.empty()) {
         take_arguments(found, *line.command, line);
     }

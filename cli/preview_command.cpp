@@ -2,32 +2,49 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/output_folder.h"
+#include "bakers/io/files/temporary_file.h"
 #include "bakers/plot/label.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/pictures/report_plots.h"
+#include "bakers/preview/preview_files.h"
 #include "bakers/preview/sweep_preview.h"
 #include "bakers/preview/unused_options.h"
-#include "cli/bake_progress.h"
-#include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/interrupt.h"
-#include "cli/preview_options.h"
-#include "cli/preview_output.h"
-#include "cli/preview_request.h"
-#include "cli/watch_preview.h"
+#include "cli/events.h"
+#include "cli/options.h"
+#include "cli/preview.h"
+#include "cli/progress.h"
 
 namespace skybake::cli {
 namespace {
+
+namespace fs = std::filesystem;
+
+// Those that lie there and are none of this preview's.
+std::vector<std::string> retired(const fs::path& folder, const std::vector<std::string>& earlier,
+                                 const std::vector<std::string>& names) {
+    std::vector<std::string> left;
+    for (const std::string& name : earlier) {
+        std::error_code error;
+        const bool made = std::find(names.begin(), names.end(), name) != names.end();
+        if (!made && fs::exists(folder / name, error)) left.push_back(name);
+    }
+    return left;
+}
 
 using config::Outcome;
 using Subject = PreviewRequest::Subject;
@@ -126,6 +143,38 @@ ExitCode run_preview(const Invocation& invocation, Console& console) {
 
 }  // namespace
 
+ExitCode check_output(const PreviewRequest& request, Console& console) {
+    const auto folder = inspect_output_folder(request.output, {}, true);
+    if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
+    if (request.force) return ExitCode::done;
+    return console.report(
+        foreign_preview_files(request.output, {page_name}, earlier_preview_files(request.output)));
+}
+
+ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console,
+                       std::vector<std::string>& paths) {
+    const std::vector<std::string> earlier = earlier_preview_files(request.output);
+    const std::vector<std::string> names = preview_file_names(page);
+    if (!request.force) {
+        const auto foreign = foreign_preview_files(request.output, names, earlier);
+        if (!foreign.empty()) return console.report(foreign);
+    }
+    page.retired = retired(request.output, earlier, names);
+    const auto made = create_output_folder(request.output);
+    if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
+    remove_stale_temporaries_in(request.output);
+    const BakeProgress progress("write", console);
+    AtomicFiles atomic;
+    for (const PreviewFile& file : preview_files(page)) {
+        const auto path = request.output / file.name;
+        const auto staged = atomic.stage(path, std::string_view(file.bytes), &progress);
+        if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
+        if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
+        paths.push_back(path.string());
+    }
+    return console.report(atomic.commit());
+}
+
 Command preview_command() {
     return {
         .name = "preview",
@@ -134,7 +183,24 @@ Command preview_command() {
         .arguments = {{.name = "recipe|folder|file",
                        .help = "a recipe, a folder of a bake or sweep, or EXR, VDB, bin files",
                        .repeatable = true}},
-        .options = preview_options(),
+        .options =
+            {options::output("write index.html and its pictures into this folder", "preview"),
+             set_row(), options::only("show only [bake.NAME]"),
+             options::sun_elevation(
+                 "show skies and clouds under these suns; separate them by commas"),
+             options::sun_azimuth("place the sun of clouds, from +x towards +y (default 105)"),
+             options::exposure("fix the exposure; 0 stops is a factor of 1 (default: chosen)"),
+             options::altitude("place the camera of skies at this altitude (default 200m)"),
+             options::camera(
+                 "place the camera of clouds by \"position=2km,3km,200m heading=63deg "
+                 "pitch=12deg fov=50deg\" or some of these; the heading turns from +x towards +y"),
+             options::size("make pictures of clouds this large (default 960x540)"),
+             options::single("show a single tile of a cloud, framed as a whole"),
+             options::report("also measure and plot speed against error"),
+             options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),
+             options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),
+             options::jobs("use N threads; pictures do not depend on N (default: all)"),
+             options::force("overwrite files that no preview has made")},
         .examples = {{"skybake preview earth.toml", "shows a recipe's sky in preview/index.html"},
                      {"skybake preview out --sun-elevation 40,5,-4 -o sky",
                       "shows baked files under three suns"},

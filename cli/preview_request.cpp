@@ -1,24 +1,99 @@
-#include "cli/preview_request.h"
+#include "cli/preview.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numbers>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/preview/load_sweep.h"
-#include "cli/bake_selection.h"
-#include "cli/parse_arguments.h"
-#include "cli/preview_options.h"
-#include "cli/recipe_argument.h"
+#include "cli/command.h"
+#include "cli/options.h"
 #include "config/text/key_path.h"
+#include "config/text/units.h"
 
 namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using config::Diagnostic;
+using config::Dimension;
+using config::Outcome;
 using Subject = PreviewRequest::Subject;
+
+// A number, or a quantity of that dimension, in base units.
+std::optional<double> value_of(std::string_view text, Dimension dimension) {
+    const auto parsed = config::parse_quantity(text);
+    const auto* quantity = std::get_if<config::Quantity>(&parsed);
+    if (quantity == nullptr || quantity->dimension != dimension) return std::nullopt;
+    return quantity->value;
+}
+
+// "20" and "20 deg" alike, within these bounds.
+std::optional<double> degrees_of(std::string_view text, double lowest, double highest) {
+    std::optional<double> degrees = value_of(text, Dimension::number);
+    if (!degrees) {
+        const auto radians = value_of(text, Dimension::angle);
+        if (radians) degrees = *radians * 180 / std::numbers::pi;
+    }
+    if (!degrees || *degrees < lowest || *degrees > highest) return std::nullopt;
+    return degrees;
+}
+
+Diagnostic not_valid(std::string_view option, std::string_view text, std::string_view what,
+                     std::string label) {
+    return usage_error(
+        fmt::format("{}: `{}` is not a valid {}", option, config::printable(text), what),
+        std::move(label));
+}
+
+// What stands between commas; empty pieces too.
+std::vector<std::string_view> pieces_of(std::string_view list) {
+    std::vector<std::string_view> pieces;
+    for (std::size_t at = 0; at <= list.size();) {
+        const std::size_t comma = std::min(list.find(',', at), list.size());
+        pieces.push_back(list.substr(at, comma - at));
+        at = comma + 1;
+    }
+    return pieces;
+}
+
+std::optional<std::array<double, 3>> position_of(std::string_view text) {
+    const auto pieces = pieces_of(text);
+    if (pieces.size() != 3) return std::nullopt;
+    std::array<double, 3> position{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto meters = value_of(pieces[a], Dimension::length);
+        if (!meters) return std::nullopt;
+        position[a] = *meters;
+    }
+    if (position[2] < 0) return std::nullopt;
+    return position;
+}
+
+// One part of a camera, "pitch=12deg". False where it is none.
+bool read_camera_part(std::string_view name, std::string_view value, CameraRequest& camera) {
+    if (name == "position") {
+        camera.position_m = position_of(value);
+        return camera.position_m.has_value();
+    }
+    std::optional<double>* const part = name == "heading" ? &camera.heading_degrees
+                                        : name == "pitch" ? &camera.pitch_degrees
+                                        : name == "fov"   ? &camera.field_degrees
+                                                          : nullptr;
+    if (part == nullptr) return false;
+    const double bound = name == "heading" ? 360 : name == "pitch" ? 90 : 160;
+    *part = degrees_of(value, name == "fov" ? 1 : -bound, bound);
+    return part->has_value();
+}
+
+// --- The request --------------------------------------------------------------------------------
 
 Subject subject_of(const fs::path& path) {
     std::error_code error;
@@ -46,15 +121,123 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
                         "each of its variants is a folder: preview one of those with --report"));
     }
     if (request.subject == Subject::recipe) return;
-    for (const char* option : {"set", "only", "watch"}) {
-        if (!invocation.has(option)) continue;
+    const auto refuse = [&](const auto& option) {
+        if (!invocation.has(option)) return;
         problems.push_back(usage_error(
-            fmt::format("--{} works only with a recipe", option),
+            fmt::format("--{} works only with a recipe", option.name),
             fmt::format("`{}` is baked already", config::printable(request.paths[0].string()))));
-    }
+    };
+    refuse(options::set);
+    refuse(options::only);
+    refuse(options::watch);
+}
+
+// Suns, exposure, camera and size.
+PreviewOptions picture_options(const Invocation& invocation) {
+    PreviewOptions given;
+    given.sun_elevations_deg = invocation[options::sun_elevation];
+    const auto take = [&invocation](const auto& option, auto& member) {
+        if (invocation.has(option)) member = invocation[option];
+    };
+    take(options::sun_azimuth, given.sun_azimuth_deg);
+    take(options::exposure, given.exposure_stops);
+    take(options::altitude, given.altitude_m);
+    take(options::camera, given.camera);
+    take(options::size, given.picture_size);
+    given.single = invocation[options::single];
+    given.threads = invocation[options::jobs];
+    return given;
 }
 
 }  // namespace
+
+namespace options {
+
+// Each value may hold several, with commas between.
+Outcome<std::vector<double>> read_elevations(const std::string& list) {
+    Outcome<std::vector<double>> outcome{std::vector<double>(), {}};
+    for (const std::string_view text : pieces_of(list)) {
+        if (const auto elevation = degrees_of(text, -90, 90)) {
+            outcome.value->push_back(*elevation);
+        } else {
+            outcome.diagnostics.push_back(
+                not_valid("--sun-elevation", text, "sun elevation",
+                          "expected degrees from -90 to 90, such as 40,5,-4"));
+        }
+    }
+    return outcome;
+}
+
+Outcome<double> read_azimuth(const std::string& text) {
+    if (const auto azimuth = degrees_of(text, -360, 360)) return {*azimuth, {}};
+    return {{},
+            {not_valid("--sun-azimuth", text, "sun azimuth",
+                       "expected degrees from -360 to 360, such as 150")}};
+}
+
+Outcome<double> read_exposure(const std::string& text) {
+    const auto stops = value_of(text, Dimension::number);
+    constexpr double most_stops = 32;  // beyond, every pixel is black or white
+    if (stops && *stops >= -most_stops && *stops <= most_stops) return {*stops, {}};
+    return {{},
+            {not_valid("--exposure", text, "exposure",
+                       "expected stops from -32 to 32, such as 4 or -1.5")}};
+}
+
+Outcome<double> read_altitude(const std::string& text) {
+    const auto meters = value_of(text, Dimension::length);
+    if (meters && *meters >= 0) return {*meters, {}};
+    return {{},
+            {not_valid("--altitude", text, "altitude",
+                       "expected a length of at least 0, such as 2km")}};
+}
+
+Outcome<CameraRequest> read_camera(const std::string& text) {
+    Outcome<CameraRequest> outcome{CameraRequest(), {}};
+    if (text.find_first_not_of(' ') == std::string::npos) {
+        outcome.diagnostics.push_back(usage_error("--camera: the text is empty"));
+    }
+    for (std::size_t at = text.find_first_not_of(' '); at < text.size();) {
+        const std::size_t end = std::min(text.find(' ', at), text.size());
+        const std::string_view part = std::string_view(text).substr(at, end - at);
+        at = std::min(text.find_first_not_of(' ', end), text.size());
+        const std::size_t equals = std::min(part.find('='), part.size());
+        const std::string_view value = part.substr(std::min(equals + 1, part.size()));
+        if (read_camera_part(part.substr(0, equals), value, *outcome.value)) continue;
+        outcome.diagnostics.push_back(
+            not_valid("--camera", part, "part of a camera",
+                      "expected some of position=X,Y,Z heading=A pitch=A fov=A, such as "
+                      "\"position=2km,3km,200m heading=63deg pitch=12deg fov=50deg\""));
+    }
+    return outcome;
+}
+
+Outcome<std::array<int, 2>> read_size(const std::string& text) {
+    constexpr int least = 16;
+    constexpr int most = 8192;
+    const std::string_view view = text;
+    const std::size_t by = std::min(view.find('x'), view.size());
+    const auto width = parse_count(view.substr(0, by), least, most);
+    const auto height = parse_count(view.substr(std::min(by + 1, view.size())), least, most);
+    if (width && height) {
+        return {std::array{static_cast<int>(*width), static_cast<int>(*height)}, {}};
+    }
+    return {
+        {},
+        {not_valid("--size", text, "size",
+                   fmt::format("expected pixels from {} to {}, such as 1920x1080", least, most))}};
+}
+
+Outcome<int> read_draft(const std::string& text) {
+    constexpr int least = 16;
+    constexpr int most = 1024;
+    if (const auto edge = parse_count(text, least, most)) return {static_cast<int>(*edge), {}};
+    return {{},
+            {not_valid("--draft", text, "number of voxels",
+                       fmt::format("expected a number from {} to {}", least, most))}};
+}
+
+}  // namespace options
 
 config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     PreviewRequest request;
@@ -63,29 +246,25 @@ config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     for (const fs::path& path : request.paths) {
         if (subject_of(path) != request.subject) request.subject = Subject::recipe;
     }
-    request.output = invocation.value("output");
-    request.force = invocation.has("force");
-    request.report = invocation.has("report");
-    request.watch = invocation.has("watch");
+    request.output = invocation[options::output];
+    request.force = invocation[options::force];
+    request.report = invocation[options::report];
+    request.watch = invocation[options::watch];
 
     config::Outcome<PreviewRequest> outcome;
     std::vector<Diagnostic>& problems = outcome.diagnostics;
-    if (request.output.empty()) problems.push_back(usage_error("-o: the folder's name is empty"));
     if (request.watch && request.report) {
         problems.push_back(usage_error("--watch and --report exclude each other",
                                        "a report takes too long to follow every save"));
     }
     check_combination(invocation, request, problems);
-    request.options = read_preview_options(invocation, problems);
-    request.draft_edge = read_draft_edge(invocation, problems).value_or(request.draft_edge);
-    if (invocation.has("draft") && !request.watch) {
+    if (invocation.has(options::draft)) request.draft_edge = invocation[options::draft];
+    if (invocation.has(options::draft) && !request.watch) {
         problems.push_back(
             usage_error("--draft works only with --watch", "other previews make no drafts"));
     }
-    const config::Outcome<int> threads = jobs_of(invocation);
-    problems.insert(problems.end(), threads.diagnostics.begin(), threads.diagnostics.end());
     if (!problems.empty()) return outcome;
-    request.options.threads = *threads.value;
+    request.options = picture_options(invocation);
     outcome.value = std::move(request);
     return outcome;
 }

@@ -1,57 +1,206 @@
 // skybake report: what accuracy costs, for each asset of a recipe.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/byte_size_text.h"
+#include "bakers/io/files/output_folder.h"
+#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/temporary_file.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/report_text.h"
-#include "cli/bake_progress.h"
-#include "cli/bake_selection.h"
-#include "cli/cache_folder.h"
+#include "bakers/report/sweeps/sweep.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/interrupt.h"
-#include "cli/parse_arguments.h"
-#include "cli/recipe_argument.h"
-#include "cli/report_output.h"
-#include "cli/report_table.h"
-#include "cli/report_truth.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "cli/report.h"
+#include "cli/table_printer.h"
 
 namespace skybake::cli {
 namespace {
 
+// Three significant digits without an exponent, so that columns compare at a glance.
+std::string duration_text(double milliseconds) {
+    const int decimals = milliseconds < 10 ? 2 : milliseconds < 100 ? 1 : 0;
+    return fmt::format("{:.{}f} ms", milliseconds, decimals);
+}
+
+std::string error_text(const ErrorFigures& figures) {
+    return fmt::format("{:.1e} / {:.1e}", figures.max, figures.rms);
+}
+
+std::string front_text(const ReportRow& row) {
+    std::vector<std::string_view> fronts;
+    if (row.on_lookup_front) fronts.emplace_back("lookup");
+    if (row.on_texel_front) fronts.emplace_back("texel");
+    if (row.volume_file && row.volume_file->on_bytes_front) fronts.emplace_back("bytes");
+    return fmt::format("{}", fmt::join(fronts, ", "));
+}
+
+std::string remark_of(const ReportRow& row) {
+    const std::string_view own = row.of_recipe ? "this recipe" : "";
+    if (row.baseline.empty()) return std::string(own);
+    return fmt::format("{}{}baseline: {}", own, own.empty() ? "" : ", ", row.baseline);
+}
+
+// A column of the table; those of volumes alone are left out of other tables.
+struct Column {
+    std::string_view title;
+    Align align;
+    std::string (*cell)(const ReportRow& row);
+    bool of_volumes = false;
+};
+
+constexpr std::array<Column, 10> kColumns = {{
+    {"variant", Align::left, [](const ReportRow& row) { return row.variant; }},
+    {"size", Align::right, [](const ReportRow& row) { return size_text(row.size); }},
+    {"type", Align::left, [](const ReportRow& row) { return std::string(spell(row.pixel_type)); }},
+    {"file", Align::right,
+     [](const ReportRow& row) { return byte_size_text(static_cast<double>(row.file_bytes)); }},
+    {"time", Align::right, [](const ReportRow& row) { return duration_text(row.time_ms); }},
+    {"write", Align::right,
+     [](const ReportRow& row) { return duration_text(row.volume_file->write_ms); }, true},
+    {"texel error max / rms", Align::right,
+     [](const ReportRow& row) { return error_text(row.texel); }},
+    {"lookup error max / rms", Align::right,
+     [](const ReportRow& row) { return error_text(row.lookup); }},
+    {"front", Align::left, front_text},
+    {"", Align::left, remark_of},
+}};
+
+std::string rows_text(const AssetReport& asset) {
+    std::vector<Align> alignment = {Align::left};
+    std::vector<std::string> heading = {"family"};
+    std::vector<const Column*> columns;
+    for (const Column& column : kColumns) {
+        if (column.of_volumes && !asset.volume) continue;
+        columns.push_back(&column);
+        alignment.push_back(column.align);
+        heading.emplace_back(column.title);
+    }
+    TextTable table(alignment);
+    table.add_row(heading);
+    std::string family;
+    for (const ReportRow& row : asset.rows) {
+        std::vector<std::string> cells = {row.family == family ? "" : row.family};
+        for (const Column* column : columns) cells.push_back(column->cell(row));
+        table.add_row(std::move(cells));
+        family = row.family;
+    }
+    return table.text();
+}
+
+std::string volume_text(const VolumeFacts& volume) {
+    const int count = volume.write_repetitions;
+    std::string text =
+        fmt::format("  write: processor time to encode a file in memory, one thread, {}\n",
+                    count == 1 ? "once" : fmt::format("median of {}", count));
+    for (std::size_t c = 0; c < volume.channels.size(); ++c) {
+        const ValueStatistics& channel = volume.statistics[c];
+        text += fmt::format("  {}: {:.4f} to {:.4f}, mean {:.4f}\n", volume.channels[c],
+                            channel.min, channel.max, channel.mean);
+    }
+    return text + fmt::format("  seam: {:.2g}\n", volume.seam_error);
+}
+
+std::string notes_text(const AssetReport& asset) {
+    std::string text;
+    for (const std::string& note : asset.notes) text += fmt::format("  {}\n", note);
+    return text;
+}
+
+std::string skipping_text(const AssetReport& asset) {
+    const SkippingFacts& skipping = *asset.skipping;
+    TextTable table({Align::left, Align::right, Align::right, Align::right, Align::right,
+                     Align::right, Align::right, Align::right, Align::right});
+    table.add_row({"structure", "occupied", "lost samples", "rays changed", "up", "within", "down",
+                   "bytes", "time"});
+    for (const SkippingRow& row : skipping.rows) {
+        table.add_row({row.structure, fmt::format("{:.2f} %", 100 * row.occupied_share),
+                       fmt::format("{} of {}", row.lost_samples, row.samples),
+                       fmt::format("{}", row.changed_rays), fmt::format("{:.1f}", row.fetches[0]),
+                       fmt::format("{:.1f}", row.fetches[1]), fmt::format("{:.1f}", row.fetches[2]),
+                       byte_size_text(static_cast<double>(row.structure_bytes)),
+                       duration_text(row.time_ms)});
+    }
+    return fmt::format(
+        "{} ({})\n"
+        "  cells of {} voxels over {}; the smallest safe share of occupied cells is {:.2f} %\n"
+        "  up, within, down: lookups of density and structure per ray, mean of {} rays each, up to "
+        "500 steps of 1/600 tile\n"
+        "  time: {}, median of {}\n\n{}",
+        asset.name, asset.kind, skipping.cell, size_text(skipping.size),
+        100 * skipping.smallest_safe_share, skipping.rays, asset.timing, asset.repetitions,
+        table.text());
+}
+
+std::string title_of(const AssetReport& asset) {
+    return asset.kind == asset.name ? asset.name : fmt::format("{} ({})", asset.name, asset.kind);
+}
+
+std::string asset_text(const AssetReport& asset) {
+    if (asset.rows.empty()) return fmt::format("{}\n{}", title_of(asset), notes_text(asset));
+    std::string text = fmt::format(
+        "{}\n  error: {}, against {} ({} lookups, up to {} texels)\n  time: {}, median of {}\n{}  "
+        "front: no other variant has a smaller error of lookups, or of texels at one size, in as "
+        "little time (within 5 %){}\n\n",
+        title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points,
+        asset.timing, asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
+        asset.volume
+            ? "; errors have two digits; bytes: no other has a smaller error in as few bytes"
+            : "");
+    text += rows_text(asset);
+    return text + notes_text(asset);
+}
+
+std::string report_text(const AssetReport& asset) {
+    return asset.skipping ? skipping_text(asset) + notes_text(asset) : asset_text(asset);
+}
+
 using config::Bake;
 using config::Outcome;
 
+std::string report_table(const std::vector<AssetReport>& assets) {
+    std::string text;
+    for (const AssetReport& asset : assets) {
+        text += fmt::format("{}{}", text.empty() ? "" : "\n", report_text(asset));
+    }
+    return text;
+}
+
 ExitCode run_report(const Invocation& invocation, Console& console) {
-    if (invocation.has("json") && invocation.has("csv")) {
+    if (invocation[options::json] && invocation[options::csv]) {
         return console.report(std::array{usage_error("--json and --csv exclude each other",
                                                      "the folder gets both in any case")});
     }
-    if (invocation.has("truth")) return report_truth(invocation, console);
-    if (invocation.has("truth-paths")) {
+    if (invocation[options::truth]) return report_truth(invocation, console);
+    if (invocation.has(options::truth_paths)) {
         return console.report(std::array{usage_error(
             "--truth-paths needs --truth", "it sets the number of paths that trace the sky")});
     }
     const auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
     const std::vector<Bake>& bakes = selection.value->bakes;
-    const std::filesystem::path folder = invocation.value("output");
+    const std::filesystem::path folder = invocation[options::output];
     std::vector<std::string> names;
     for (const Bake& bake : bakes) names.push_back(bake.name);
     const auto problems =
-        check_report_folder(folder, report_file_names(names), invocation.has("force"));
+        check_report_folder(folder, report_file_names(names), invocation[options::force]);
     if (!problems.empty()) return console.report(problems);
 
     std::vector<AssetReport> reports;
     for (const Bake& bake : bakes) {
         Outcome<AssetReport> report = [&] {
             BakeProgress progress(bake.name, console);
-            const ReportOptions options{selection.value->threads, invocation.has("quick"),
+            const ReportOptions options{selection.value->threads, invocation[options::quick],
                                         &progress};
             return report_asset(selection.value->recipe, bake, options);
         }();
@@ -63,13 +212,41 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
         code != ExitCode::done) {
         return code;
     }
-    console.result(invocation.has("json")  ? report_json(reports)
-                   : invocation.has("csv") ? report_csv(reports)
-                                           : report_table(reports));
+    console.result(invocation[options::json]  ? report_json(reports)
+                   : invocation[options::csv] ? report_csv(reports)
+                                              : report_table(reports));
     return ExitCode::done;
 }
 
 }  // namespace
+
+std::vector<config::Diagnostic> check_report_folder(const std::filesystem::path& folder,
+                                                    const std::vector<std::string>& names,
+                                                    bool force) {
+    // No file is named: report_files.h knows its own, which no manifest claims.
+    auto diagnostics = inspect_output_folder(folder, {}, true).diagnostics;
+    if (force || !diagnostics.empty()) return diagnostics;
+    return foreign_report_files(folder, names);
+}
+
+ExitCode write_report_files(const std::vector<ReportFile>& files,
+                            const std::filesystem::path& folder, Console& console) {
+    const auto made = create_output_folder(folder);
+    if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
+    remove_stale_temporaries_in(folder);
+    const BakeProgress progress("write", console);
+    AtomicFiles atomic;
+    for (const ReportFile& file : files) {
+        const auto staged = atomic.stage(folder / file.name, file.text, &progress);
+        if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
+        if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
+    }
+    if (const auto diagnostics = atomic.commit(); !diagnostics.empty()) {
+        return console.report(diagnostics);
+    }
+    for (const ReportFile& file : files) console.note((folder / file.name).string() + "\n");
+    return ExitCode::done;
+}
 
 Command report_command() {
     return {
@@ -77,24 +254,16 @@ Command report_command() {
         .brief = "measure accuracy's cost",
         .summary = "measure what accuracy costs: time, error and bytes of many variants",
         .arguments = {{.name = "recipe.toml", .help = recipe_help}},
-        .options = {{.name = "output",
-                     .short_name = 'o',
-                     .value = "FOLDER",
-                     .help = "write report.csv, report.json and NAME.svg into this folder",
-                     .fallback = "report"},
-                    set_option(),
-                    only_option("report on [bake.NAME] only"),
-                    {.name = "truth",
-                     .help = "compare each method of multiple scattering with path tracing"},
-                    {.name = "truth-paths",
-                     .value = "N",
-                     .help = "trace N paths per direction on average (default: 131072)"},
-                    cache_option(),
-                    {.name = "quick", .help = "use fewer repetitions, sizes, points and paths"},
-                    jobs_option("use N threads for references; timing uses one (default: all)"),
-                    {.name = "force", .help = "overwrite files that no report has written"},
-                    {.name = "csv",
-                     .help = "print CSV instead of the table (--json: report.json)"}},
+        .options = {options::output("write report.csv, report.json and NAME.svg into this folder",
+                                    "report"),
+                    set_row(), options::only("report on [bake.NAME] only"),
+                    options::truth("compare each method of multiple scattering with path tracing"),
+                    options::truth_paths(
+                        "trace N paths per direction on average (default: 131072)"),
+                    cache_row(), options::quick("use fewer repetitions, sizes, points and paths"),
+                    options::jobs("use N threads for references; timing uses one (default: all)"),
+                    options::force("overwrite files that no report has written"),
+                    options::csv("print CSV instead of the table (--json: report.json)")},
         .examples = {{"skybake report earth.toml", "prints tables, writes plots into ./report"},
                      {"skybake report earth.toml --only transmittance --quick --csv > earth.csv",
                       "measures one asset in seconds, for a spreadsheet"},

@@ -10,8 +10,7 @@
 #include "bakers/workspace/sweep/index_files.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/event_schema.h"
-#include "cli/parse_arguments.h"
+#include "cli/events.h"
 #include "config/text/suggest.h"
 
 namespace skybake::cli {
@@ -54,7 +53,8 @@ Command schema_command() {
         .summary = "print the JSON Schema of recipes, manifests, sweeps or the events of --json",
         .arguments = {{.name = "what",
                        .help = "recipe (default), manifest, sweep or events",
-                       .required = false}},
+                       .required = false,
+                       .choices = {"recipe", "manifest", "sweep", "events"}}},
         .examples = {{"skybake schema > recipe.schema.json", "serves an editor's TOML mode"},
                      {"skybake schema manifest", "describes manifest.json"}},
         .run = run_schema};

@@ -9,14 +9,11 @@
 #include <vector>
 
 #include "bakers/air/particles/layer_phase.h"
-#include "cli/bake_selection.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/parse_arguments.h"
-#include "cli/recipe_argument.h"
+#include "cli/events.h"
+#include "cli/options.h"
 #include "cli/table_printer.h"
-#include "cli/text_width.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/zenith_optical_depth.h"
 #include "config/text/key_path.h"
@@ -231,7 +228,7 @@ Command show_command() {
                        .help =
                            "show only values at or below this path, in which * matches any name",
                        .required = false}},
-        .options = {set_option()},
+        .options = {set_row()},
         .examples = {{"skybake show earth.toml", "shows all values and the zenith optical depths"},
                      {"skybake show earth.toml atmosphere.layers.mie", "shows one layer"},
                      {"skybake show clouds.toml noise.shape", "shows a noise and its preset"},

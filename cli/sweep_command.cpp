@@ -20,21 +20,37 @@
 #include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/run_sweep.h"
 #include "bakers/workspace/sweep/variant_names.h"
-#include "cli/bake_selection.h"
-#include "cli/byte_size.h"
-#include "cli/cache_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/interrupt.h"
-#include "cli/parse_arguments.h"
-#include "cli/recipe_argument.h"
-#include "cli/sweep_reporter.h"
-#include "cli/sweep_scripts.h"
+#include "cli/events.h"
+#include "cli/options.h"
+#include "cli/sweep.h"
 #include "config/diagnostics/diagnostic_codes.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake::cli {
+
+config::Outcome<int> options::read_tasks(const std::string& text) {
+    const auto tasks = parse_count(text, 1, config::most_variants);
+    if (tasks) return {static_cast<int>(*tasks), {}};
+    return {{},
+            {bad_value("--tasks", text,
+                       fmt::format("it takes a number from 1 to {}", config::most_variants))}};
+}
+
+config::Outcome<std::pair<int, int>> options::read_shard(const std::string& text) {
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const std::string_view view = text;
+    const auto shard = parse_count(view.substr(0, slash), 1, config::most_variants);
+    const auto shards =
+        parse_count(view.substr(std::min(slash + 1, text.size())), 1, config::most_variants);
+    if (shard && shards && *shard <= *shards) {
+        return {std::pair(static_cast<int>(*shard), static_cast<int>(*shards)), {}};
+    }
+    return {{},
+            {bad_value("--shard", text, "it takes I/N, which is part I of N, from 1/N to N/N")}};
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -62,177 +78,42 @@ std::vector<Diagnostic> check_rereadable(const fs::path& recipe) {
 Outcome<config::Sweep> sweep_of(const Invocation& invocation) {
     auto obstacles = check_rereadable(invocation.arguments()[0]);
     if (!obstacles.empty()) return {{}, std::move(obstacles)};
-    config::SweepOptions options;
-    options.vary = invocation.values("vary");
-    options.zip = invocation.values("zip");
-    if (invocation.has("sobol")) options.sobol = invocation.value("sobol");
-    auto sweep = config::load_sweep(invocation.arguments()[0], invocation.values("set"), options);
+    config::SweepOptions given;
+    given.vary = invocation[options::vary];
+    given.zip = invocation[options::zip];
+    if (invocation.has(options::sobol)) given.sobol = invocation[options::sobol];
+    auto sweep = config::load_sweep(invocation.arguments()[0], invocation[options::set], given);
     if (!sweep.value || !sweep.value->axes.empty()) return sweep;
     return {{},
             {usage_error("there is nothing to vary: add [sweep] to the recipe or pass --vary",
                          "for example --vary clouds.cumulus.coverage=0.2:0.8:4")}};
 }
 
-// A whole number from 1 to 100000, the whole text.
-std::optional<int> count_of(std::string_view text) {
-    int count = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    const bool whole = error == std::errc() && end == text.data() + text.size();
-    if (!whole || count < 1 || count > config::most_variants) return std::nullopt;
-    return count;
-}
-
-Outcome<std::pair<int, int>> shard_of(const Invocation& invocation) {
-    if (!invocation.has("shard")) return {std::pair(1, 1), {}};
-    const std::string text = invocation.value("shard");
-    const std::size_t slash = std::min(text.find('/'), text.size());
-    const auto shard = count_of(std::string_view(text).substr(0, slash));
-    const auto shards = count_of(std::string_view(text).substr(std::min(slash + 1, text.size())));
-    if (shard && shards && *shard <= *shards) return {std::pair(*shard, *shards), {}};
-    return {{},
-            {usage_error(fmt::format("`--shard` cannot be `{}`", text),
-                         "it takes I/N, which is part I of N, from 1/N to N/N")}};
-}
-
 std::vector<Diagnostic> contradictions(const Invocation& invocation) {
-    constexpr std::array modes = {"shard", "merge", "emit"};
-    std::vector<std::string> given;
-    for (const char* mode : modes) {
-        if (invocation.has(mode)) given.push_back(fmt::format("--{}", mode));
-    }
+    std::vector<std::string_view> given;
+    if (invocation.has(options::shard)) given.emplace_back("--shard");
+    if (invocation.has(options::merge)) given.emplace_back("--merge");
+    if (invocation.has(options::emit)) given.emplace_back("--emit");
     if (given.size() < 2) return {};
     return {usage_error(fmt::format("{} and {} exclude each other", given[0], given[1]))};
 }
 
 // What stands between the command line and a sweep.
-Outcome<SweepJob> sweep_job(const Invocation& invocation, config::Sweep sweep) {
+SweepJob sweep_job(const Invocation& invocation, config::Sweep sweep) {
     SweepJob job;
     job.recipe = invocation.arguments()[0];
-    job.settings = invocation.values("set");
+    job.settings = invocation[options::set];
     job.sweep = std::move(sweep);
-    job.folder = invocation.value("output");
-    if (job.folder.empty()) return {{}, {usage_error("-o: the folder's name is empty")}};
-    const auto shard = shard_of(invocation);
-    if (!shard.value) return {{}, shard.diagnostics};
-    std::tie(job.shard, job.shards) = *shard.value;
-    const auto threads = jobs_of(invocation);
-    if (!threads.value) return {{}, threads.diagnostics};
-    job.threads = *threads.value;
-    const std::string certify = invocation.value("certify");
-    if (certify == "off") job.certification = Certification::off;
-    if (certify == "full") job.certification = Certification::full;
-    job.force = invocation.has("force");
+    job.folder = invocation[options::output];
+    if (invocation.has(options::shard)) {
+        std::tie(job.shard, job.shards) = invocation[options::shard];
+    }
+    job.threads = invocation[options::jobs];
+    job.certification = invocation[options::certify];
+    job.force = invocation[options::force];
     job.cache = cache_folder(invocation);
-    if (invocation.has("max-memory")) {
-        const auto bytes = parse_byte_size(invocation.value("max-memory"));
-        if (!bytes) return {{}, {byte_size_error("--max-memory", invocation.value("max-memory"))}};
-        job.memory_limit_mib = static_cast<double>(*bytes) / (1024.0 * 1024.0);
-    }
-    return {std::move(job), {}};
-}
-
-// --- Scripts for farms --------------------------------------------------------------------------
-
-// The program itself, so that a node finds it whatever its PATH.
-std::string program_path() {
-    const std::vector<fs::path> files = program_files();
-    return files.empty() ? "skybake" : files.front().string();
-}
-
-// A farm starts its tasks in folders of its own.
-std::string absolute_path(const std::string& path) { return fs::absolute(path).string(); }
-
-std::vector<std::string> script_words(const Invocation& invocation) {
-    std::vector<std::string> words = {program_path(), "sweep",
-                                      absolute_path(invocation.arguments()[0])};
-    for (const char* option : {"set", "vary", "zip"}) {
-        for (const std::string& value : invocation.values(option)) {
-            words.push_back(fmt::format("--{}", option));
-            words.push_back(value);
-        }
-    }
-    for (const char* option : {"sobol", "certify", "max-memory"}) {
-        if (!invocation.has(option)) continue;
-        words.push_back(fmt::format("--{}", option));
-        words.push_back(invocation.value(option));
-    }
-    if (invocation.has("cache-dir")) {
-        words.emplace_back("--cache-dir");
-        words.push_back(absolute_path(invocation.value("cache-dir")));
-    }
-    if (invocation.has("force")) words.emplace_back("--force");
-    words.emplace_back("-o");
-    words.push_back(absolute_path(invocation.value("output")));
-    return words;
-}
-
-// All files that any variant is made from, the program's among them.
-std::vector<fs::path> sweep_inputs(const SweepJob& job) {
-    std::vector<fs::path> inputs = program_files();
-    std::set<fs::path> known;
-    for (int i = 0; i < variant_count(job.sweep); ++i) {
-        const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, i);
-        if (!recipe.value) continue;
-        for (const fs::path& input : recipe.value->inputs) {
-            const fs::path path = fs::absolute(input);
-            if (known.insert(path).second) inputs.push_back(path);
-        }
-    }
-    return inputs;
-}
-
-// Slurm's own limit of an array job, MaxArraySize, is 1001 where nobody has raised it.
-constexpr int most_tasks = 1000;
-
-Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& job) {
-    SweepScript script;
-    script.words = script_words(invocation);
-    script.folder = absolute_path(job.folder.string());
-    script.variants = variant_count(job.sweep);
-    script.tasks = std::min(script.variants, most_tasks);
-    script.threads = job.threads > 0 ? job.threads : 1;
-    if (invocation.has("tasks")) {
-        const auto tasks = count_of(invocation.value("tasks"));
-        if (!tasks) {
-            return {{},
-                    {usage_error(
-                        fmt::format("`--tasks` cannot be `{}`", invocation.value("tasks")),
-                        fmt::format("it takes a number from 1 to {}", config::most_variants))}};
-        }
-        script.tasks = std::min(*tasks, script.variants);
-    }
-    for (const std::string& word : script.words) {
-        if (word.find('\n') == std::string::npos) continue;
-        return {{}, {usage_error("--emit: a value holds a line break, but a task is one line")}};
-    }
-    return {std::move(script), {}};
-}
-
-std::string script_text(const std::string& engine, const SweepJob& job, SweepScript script) {
-    if (engine == "slurm") return slurm_script(script);
-    if (engine == "commands") return command_lines(script);
-    script.inputs = sweep_inputs(job);
-    const VariantNames names(job.sweep);
-    for (int i = 0; i < script.variants; ++i) script.names.push_back(names.name(i));
-    return ninja_file(script);
-}
-
-ExitCode emit(const Invocation& invocation, const SweepJob& job, Console& console) {
-    const auto script = sweep_script(invocation, job);
-    if (const ExitCode code = console.report(script.diagnostics); !script.value) return code;
-    const std::string engine = invocation.value("emit");
-    const std::string text = script_text(engine, job, *script.value);
-    const std::string merge = merge_command(*script.value);
-    if (console.display().json) {
-        console.result(event_line(
-            {{"event", "script"}, {"engine", engine}, {"text", text}, {"merge", merge}}));
-        return ExitCode::done;
-    }
-    console.result(text);
-    if (engine == "commands") {
-        console.note(fmt::format("when all are done, write the index: {}\n", merge));
-    }
-    return ExitCode::done;
+    job.memory_limit_mib = memory_limit_mib(invocation);
+    return job;
 }
 
 // --- Baking -------------------------------------------------------------------------------------
@@ -333,7 +214,7 @@ std::string interrupted_text(int made) {
 ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     const bool json = console.display().json;
-    const bool merge = invocation.has("merge");
+    const bool merge = invocation[options::merge];
     const bool writes_index = job.shards == 1;
     if (writes_index) {
         const auto obstacles = inspect_index(job.folder, job.force);
@@ -345,7 +226,7 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         return ExitCode::interrupted;
     }
     if (writes_index && all_failed(plan)) return console.report(plan[0].result.diagnostics);
-    if (invocation.has("dry-run")) return dry_run(job, plan, json, console);
+    if (invocation[options::dry_run]) return dry_run(job, plan, json, console);
     if (json) console.result(sweep_event(job, plan));
     if (!merge) console.note(plan_note(job, plan));
 
@@ -378,10 +259,9 @@ ExitCode run_sweep(const Invocation& invocation, Console& console) {
     }
     auto found = sweep_of(invocation);
     if (const ExitCode code = console.report(found.diagnostics); !found.value) return code;
-    auto job = sweep_job(invocation, std::move(*found.value));
-    if (const ExitCode code = console.report(job.diagnostics); !job.value) return code;
-    if (invocation.has("emit")) return emit(invocation, *job.value, console);
-    return sweep(invocation, *job.value, console);
+    const SweepJob job = sweep_job(invocation, std::move(*found.value));
+    if (invocation.has(options::emit)) return emit_script(invocation, job, console);
+    return sweep(invocation, job, console);
 }
 
 }  // namespace
@@ -393,44 +273,21 @@ Command sweep_command() {
         .summary = "bake variants of a recipe, one folder for each, and an index of them",
         .arguments = {{.name = "recipe.toml",
                        .help = "the recipe, whose [sweep] says what varies"}},
-        .options =
-            {{.name = "output",
-              .short_name = 'o',
-              .value = "FOLDER",
-              .help = "write the variants' folders into this folder",
-              .fallback = "sweep"},
-             {.name = "vary",
-              .value = "KEY=VALUES",
-              .help = "vary KEY over FROM:TO:COUNT[:log] or A,B,C instead of [sweep]",
-              .repeatable = true},
-             {.name = "zip",
-              .value = "KEY,KEY",
-              .help = "vary keys in lockstep instead of crossing them",
-              .repeatable = true},
-             {.name = "sobol", .value = "N", .help = "spread N points over ranges without a count"},
-             set_option(),
-             {.name = "shard", .value = "I/N", .help = "bake part I of N and leave out the index"},
-             {.name = "merge", .help = "write the index of baked variants without baking"},
-             {.name = "emit",
-              .value = "ENGINE",
-              .help = "print a script for a farm",
-              .choices = {"slurm", "commands", "ninja"}},
-             {.name = "tasks",
-              .value = "N",
-              .help = "split the script into N tasks (default: one per variant, up to 1000)"},
-             {.name = "certify",
-              .value = "HOW",
-              .help = "how thoroughly to measure errors",
-              .choices = {"quick", "full", "off"},
-              .fallback = "quick"},
-             jobs_option("use N threads, for variants side by side first (default: all)"),
-             {.name = "dry-run",
-              .help = "show which variants would be baked and why, without baking"},
-             cache_option(),
-             {.name = "max-memory",
-              .value = "SIZE",
-              .help = "limit the memory of all variants at once (2GiB, 500M)"},
-             {.name = "force", .help = "overwrite files that skybake did not write"}},
+        .options = {options::output("write the variants' folders into this folder", "sweep"),
+                    options::vary("vary KEY over FROM:TO:COUNT[:log] or A,B,C instead of [sweep]"),
+                    options::zip("vary keys in lockstep instead of crossing them"),
+                    options::sobol("spread N points over ranges without a count"), set_row(),
+                    options::shard("bake part I of N and leave out the index"),
+                    options::merge("write the index of baked variants without baking"),
+                    options::emit("print a script for a farm"),
+                    options::tasks(
+                        "split the script into N tasks (default: one per variant, up to 1000)"),
+                    certify_row(),
+                    options::jobs("use N threads, for variants side by side first (default: all)"),
+                    options::dry_run("show which variants would be baked and why, without baking"),
+                    cache_row(),
+                    options::max_memory("limit the memory of all variants at once (2GiB, 500M)"),
+                    options::force("overwrite files that skybake did not write")},
         .examples = {{"skybake sweep sky.toml --vary clouds.c.coverage=0.2:0.8:4 "
                       "--vary noise.n.seed=1,2",
                       "bakes 8 variants"},

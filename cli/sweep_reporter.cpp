@@ -1,4 +1,4 @@
-#include "cli/sweep_reporter.h"
+#include "cli/sweep.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/interrupt.h"
+#include "cli/events.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
@@ -117,8 +116,8 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
                                     {"seconds", seconds}}));
     }
     if (console_.error_is_terminal() || (!made && !failed)) return;
-    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name, failed ? "failed" : "baked",
-                              seconds, finished_, variants_));
+    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name,
+                              failed ? "failed" : "baked", seconds, finished_, variants_));
 }
 
 void SweepReporter::finish() { line_.reset(); }

@@ -1,12 +1,21 @@
-#include "cli/sweep_scripts.h"
+#include "cli/sweep.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "bakers/io/files/load_module.h"
 #include "bakers/workspace/sweep/index_files.h"
-#include "cli/exit_code.h"
+#include "bakers/workspace/sweep/variant_names.h"
+#include "cli/events.h"
 
 namespace skybake::cli {
 namespace {
+
+namespace fs = std::filesystem;
+using config::Outcome;
 
 bool is_safe_in_shells(char c) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -87,6 +96,90 @@ std::string ninja_rules(const SweepScript& script) {
         fmt::arg("checks", static_cast<int>(ExitCode::checks)),
         fmt::arg("list_path", ninja_value(list.string())), fmt::arg("tasks", script.tasks),
         fmt::arg("merge", ninja_value(merge_command(script))));
+}
+
+// --- From the command line ----------------------------------------------------------------------
+
+// The program itself, so that a node finds it whatever its PATH.
+std::string program_path() {
+    const std::vector<fs::path> files = program_files();
+    return files.empty() ? "skybake" : files.front().string();
+}
+
+// A farm starts its tasks in folders of its own.
+std::string absolute_path(const fs::path& path) { return fs::absolute(path).string(); }
+
+// An option as the user wrote it.
+template <class T>
+void add_typed(const Invocation& invocation, const Option<T>& option,
+               std::vector<std::string>& words) {
+    for (const std::string& text : invocation.typed(option)) {
+        words.push_back(fmt::format("--{}", option.name));
+        words.push_back(text);
+    }
+}
+
+std::vector<std::string> script_words(const Invocation& invocation) {
+    std::vector<std::string> words = {program_path(), "sweep",
+                                      absolute_path(invocation.arguments()[0])};
+    for (const Option<options::Texts>* option : {&options::set, &options::vary, &options::zip}) {
+        add_typed(invocation, *option, words);
+    }
+    add_typed(invocation, options::sobol, words);
+    add_typed(invocation, options::certify, words);
+    add_typed(invocation, options::max_memory, words);
+    if (invocation.has(options::cache_dir)) {
+        words.emplace_back("--cache-dir");
+        words.push_back(absolute_path(invocation[options::cache_dir]));
+    }
+    if (invocation[options::force]) words.emplace_back("--force");
+    words.emplace_back("-o");
+    words.push_back(absolute_path(invocation[options::output]));
+    return words;
+}
+
+// All files that any variant is made from, the program's among them.
+std::vector<fs::path> sweep_inputs(const SweepJob& job) {
+    std::vector<fs::path> inputs = program_files();
+    std::set<fs::path> known;
+    for (int i = 0; i < variant_count(job.sweep); ++i) {
+        const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, i);
+        if (!recipe.value) continue;
+        for (const fs::path& input : recipe.value->inputs) {
+            const fs::path path = fs::absolute(input);
+            if (known.insert(path).second) inputs.push_back(path);
+        }
+    }
+    return inputs;
+}
+
+// Slurm's own limit of an array job, MaxArraySize, is 1001 where nobody has raised it.
+constexpr int most_tasks = 1000;
+
+Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& job) {
+    SweepScript script;
+    script.words = script_words(invocation);
+    script.folder = absolute_path(job.folder);
+    script.variants = variant_count(job.sweep);
+    script.tasks = std::min(script.variants, most_tasks);
+    script.threads = job.threads > 0 ? job.threads : 1;
+    if (invocation.has(options::tasks)) {
+        script.tasks = std::min(invocation[options::tasks], script.variants);
+    }
+    for (const std::string& word : script.words) {
+        if (word.find('\n') == std::string::npos) continue;
+        return {{}, {usage_error("--emit: a value holds a line break, but a task is one line")}};
+    }
+    return {std::move(script), {}};
+}
+
+std::string script_text(ScriptEngine engine, const SweepJob& job, SweepScript script) {
+    if (engine == ScriptEngine::slurm) return slurm_script(script);
+    if (engine == ScriptEngine::commands) return command_lines(script);
+    script.inputs = sweep_inputs(job);
+    const VariantNames names(job.sweep);
+    for (int i = 0; i < script.variants; ++i) script.names.push_back(names.name(i));
+    return ninja_file(script);
 }
 
 }  // namespace
@@ -172,6 +265,26 @@ std::string ninja_file(const SweepScript& script) {
         text += " " + ninja_path((std::filesystem::path(script.folder) / name).string());
     }
     return text + ": merge |" + all_stamps + "\n";
+}
+
+ExitCode emit_script(const Invocation& invocation, const SweepJob& job, Console& console) {
+    const auto script = sweep_script(invocation, job);
+    if (const ExitCode code = console.report(script.diagnostics); !script.value) return code;
+    const ScriptEngine engine = invocation[options::emit];
+    const std::string text = script_text(engine, job, *script.value);
+    const std::string merge = merge_command(*script.value);
+    if (console.display().json) {
+        console.result(event_line({{"event", "script"},
+                                   {"engine", invocation.typed(options::emit).back()},
+                                   {"text", text},
+                                   {"merge", merge}}));
+        return ExitCode::done;
+    }
+    console.result(text);
+    if (engine == ScriptEngine::commands) {
+        console.note(fmt::format("when all are done, write the index: {}\n", merge));
+    }
+    return ExitCode::done;
 }
 
 }  // namespace skybake::cli

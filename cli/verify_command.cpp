@@ -13,8 +13,7 @@
 #include "bakers/io/formats/format.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/parse_arguments.h"
+#include "cli/events.h"
 #include "config/text/key_path.h"
 
 namespace skybake::cli {

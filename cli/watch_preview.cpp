@@ -1,6 +1,7 @@
-#include "cli/watch_preview.h"
+#include "cli/preview.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <atomic>
 #include <chrono>
@@ -8,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -15,17 +17,21 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/draft.h"
 #include "bakers/preview/unused_options.h"
-#include "cli/bake_progress.h"
-#include "cli/bake_selection.h"
 #include "cli/console.h"
-#include "cli/event_line.h"
-#include "cli/interrupt.h"
-#include "cli/preview_output.h"
-#include "cli/watched_files.h"
+#include "cli/events.h"
+#include "cli/options.h"
+#include "cli/progress.h"
 #include "config/recipe/recipe_sources.h"
 
 namespace skybake::cli {
 namespace {
+
+std::string sign_of(const std::filesystem::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return "missing";
+    return fmt::format("{} {} {}.{}", status.st_ino, status.st_size, status.st_mtim.tv_sec,
+                       status.st_mtim.tv_nsec);
+}
 
 namespace fs = std::filesystem;
 using config::Diagnostic;
@@ -195,7 +201,7 @@ class Watch {
     void follow_inputs() {
         config::DiagnosticList ignored;
         std::vector<fs::path> inputs =
-            config::read_sources(request_.paths[0], invocation_.values("set"), ignored).inputs;
+            config::read_sources(request_.paths[0], invocation_[options::set], ignored).inputs;
         inputs.insert(inputs.end(), good_inputs_.begin(), good_inputs_.end());
         files_.follow(inputs);
     }
@@ -236,6 +242,35 @@ class Watch {
 };
 
 }  // namespace
+
+void WatchedFiles::follow(const std::vector<std::filesystem::path>& paths) {
+    Signs signs;
+    for (const std::filesystem::path& path : paths) {
+        const auto known = seen_.find(path);
+        signs[path] = known != seen_.end() ? known->second : sign_of(path);
+    }
+    seen_ = std::move(signs);
+}
+
+bool WatchedFiles::wait() {
+    Signs last = seen_;
+    while (!interrupted()) {
+        std::this_thread::sleep_for(look_every);
+        Signs now = look();
+        const bool at_rest = now == last;
+        last = now;
+        if (now == seen_ || !at_rest) continue;
+        seen_ = std::move(now);
+        return true;
+    }
+    return false;
+}
+
+WatchedFiles::Signs WatchedFiles::look() const {
+    Signs signs;
+    for (const auto& [path, seen] : seen_) signs[path] = sign_of(path);
+    return signs;
+}
 
 ExitCode watch_preview(const Invocation& invocation, const PreviewRequest& request,
                        Console& console) {

@@ -1,4 +1,4 @@
-#include "cli/byte_size.h"
+#include "cli/options.h"
 
 #include <gtest/gtest.h>
 

@@ -97,20 +97,20 @@ TEST(Console, DiagnosticsMayBeTheResult) {
 }
 
 TEST(Console, ColourDependsOnWishTerminalAndEnvironment) {
-    EXPECT_TRUE(wants_color("always", false, {.no_color = "1"}));
-    EXPECT_FALSE(wants_color("never", true, {}));
-    EXPECT_FALSE(wants_color("never", true, {.clicolor_force = "1", .force_color = "1"}));
-    EXPECT_TRUE(wants_color("auto", true, {}));
-    EXPECT_TRUE(wants_color("auto", true, {.no_color = ""}));
-    EXPECT_FALSE(wants_color("auto", true, {.no_color = "1"}));
-    EXPECT_FALSE(wants_color("auto", false, {}));
-    EXPECT_TRUE(wants_color("auto", false, {.clicolor_force = "1"}));
-    EXPECT_TRUE(wants_color("auto", false, {.force_color = "3"}));
+    EXPECT_TRUE(wants_color(WhenColor::always, false, {.no_color = "1"}));
+    EXPECT_FALSE(wants_color(WhenColor::never, true, {}));
+    EXPECT_FALSE(wants_color(WhenColor::never, true, {.clicolor_force = "1", .force_color = "1"}));
+    EXPECT_TRUE(wants_color(WhenColor::automatic, true, {}));
+    EXPECT_TRUE(wants_color(WhenColor::automatic, true, {.no_color = ""}));
+    EXPECT_FALSE(wants_color(WhenColor::automatic, true, {.no_color = "1"}));
+    EXPECT_FALSE(wants_color(WhenColor::automatic, false, {}));
+    EXPECT_TRUE(wants_color(WhenColor::automatic, false, {.clicolor_force = "1"}));
+    EXPECT_TRUE(wants_color(WhenColor::automatic, false, {.force_color = "3"}));
     for (const char* nothing : {"", "0"}) {
-        EXPECT_FALSE(wants_color("auto", false, {.clicolor_force = nothing}));
-        EXPECT_FALSE(wants_color("auto", false, {.force_color = nothing}));
+        EXPECT_FALSE(wants_color(WhenColor::automatic, false, {.clicolor_force = nothing}));
+        EXPECT_FALSE(wants_color(WhenColor::automatic, false, {.force_color = nothing}));
     }
-    EXPECT_FALSE(wants_color("auto", false, {.no_color = "1", .force_color = "1"}));
+    EXPECT_FALSE(wants_color(WhenColor::automatic, false, {.no_color = "1", .force_color = "1"}));
 }
 
 TEST(Console, AFailureIsAnEvent) {

@@ -195,10 +195,5 @@ TEST(DiagnosticPrinter, SarifIsOneDocument) {
     EXPECT_TRUE(empty["runs"][0]["results"].empty());
 }
 
-TEST(DiagnosticPrinter, KnowsItsFormatsByName) {
-    EXPECT_EQ(diagnostic_format("short"), DiagnosticFormat::short_);
-    EXPECT_EQ(diagnostic_format("xml"), std::nullopt);
-}
-
 }  // namespace
 }  // namespace skybake::cli

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "cli/commands.h"
-#include "cli/text_width.h"
+#include "cli/command.h"
+#include "cli/table_printer.h"
 #include "tests/cli/program.h"
 #include "tests/support/odd_words.h"
 
@@ -25,7 +25,7 @@ TEST(Help, EachCommandFitsAPageAndHasAnExample) {
         EXPECT_LE(count_lines(result.out), most_lines) << name;
         EXPECT_TRUE(contains(result.out, "examples:\n  skybake " + name)) << result.out;
         ASSERT_FALSE(command.examples.empty()) << name;
-        for (const Option& option : command.options) {
+        for (const OptionRow& option : command.options) {
             EXPECT_TRUE(contains(result.out, "--" + std::string(option.name))) << name;
             EXPECT_FALSE(option.help.empty()) << name << " --" << option.name;
         }
@@ -63,6 +63,45 @@ TEST(Help, IsACommandToo) {
     EXPECT_TRUE(contains(slip.error, "did you mean `bake`?")) << slip.error;
 }
 
+// Each command and each of its options stands in its man page and in the scripts of all shells.
+TEST(Help, PagesAndCompletionsNameEverything) {
+    const std::string overview = run_words({"help", "--man"}).out;
+    const std::string bash = run_words({"help", "--completion", "bash"}).out;
+    const std::string zsh = run_words({"help", "--completion", "zsh"}).out;
+    const std::string fish = run_words({"help", "--completion=fish"}).out;
+    const auto dashes = [](std::string name) {  // as roff writes them
+        for (std::size_t at = 0; (at = name.find('-', at)) != std::string::npos; at += 2) {
+            name.replace(at, 1, "\\-");
+        }
+        return name;
+    };
+    const auto expect_option = [&](const std::string& page, const std::string& where,
+                                   const OptionRow& option) {
+        const std::string name(option.name);
+        EXPECT_TRUE(contains(page, dashes("--" + name) + "\\fR")) << where << name;
+        EXPECT_TRUE(contains(bash, " --" + name)) << where << name;
+        EXPECT_TRUE(contains(zsh, "--" + name + "[")) << where << name;
+        EXPECT_TRUE(contains(fish, "complete -c skybake" + where + " -l " + name + " "))
+            << where << name;
+    };
+    for (const OptionRow& option : global_options()) expect_option(overview, "", option);
+    for (const Command& command : commands()) {
+        const std::string name(command.name);
+        const std::string page = run_words({"help", name, "--man"}).out;
+        EXPECT_TRUE(contains(overview, "\\fBskybake\\-" + name + "\\fR(1)")) << name;
+        EXPECT_TRUE(contains(bash, "            " + name + ") options+=")) << name;
+        EXPECT_TRUE(contains(zsh, "'" + name + ":")) << name;
+        EXPECT_TRUE(contains(fish, " -a " + name + " -d ")) << name;
+        for (const OptionRow& option : command.options) {
+            expect_option(page, " -n '__fish_seen_subcommand_from " + name + "'", option);
+        }
+        for (const Example& example : command.examples) {
+            EXPECT_TRUE(contains(page, dashes(std::string(example.command)).substr(0, 20)));
+        }
+    }
+    EXPECT_EQ(run_words({"help", "--completion", "tcsh"}).code, 2);
+}
+
 TEST(Help, TheProgramAloneSaysAtMostTwelveLines) {
     const testing::Result result = run_words({});
     EXPECT_EQ(result.code, 2);
@@ -78,14 +117,14 @@ TEST(Help, OptionNamesAreUniqueWithinACommand) {
     for (const Command& command : commands()) {
         std::set<std::string_view> names;
         std::set<char> letters;
-        const auto add = [&](const Option& option) {
+        const auto add = [&](const OptionRow& option) {
             EXPECT_TRUE(names.insert(option.name).second) << command.name << " --" << option.name;
             if (option.short_name == 0) return;
             EXPECT_TRUE(letters.insert(option.short_name).second)
                 << command.name << " -" << option.short_name;
         };
-        for (const Option& option : global_options()) add(option);
-        for (const Option& option : command.options) add(option);
+        for (const OptionRow& option : global_options()) add(option);
+        for (const OptionRow& option : command.options) add(option);
     }
 }
 

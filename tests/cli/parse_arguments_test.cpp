@@ -1,6 +1,6 @@
-#include "cli/parse_arguments.h"
+#include <stdexcept>
 
-#include "cli/commands.h"
+#include "cli/options.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli {
@@ -8,22 +8,28 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// A command with an option of each kind.
+enum class Level { none, quick, full };
+
+config::Outcome<int> read_number(const std::string& text) {
+    if (const auto number = parse_count(text, 1, 9)) return {static_cast<int>(*number), {}};
+    return {{}, {bad_value("--number", text, "it takes a number from 1 to 9")}};
+}
+
+// An option of each type.
+const Option<std::filesystem::path> output{"output", 'o', "FOLDER"};
+const Option<std::vector<std::string>> settings{"set", 0, "KEY=VALUE"};
+const Option<Level> level{"level", 0, "LEVEL", {{"quick", Level::quick}, {"full", Level::full}}};
+const Option<bool> force{"force"};
+const Option<int> number{"number", 'n', "N", {}, read_number};
+
 const std::vector<Command>& sample_commands() {
     static const std::vector<Command> table = {
         {.name = "bake",
          .summary = "make something",
          .arguments = {{.name = "recipe", .help = "what to make"},
                        {.name = "more", .help = "more of them", .required = false}},
-         .options =
-             {{.name = "output",
-               .short_name = 'o',
-               .value = "FOLDER",
-               .help = "where",
-               .fallback = "./out"},
-              {.name = "set", .value = "KEY=VALUE", .help = "a setting", .repeatable = true},
-              {.name = "level", .value = "LEVEL", .help = "how", .choices = {"quick", "full"}},
-              {.name = "force", .help = "overwrite"}},
+         .options = {output("where", "./out"), settings("a setting"), level("how"),
+                     force("overwrite"), number("how many")},
          .examples = {{.command = "skybake bake earth.toml", .what = "makes it"}}},
         {.name = "verify", .summary = "prove it", .examples = {{.command = "skybake verify out"}}},
     };
@@ -53,26 +59,48 @@ TEST(ParseArguments, TakesOptionsAnywhere) {
         ASSERT_NE(line.command, nullptr);
         EXPECT_EQ(line.command->name, "bake");
         EXPECT_EQ(line.invocation.arguments(), Words{"a.toml"});
-        EXPECT_EQ(line.invocation.value("output"), "x");
-        EXPECT_TRUE(line.invocation.has("force"));
+        EXPECT_EQ(line.invocation[output], "x");
+        EXPECT_TRUE(line.invocation[force]);
     }
 }
 
 TEST(ParseArguments, KnowsFallbacks) {
     const CommandLine line = parse({"bake", "a.toml"});
-    EXPECT_EQ(line.invocation.value("output"), "./out");
-    EXPECT_FALSE(line.invocation.has("output"));
-    EXPECT_EQ(line.invocation.value("diagnostics"), "human");
-    EXPECT_EQ(line.invocation.value("level"), "");
+    EXPECT_EQ(line.invocation[output], "./out");
+    EXPECT_FALSE(line.invocation.has(output));
+    EXPECT_EQ(line.invocation[options::diagnostics], DiagnosticFormat::human);
+    EXPECT_EQ(line.invocation[level], Level::none);
+    EXPECT_EQ(line.invocation[number], 0);
+    EXPECT_TRUE(line.invocation[settings].empty());
 }
 
 TEST(ParseArguments, RepeatsWhatRepeatsAndElseTakesTheLast) {
     const CommandLine line = parse({"bake", "--set", "a=1", "x.toml", "--set=b=[1, 2]", "--set",
                                     "c={}", "-o", "x", "-o", "y"});
     EXPECT_TRUE(line.diagnostics.empty());
-    EXPECT_EQ(line.invocation.values("set"), (Words{"a=1", "b=[1, 2]", "c={}"}));
-    EXPECT_EQ(line.invocation.value("output"), "y");
+    EXPECT_EQ(line.invocation[settings], (Words{"a=1", "b=[1, 2]", "c={}"}));
+    EXPECT_EQ(line.invocation[output], "y");
     EXPECT_EQ(line.invocation.arguments(), Words{"x.toml"});
+}
+
+TEST(ParseArguments, GivesValuesAsTheirTypes) {
+    const CommandLine line = parse({"bake", "a", "--level", "full", "-n5", "--color=never"});
+    EXPECT_TRUE(line.diagnostics.empty());
+    EXPECT_EQ(line.invocation[level], Level::full);
+    EXPECT_EQ(line.invocation[number], 5);
+    EXPECT_EQ(line.invocation.typed(number), Words{"5"});
+    EXPECT_EQ(line.invocation[options::color], WhenColor::never);
+    EXPECT_EQ(complaint({"bake", "a", "-n0"}),
+              "`--number` cannot be `0`; it takes a number from 1 to 9");
+    EXPECT_EQ(complaint({"bake", "a", "--number", "x"}),
+              "`--number` cannot be `x`; it takes a number from 1 to 9");
+    EXPECT_TRUE(parse({"bake", "a", "-n0", "-n1"}).diagnostics.empty());
+}
+
+TEST(ParseArguments, RefusesOptionsThatACommandDoesNotDeclare) {
+    const CommandLine line = parse({"bake", "a"});
+    EXPECT_THROW(line.invocation[options::dry_run], std::logic_error);
+    EXPECT_THROW(line.invocation.has(options::cache_dir), std::logic_error);
 }
 
 TEST(ParseArguments, PassesStrangeArgumentsOn) {
@@ -134,7 +162,7 @@ TEST(ParseArguments, OptionsOfACommandComeAfterIt) {
 TEST(ParseArguments, HelpNeedsNothingElse) {
     const CommandLine line = parse({"bake", "--help"});
     EXPECT_TRUE(line.diagnostics.empty());
-    EXPECT_TRUE(line.invocation.has("help"));
+    EXPECT_TRUE(line.invocation[options::help]);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/run.h"
+#include "cli/command.h"
 #include "tests/io/files.h"
 
 namespace skybake::cli::testing {

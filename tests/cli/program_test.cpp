@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cli/commands.h"
+#include "cli/command.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli {

@@ -5,7 +5,6 @@
 #include <array>
 #include <sstream>
 
-#include "cli/text_width.h"
 
 namespace skybake::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "cli/watched_files.h"
+#include "cli/preview.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "cli/sweep_scripts.h"
+#include "cli/sweep.h"
 #include "tests/cli/program.h"
 #include "tests/sweep/sweeps.h"
 

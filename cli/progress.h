@@ -1,6 +1,4 @@
-// The line that says how far a long run is: rewritten in place on a terminal, a line of its own
-// every ten seconds elsewhere. It is told anew whether or not the work has got on, so that its
-// clock never stands still.
+// How a bake, a preview or a report shows how far it is.
 #pragma once
 
 #include <chrono>
@@ -11,10 +9,15 @@
 #include <string_view>
 #include <thread>
 
+#include "bakers/render/stage_progress.h"
+
 namespace skybake::cli {
 
 class Console;
 
+// The line that says how far a long run is: rewritten in place on a terminal, a line of its own
+// every ten seconds elsewhere. It is told anew whether or not the work has got on, so that its
+// clock never stands still.
 class ProgressLine {
   public:
     // `text` is asked from another thread, until the line ends. Nothing is shown where the console
@@ -74,6 +77,30 @@ class StepClock {
     double began_s_;
     double fraction_;
     double told_s_;
+};
+
+// The steps of a bake, a preview or a report on such a line.
+class BakeProgress : public StageProgress {
+  public:
+    // `what` is made: the piece `index` of `count`; 0 of 0 where pieces are not counted.
+    BakeProgress(std::string what, Console& console, int index = 0, int count = 0);
+
+    void advance(std::string_view step, double fraction) override;
+    void begin_stage(int index, int count, std::string_view what) override;
+    bool cancelled() const override;
+
+  private:
+    double elapsed_s() const;
+    std::string text() const;
+
+    mutable std::mutex mutex_;
+    std::chrono::steady_clock::time_point start_;
+    int index_;
+    int count_;
+    std::string what_;
+    std::string step_;
+    StepClock clock_{0, 0};
+    ProgressLine line_;  // the last, so that it ends before what it asks
 };
 
 }  // namespace skybake::cli

@@ -1,4 +1,4 @@
-#include "cli/diagnostic_json.h"
+#include "cli/events.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "bakers/io/manifest/release.h"
-#include "cli/event_line.h"
-#include "cli/recipe_argument.h"
+#include "cli/options.h"
 #include "config/diagnostics/diagnostic_codes.h"
 
 namespace skybake::cli {
@@ -100,6 +99,20 @@ Json diagnostic_json(const config::Diagnostic& diagnostic) {
 }
 
 }  // namespace
+
+using Json = nlohmann::ordered_json;
+
+std::string event_line(const Json& event) {
+    return event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string failed_event(std::string_view command, ExitCode code,
+                         std::span<const config::Diagnostic> diagnostics) {
+    return event_line({{"event", "failed"},
+                       {"command", command},
+                       {"exit_code", static_cast<int>(code)},
+                       {"diagnostics", diagnostics_json(diagnostics)}});
+}
 
 bool is_file(const std::string& source) {
     return !source.empty() && !source.starts_with("--") && !source.starts_with("preset ") &&

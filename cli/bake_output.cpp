@@ -1,4 +1,4 @@
-#include "cli/bake_summary.h"
+#include "cli/bake_output.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,14 +7,64 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "bakers/io/files/byte_size_text.h"
 #include "bakers/io/files/file_names.h"
 #include "bakers/io/files/spelling.h"
+#include "cli/console.h"
+#include "cli/events.h"
+#include "cli/progress.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view state_name(AssetState state) {
+    switch (state) {
+        case AssetState::up_to_date:
+            return "up_to_date";
+        case AssetState::copied:
+            return "copied";
+        case AssetState::baked:
+            break;
+    }
+    return "baked";
+}
+
+Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem::path& folder) {
+    const ManifestAsset& entry = asset.entry;
+    const ManifestFile& file = entry.files[i];
+    Json event = {{"event", "asset"},
+                  {"name", entry.name},
+                  {"kind", entry.kind},
+                  {"path", (folder / file.path).string()},
+                  {"state", state_name(asset.state)},
+                  {"changed", asset.files[i] == WriteResult::written},
+                  {"size", size_of(entry, file)},
+                  {"format", file.format},
+                  {"level", file.level},
+                  {"bake_s", entry.timing.bake_s},
+                  {"certify_s", asset.certify_s},
+                  {"write_s", entry.timing.write_s}};
+    if (entry.error) {
+        event["lookup_error"] = {{"max", entry.error->lookup.max},
+                                 {"rms", entry.error->lookup.rms}};
+        event["texel_error"] = {{"max", entry.error->texel.max}, {"rms", entry.error->texel.rms}};
+    }
+    return event;
+}
+
+// Relative to the folder, as the manifest has them.
+Json paths_of(const std::vector<RetiredFile>& files) {
+    Json paths = Json::array();
+    for (const RetiredFile& file : files) paths.push_back(file.path);
+    return paths;
+}
 
 std::string time_text(double seconds) {
     if (seconds >= 1) return fmt::format("{:.3g} s", seconds);
@@ -139,6 +189,43 @@ std::string count_text(const BakedFolder& baked) {
 
 }  // namespace
 
+std::string plan_event(const FolderPlan& plan) {
+    Json assets = Json::array();
+    for (const PlannedAsset& asset : plan.assets) {
+        assets.push_back({{"name", asset.bake->name},
+                          {"kind", asset.identity.kind},
+                          {"stale", asset.stale()},
+                          {"why", asset.reasons},
+                          {"size", asset.estimate.size},
+                          {"seconds", asset.estimate.seconds},
+                          {"memory_mib", asset.estimate.memory_mib},
+                          {"disk_mib", asset.estimate.disk_mib}});
+    }
+    return event_line({{"event", "plan"},
+                       {"stale", plan.stale_count()},
+                       {"assets", std::move(assets)},
+                       {"retired", paths_of(plan.retired)},
+                       {"pruned", paths_of(plan.pruned)}});
+}
+
+std::string finished_events(const BakedFolder& baked, const std::filesystem::path& folder,
+                            double seconds) {
+    std::string text;
+    std::size_t stale = 0;
+    for (const FinishedAsset& asset : baked.assets) {
+        stale += asset.state == AssetState::up_to_date ? 0 : 1;
+        for (std::size_t i = 0; i < asset.files.size(); ++i) {
+            text += event_line(file_event(asset, i, folder));
+        }
+    }
+    return text + event_line({{"event", "done"},
+                              {"assets", baked.assets.size()},
+                              {"made", stale},
+                              {"retired", paths_of(baked.retired)},
+                              {"pruned", paths_of(baked.pruned)},
+                              {"seconds", seconds}});
+}
+
 std::string extent_text(std::span<const int> size) {
     return fmt::format("{}", fmt::join(size.begin(), size.end(), "x"));
 }
@@ -179,6 +266,28 @@ std::string summary_text(const BakedFolder& baked, const SummaryOptions& options
     return assets_text(baked, options.columns) + advice + retired_text(baked, options.prune) +
            fmt::format("{}, {}, {}, {}\n", count_text(baked), time_text(options.seconds),
                        byte_size_text(static_cast<double>(bytes)), manifest_name);
+}
+
+bool BakeReporter::cancelled() const { return interrupted(); }
+
+void BakeReporter::waits() {
+    console_.note("waiting: another skybake is baking into this folder\n");
+}
+
+void BakeReporter::planned(const FolderPlan& plan) {
+    if (json_) console_.result(plan_event(plan));
+    console_.note(reasons_text(plan));
+    for (const PlannedAsset& asset : plan.assets) {
+        if (asset.stale()) stale_.push_back(asset.bake->name);
+    }
+}
+
+std::unique_ptr<Progress> BakeReporter::begin(std::string_view asset) {
+    const auto at = std::find(stale_.begin(), stale_.end(), asset);
+    const bool counted = at != stale_.end();
+    return std::make_unique<BakeProgress>(std::string(asset), console_,
+                                          counted ? static_cast<int>(at - stale_.begin()) + 1 : 0,
+                                          counted ? static_cast<int>(stale_.size()) : 0);
 }
 
 }  // namespace skybake::cli

@@ -1,0 +1,194 @@
+#include "cli/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+#include <variant>
+
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/io/files/file_diagnostic.h"
+#include "config/text/key_path.h"
+#include "config/text/suggest.h"
+#include "config/text/text_file.h"
+
+namespace skybake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Bake;
+using config::Diagnostic;
+using config::Outcome;
+using config::Recipe;
+
+struct Unit {
+    std::string_view name;
+    double bytes;
+};
+
+constexpr std::array units = {
+    Unit{"", 1},
+    Unit{"B", 1},
+    Unit{"K", 1024.0},
+    Unit{"M", 1024.0 * 1024},
+    Unit{"G", 1024.0 * 1024 * 1024},
+    Unit{"T", 1024.0 * 1024 * 1024 * 1024},
+    Unit{"KiB", 1024.0},
+    Unit{"MiB", 1024.0 * 1024},
+    Unit{"GiB", 1024.0 * 1024 * 1024},
+    Unit{"TiB", 1024.0 * 1024 * 1024 * 1024},
+    Unit{"kB", 1e3},
+    Unit{"MB", 1e6},
+    Unit{"GB", 1e9},
+    Unit{"TB", 1e12},
+};
+
+Diagnostic nothing_to_bake() {
+    return {config::Severity::error,
+            "E0124",
+            "the recipe bakes nothing: it has no [bake.*]",
+            {},
+            "add [bake.transmittance]"};
+}
+
+Outcome<Recipe> recipe_from_standard_input(const std::vector<std::string>& settings) {
+    auto text = config::read_standard_input(config::most_recipe_bytes);
+    if (const auto* error = std::get_if<config::FileError>(&text)) {
+        return {{},
+                {file_error(
+                    error->too_large ? "E0120" : "E0300", std::string(standard_input_name),
+                    fmt::format("cannot read a recipe from standard input: {}", error->reason))}};
+    }
+    return config::parse_recipe(std::get<std::string>(text), std::string(standard_input_name), {},
+                                settings);
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> parse_byte_size(std::string_view text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [after, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+    if (error != std::errc{} || !(number >= 0)) return std::nullopt;
+    std::string_view unit(after, static_cast<std::size_t>(end - after));
+    if (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
+    for (const Unit& known : units) {
+        if (unit != known.name) continue;
+        const double bytes = std::ceil(number * known.bytes);
+        if (!(bytes <= 0x1p63)) return std::nullopt;
+        return static_cast<std::uint64_t>(bytes);
+    }
+    return std::nullopt;
+}
+
+std::optional<std::int64_t> parse_count(std::string_view text, std::int64_t least,
+                                        std::int64_t most) {
+    std::int64_t count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    if (!whole || count < least || count > most) return std::nullopt;
+    return count;
+}
+
+Diagnostic bad_value(std::string_view option, std::string_view text, std::string label) {
+    return usage_error(fmt::format("`{}` cannot be `{}`", option, config::shorten(text)),
+                       std::move(label));
+}
+
+// --- Options ------------------------------------------------------------------------------------
+
+namespace options {
+
+Outcome<fs::path> read_folder(const std::string& text) {
+    if (text.empty()) return {{}, {usage_error("-o: the folder's name is empty")}};
+    return {fs::path(text), {}};
+}
+
+Outcome<int> read_jobs(const std::string& text) {
+    if (const auto threads = parse_count(text, 1, 1024)) return {static_cast<int>(*threads), {}};
+    return {{}, {bad_value("-j", text, "it takes a number of threads from 1 to 1024")}};
+}
+
+Outcome<double> read_max_memory(const std::string& text) {
+    const auto bytes = parse_byte_size(text);
+    if (bytes) return {static_cast<double>(*bytes) / (1024.0 * 1024.0), {}};
+    return {{}, {bad_value("--max-memory", text, std::string(byte_size_words))}};
+}
+
+}  // namespace options
+
+OptionRow set_row() { return options::set("override a value of the recipe"); }
+
+OptionRow certify_row() { return options::certify("how thoroughly to measure errors", "quick"); }
+
+OptionRow cache_row() {
+    return options::cache_dir(
+        "share baked assets through this folder (default: $SKYBAKE_CACHE_DIR)");
+}
+
+fs::path cache_folder(const Invocation& invocation) {
+    if (invocation.has(options::cache_dir)) return invocation[options::cache_dir];
+    const char* const folder = std::getenv("SKYBAKE_CACHE_DIR");
+    return folder ? folder : "";
+}
+
+std::optional<double> memory_limit_mib(const Invocation& invocation) {
+    if (!invocation.has(options::max_memory)) return std::nullopt;
+    return invocation[options::max_memory];
+}
+
+// --- The recipe ---------------------------------------------------------------------------------
+
+bool is_standard_input(std::string_view argument) { return argument == "-"; }
+
+std::string recipe_name(std::string_view argument) {
+    return std::string(is_standard_input(argument) ? standard_input_name : argument);
+}
+
+Outcome<Recipe> recipe_of(const Invocation& invocation) {
+    const std::string& file = invocation.arguments()[0];
+    const std::vector<std::string> settings = invocation[options::set];
+    if (is_standard_input(file)) return recipe_from_standard_input(settings);
+    if (auto diagnostic = preset_in_place_of_file(file)) return {{}, {std::move(*diagnostic)}};
+    return config::load_recipe(file, settings);
+}
+
+Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
+    auto recipe = recipe_of(invocation);
+    Outcome<BakeSelection> outcome;
+    outcome.diagnostics = std::move(recipe.diagnostics);
+    if (!recipe.value) return outcome;
+    const std::vector<Bake>& all = recipe.value->parameters.bakes;
+
+    std::vector<Diagnostic> problems;
+    std::vector<std::string_view> names;
+    for (const Bake& bake : all) names.push_back(bake.name);
+    const std::vector<std::string> only = invocation[options::only];
+    for (const std::string& name : only) {
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        problems.push_back(usage_error(fmt::format("--only: the recipe has no [bake.{}]", name),
+                                       config::did_you_mean(name, names)));
+    }
+    if (all.empty()) problems.push_back(nothing_to_bake());
+    const std::vector<Diagnostic> unreadable = check_maps(recipe.value->parameters);
+    problems.insert(problems.end(), unreadable.begin(), unreadable.end());
+    outcome.diagnostics.insert(outcome.diagnostics.end(), problems.begin(), problems.end());
+    if (!problems.empty()) return outcome;
+
+    BakeSelection selection;
+    for (const Bake& bake : all) {
+        const bool wanted =
+            only.empty() || std::find(only.begin(), only.end(), bake.name) != only.end();
+        if (wanted) selection.bakes.push_back(bake);
+    }
+    selection.threads = invocation[options::jobs];
+    selection.recipe = std::move(*recipe.value);
+    outcome.value = std::move(selection);
+    return outcome;
+}
+
+}  // namespace skybake::cli
