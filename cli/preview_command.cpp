@@ -14,7 +14,7 @@
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"
-#include "bakers/plot/label.h"
+#include "bakers/plot/drawing.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
@@ -132,10 +132,9 @@ ExitCode run_preview(const Invocation& invocation, Console& console) {
     if (const ExitCode code = check_output(*request.value, console); code != ExitCode::done) {
         return code;
     }
-    if (auto problem = text_problem()) {  // pictures are worth having without labels, too
-        problem->severity = config::Severity::warning;
-        problem->code = "W0302";
-        console.report(std::array{*problem});
+    if (const auto problem = chart_problem()) {  // a warning if there is merely no font
+        const ExitCode code = console.report(std::array{*problem});
+        if (code != ExitCode::done) return code;
     }
     if (request.value->watch) return watch_preview(invocation, *request.value, console);
     return show(invocation, *request.value, console);

@@ -13,6 +13,7 @@
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/spelling.h"
 #include "bakers/io/files/temporary_file.h"
+#include "bakers/plot/drawing.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/report_text.h"
@@ -195,6 +196,10 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
     const auto problems =
         check_report_folder(folder, report_file_names(names), invocation[options::force]);
     if (!problems.empty()) return console.report(problems);
+    if (const auto problem = chart_problem()) {  // a warning if there is merely no font
+        const ExitCode code = console.report(std::array{*problem});
+        if (code != ExitCode::done) return code;
+    }
 
     std::vector<AssetReport> reports;
     for (const Bake& bake : bakes) {

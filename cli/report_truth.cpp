@@ -16,11 +16,10 @@
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/file_diagnostic.h"
 #include "bakers/io/files/output_folder.h"
-#include "bakers/plot/label.h"
-#include "bakers/plot/png_image.h"
+#include "bakers/plot/drawing.h"
 #include "bakers/preview/pictures/sky_error_pictures.h"
+#include "bakers/report/report_plot.h"
 #include "bakers/report/truth/sky_truth_budget.h"
-#include "bakers/report/truth/sky_truth_plot.h"
 #include "bakers/report/truth/sky_truth_store.h"
 #include "bakers/report/truth/sky_truth_text.h"
 #include "cli/command.h"
@@ -188,10 +187,9 @@ ExitCode add_pictures(const TruthRequest& request, const std::vector<MadeSkyMeth
     SkyErrorPictureOptions options;
     options.camera_altitude_km = request.altitude_km();
     if (request.quick) options.dome_pixels = kQuickDomePixels;
-    if (auto problem = text_problem()) {  // pictures are worth having without labels, too
-        problem->severity = config::Severity::warning;
-        problem->code = "W0302";
-        console.report(std::array{*problem});
+    if (const auto problem = chart_problem()) {  // a warning if there is merely no font
+        const ExitCode code = console.report(std::array{*problem});
+        if (code != ExitCode::done) return code;
     }
     BakeProgress progress("sky", console);
     for (const PreviewPicture& picture :
@@ -268,8 +266,9 @@ ExitCode report_truth(const Invocation& invocation, Console& console) {
     report.mean_paths = request.value->mean_paths;
     const std::string csv = sky_truth_report_csv(report);
     const std::string json = sky_truth_report_json(report);
-    std::vector<ReportFile> files = {
-        {"sky_error.csv", csv}, {kJsonName, json}, {"sky_error.svg", sky_truth_svg(report)}};
+    std::vector<ReportFile> files = {{"sky_error.csv", csv},
+                                     {kJsonName, json},
+                                     {"sky_error.svg", report_svg(sky_truth_figure(report))}};
     if (const ExitCode code = add_pictures(*request.value, *methods, files, console);
         code != ExitCode::done) {
         return code;

@@ -1,40 +1,62 @@
-// Pictures with what makes them readable: axes with units, colour bars, titles, labels.
+// Charts: pictures with what makes them readable, curves and points over axes with units.
+//
+// A chart is drawn once, as a Drawing, which becomes pixels or an SVG file (drawing.h).
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <functional>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bakers/field/image.h"
+#include "bakers/plot/axis.h"
+#include "bakers/plot/drawing.h"
+#include "bakers/plot/false_colours.h"
 #include "bakers/plot/picture.h"
 
 namespace skybake {
 
-enum class AxisTicks {
-    decimal,      // at 1, 2 and 5 times powers of ten
-    angles,       // at 90, 30, 15, 5 degrees where there is no room for finer ones
-    logarithmic,  // at powers of ten
+// A curve, with a gap wherever an axis cannot show a value.
+struct ChartLine {
+    std::string name;  // in the legend; empty: not there
+    Colour colour{};
+    std::vector<double> x;
+    std::vector<double> y;
 };
 
-// One axis of a picture: `value(t)` is the physical value at t in [0, 1] along it, monotonic, not
-// necessarily linear (a table's mapping), from left to right or from the bottom up.
-struct ChartAxis {
-    std::string title;  // "sun zenith angle (deg)"
-    std::function<double(double)> value;
-    AxisTicks ticks = AxisTicks::decimal;
+// Values that are not positive stand at the low end of a logarithmic axis.
+struct ChartPoint {
+    double x = 0;
+    double y = 0;
+    int family = 0;           // index into Figure::families: colour and marker
+    std::string label;        // written beside it where there is room; empty: none
+    std::string tooltip;      // what a viewer of the file shows under the pointer; empty: none
+    bool emphasised = false;  // ringed, its label bold and placed before others
+    bool on_front = false;    // joined by the line of the front
 };
 
-// What colours mean; none where the picture is tone-mapped.
-struct ColourScale {
-    double low = 0;
-    double high = 1;
-    bool logarithmic = false;
-    bool diverging = false;  // 0 in the middle: low == -high
-    std::string title;       // "transmittance"
+struct Chart {
+    std::string title;
+    ChartAxis across;
+    ChartAxis up;
+    int width = 0;                            // of what is between the axes, in pixels
+    int height = 0;                           // the same
+    Picture picture = {};                     // of that size; empty: a grid on paper
+    std::optional<ColourScale> colours = {};  // of the picture, as a bar beside it
+    std::vector<ChartLine> lines = {};
+    std::vector<ChartPoint> points = {};
 };
+
+// Charts beside each other under one title, with one legend of their points.
+struct Figure {
+    std::string title;
+    std::vector<std::string> subtitles;  // one a line
+    std::vector<std::string> families;   // of points
+    std::string front_name;              // of the line that joins points
+    std::vector<Chart> charts;
+};
+
+Drawing drawing_of(const Chart& chart);
+Drawing drawing_of(const Figure& figure);
 
 // A scalar field in false colours (one channel; row 0 at the bottom; grey where it is NaN),
 // enlarged to at least `smallest_edge` pixels along its longer edge by nearest texels, with axes
@@ -49,17 +71,17 @@ Picture false_colour_chart(const Image2<float>& field, const ColourScale& scale,
 Picture framed(const Picture& picture, const std::string& title, const ChartAxis& across,
                const ChartAxis& up);
 
-struct ChartLine {
-    std::string name;
-    std::array<std::uint8_t, 3> colour{};
-    std::vector<double> x;
-    std::vector<double> y;
-};
-
 // Curves over a shared axis: profiles, histograms, spectra.
 Picture line_chart(const std::vector<ChartLine>& lines, const std::string& title,
                    const std::string& x_title, const std::string& y_title, bool logarithmic_x,
                    bool logarithmic_y);
+
+// Points over logarithmic axes, for a figure; errors of 0 stand at the lowest place that is drawn.
+Chart scatter_chart(std::vector<ChartPoint> points, const std::string& title,
+                    const std::string& x_title, const std::string& y_title);
+
+// Where a family stands among those of a figure; a new one is appended.
+int family_index(std::vector<std::string>& families, const std::string& family);
 
 // Pictures in a grid of `columns`, each with its caption below; for contact sheets and comparisons.
 Picture contact_sheet(const std::vector<Picture>& pictures,

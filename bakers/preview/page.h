@@ -70,6 +70,9 @@ struct PreviewPage {
     int watch_revision = 0;  // of pages that follow a recipe: counts from 1; 0 for all others
 };
 
+// Bytes as text, for data: URIs: RFC 4648, section 4, with padding.
+std::string base64(std::string_view bytes);
+
 // The page's text. It needs no other file and no network, but for pages that watch, which look at
 // page_state_name beside them. Its pictures stand in the HTML: a browser without scripts shows them
 // one below the other.

@@ -33,7 +33,8 @@ std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets) {
                                      {"report.json", report_json(assets)}};
     for (const AssetReport& asset : assets) {
         // Without rows there is nothing to plot.
-        if (!asset.rows.empty()) files.push_back({asset.name + ".svg", report_svg(asset)});
+        if (!asset.rows.empty())
+            files.push_back({asset.name + ".svg", report_svg(report_figure(asset))});
     }
     return files;
 }
@@ -51,7 +52,7 @@ bool is_report_text(std::string_view name, std::string_view text) {
     }
     if (name.ends_with(".json"))
         return text.starts_with("{\n  \"report\": {\n    \"tool\": \"skybake\"");
-    return text.find("<!-- skybake report -->") < kSignLength;
+    return text.find(fmt::format("<!-- {} -->", report_plot_sign)) < kSignLength;
 }
 
 std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,

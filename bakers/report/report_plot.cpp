@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bakers/plot/svg_plot.h"
 #include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {
-
 namespace {
+
+// --- An asset -----------------------------------------------------------------------------------
 
 std::string label_of(const ReportRow& row, bool on_front) {
     if (!row.baseline.empty()) return row.baseline + ": " + row.variant;
@@ -27,8 +26,8 @@ std::string tooltip_of(const ReportRow& row) {
         row.family, row.variant, row.time_ms, row.lookup.rms, row.lookup.max, row.texel.rms);
 }
 
-PlotPoint point_of(const ReportRow& row, int family, double cost, double error, bool on_front) {
-    PlotPoint point;
+ChartPoint point_of(const ReportRow& row, int family, double cost, double error, bool on_front) {
+    ChartPoint point;
     point.x = cost;
     point.y = error;
     point.family = family;
@@ -49,44 +48,99 @@ const char* compared_of(const AssetReport& asset) {
     return asset.volume ? "octaves" : "quadratures";
 }
 
-PlotPanel empty_panel(std::string title, std::string x_title, std::string y_title) {
-    return {std::move(title), std::move(x_title), std::move(y_title), {}};
-}
-
 }  // namespace
 
-std::string report_svg(const AssetReport& asset) {
-    Plot plot;
+Figure report_figure(const AssetReport& asset) {
+    Figure plot;
     plot.title = asset.name + ": what accuracy costs";
     plot.subtitles = {fmt::format("error against {} ({} points; {})", asset.reference,
                                   asset.lookup_points, asset.scale),
                       fmt::format("time: {}, median of {}", asset.timing, asset.repetitions)};
     plot.front_name = "Pareto front";
-    PlotPanel lookups =
-        empty_panel("Lookups between texels: all variants", "time (ms)", "lookup error, RMS");
-    PlotPanel texels = empty_panel("", "time (ms)", "texel error, RMS");
-    PlotPanel bytes =
-        empty_panel("Lookups between texels: bytes", "file (KiB)", "lookup error, RMS");
+    std::vector<ChartPoint> lookups, texels, bytes;
+    std::string texels_title;
     for (const ReportRow& row : asset.rows) {
         const int family = family_index(plot.families, row.family);
-        PlotPoint lookup = point_of(row, family, row.time_ms, row.lookup.rms, row.on_lookup_front);
+        ChartPoint lookup = point_of(row, family, row.time_ms, row.lookup.rms, row.on_lookup_front);
         // Files of the same voxels stand in one place, where those named by their size speak for
         // all.
         if (is_named_by_its_file(row) && !lookup.emphasised) lookup.label.clear();
-        lookups.points.push_back(std::move(lookup));
+        lookups.push_back(std::move(lookup));
         if (row.in_quadrature_sweep) {
-            texels.title = fmt::format("Texels: {} at {}", compared_of(asset), size_text(row.size));
-            texels.points.push_back(
-                point_of(row, family, row.time_ms, row.texel.rms, row.on_texel_front));
+            texels_title = fmt::format("Texels: {} at {}", compared_of(asset), size_text(row.size));
+            texels.push_back(point_of(row, family, row.time_ms, row.texel.rms, row.on_texel_front));
         }
         if (row.volume_file) {
-            bytes.points.push_back(point_of(row, family, static_cast<double>(row.file_bytes) / 1024,
-                                            row.lookup.rms, row.volume_file->on_bytes_front));
+            bytes.push_back(point_of(row, family, static_cast<double>(row.file_bytes) / 1024,
+                                     row.lookup.rms, row.volume_file->on_bytes_front));
         }
     }
-    plot.panels = {std::move(lookups), std::move(texels)};
-    if (asset.volume) plot.panels.push_back(std::move(bytes));
-    return svg_of(plot);
+    const std::string time = "time (ms)", lookup_error = "lookup error, RMS";
+    plot.charts.push_back(scatter_chart(std::move(lookups), "Lookups between texels: all variants",
+                                        time, lookup_error));
+    if (!texels.empty()) {
+        plot.charts.push_back(
+            scatter_chart(std::move(texels), texels_title, time, "texel error, RMS"));
+    }
+    if (!bytes.empty()) {
+        plot.charts.push_back(scatter_chart(std::move(bytes), "Lookups between texels: bytes",
+                                            "file (KiB)", lookup_error));
+    }
+    return plot;
+}
+
+// --- The sky ------------------------------------------------------------------------------------
+
+namespace {
+
+ChartPoint point_of(const SkyErrorRow& row, int family, double error) {
+    ChartPoint point;
+    point.x = row.time_ms;
+    point.y = error;
+    point.family = family;
+    point.label = row.method.baseline.empty() ? row.method.name : row.method.baseline;
+    point.tooltip = fmt::format("{}, {}: {:.3g} ms, error {:.2g} median, {:.2g} p90, {:.2g} max",
+                                row.method.family, row.method.name, row.time_ms, row.error.median,
+                                row.error.p90, row.error.max);
+    point.emphasised = !row.method.baseline.empty();
+    point.on_front = row.on_front;
+    return point;
+}
+
+}  // namespace
+
+Figure sky_truth_figure(const SkyErrorReport& report) {
+    Figure plot;
+    plot.title = "The sky's error by its multiple scattering";
+    plot.subtitles = {
+        fmt::format("relative error of sky radiance in {} directions against path tracing, whose "
+                    "standard error is {:.2g} median, {:.2g} p90",
+                    report.directions, report.truth_error.median, report.truth_error.p90),
+        fmt::format("time: processor time of all that comes before the first view ray, one "
+                    "thread, median of {}",
+                    report.repetitions)};
+    plot.front_name = "Pareto front";
+    std::vector<ChartPoint> median, p90;
+    for (const SkyErrorRow& row : report.rows) {
+        if (!row.method.takes_time()) {  // no time, which a logarithmic axis has no place for
+            plot.subtitles.push_back(fmt::format("{}: {:.2g} median, {:.2g} p90", row.method.family,
+                                                 row.error.median, row.error.p90));
+            continue;
+        }
+        const int family = family_index(plot.families, row.method.family);
+        median.push_back(point_of(row, family, row.error.median));
+        p90.push_back(point_of(row, family, row.error.p90));
+        p90.back().on_front = false;  // the front is that of medians
+    }
+    plot.charts = {
+        scatter_chart(std::move(median), "Median", "time (ms)", "relative error, median"),
+        scatter_chart(std::move(p90), "9 of 10 are within", "time (ms)",
+                      "relative error, 90th percentile")};
+    return plot;
+}
+
+std::string report_svg(const Figure& figure) {
+    return svg_of(drawing_of(figure), report_plot_sign);
 }
 
 }  // namespace skybake

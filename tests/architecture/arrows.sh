@@ -79,7 +79,7 @@ forbid '(OpenEXR|Imf)' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp|$for
 forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
 forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder)\.cpp|$formats/vdb/vdb_library\.h"
 forbid 'OpenImageIO/' 'config bakers cli' "$formats/png/(map_reader|png_encoder)\.cpp"
-forbid 'ft2build' 'config bakers cli' "$formats/png/text_renderer\.cpp"
+forbid '(cairo|pango|fontconfig|ft2build)' 'config bakers cli' 'bakers/plot/cairo_drawing\.cpp'
 forbid 'Imath' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
 forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/math/hash\.cpp'

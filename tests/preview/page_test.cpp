@@ -6,7 +6,6 @@
 #include <string>
 
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/plot/base64.h"
 #include "bakers/preview/preview_files.h"
 #include "tests/io/files.h"
 

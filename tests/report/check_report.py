@@ -37,7 +37,8 @@ def report(program, folder, *options):
 def check_svg(path):
     root = xml.etree.ElementTree.parse(path).getroot()
     assert root.tag == "{http://www.w3.org/2000/svg}svg", root.tag
-    assert float(root.get("width")) > 0 and float(root.get("height")) > 0
+    for extent in ("width", "height"):
+        assert float(root.get(extent).removesuffix("px")) > 100, root.attrib
     for element in root.iter():
         for name, value in element.attrib.items():
             assert "nan" not in value and "inf" not in value, (path, name, value)
@@ -143,6 +144,17 @@ def main():
         assert report(program, folder, "-j", "none").returncode == 2
         assert report(program, folder, "-o", str(folder / "small.toml")).returncode == 3
         check_truth(program, folder)
+        # Accounts of farms have neither a home nor settings of fonts; no library may complain.
+        plot = (out / "air.svg").stat().st_mtime_ns
+        bare = subprocess.run([program, "report", str(folder / "small.toml"), "--quick", "-q",
+                               "--only", "air", "-o", str(out)],
+                              capture_output=True, text=True,
+                              env={"FONTCONFIG_FILE": "/nowhere"})
+        assert bare.returncode == 0, bare.stderr
+        assert bare.stderr.startswith("warning[W0203]: 3 octaves are too fine"), bare.stderr
+        assert bare.stderr.endswith("\n1 warning\n") and len(bare.stderr.splitlines()) == 6, bare.stderr
+        assert (out / "air.svg").stat().st_mtime_ns > plot
+        check_svg(out / "air.svg")
         (out / "air.svg").write_text("drawn by hand")
         assert report(program, folder).returncode == 3
         assert (out / "air.svg").read_text() == "drawn by hand"

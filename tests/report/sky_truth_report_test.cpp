@@ -13,9 +13,9 @@
 #include <string_view>
 
 #include "bakers/light/isotropic_orders.h"
+#include "bakers/report/report_plot.h"
 #include "bakers/report/truth/bruneton_sky.h"
 #include "bakers/report/truth/sky_truth_budget.h"
-#include "bakers/report/truth/sky_truth_plot.h"
 #include "bakers/report/truth/sky_truth_store.h"
 #include "bakers/report/truth/sky_truth_text.h"
 
@@ -236,8 +236,12 @@ TEST(SkyTruthReport, FilesHoldWhatWasMeasured) {
         EXPECT_EQ(std::count_if(line.begin(), line.end(), outside_quotes), 15) << line;
     }
     EXPECT_EQ(lines, 4);
-    const std::string svg = sky_truth_svg(report);
-    EXPECT_NE(svg.find("of old"), std::string::npos);
+    const Figure figure = sky_truth_figure(report);
+    const std::vector<ChartPoint>& points = figure.charts.at(0).points;
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const ChartPoint& point) {
+        return point.label.find("of old") != std::string::npos && point.emphasised;
+    }));
+    const std::string svg = report_svg(figure);
     EXPECT_EQ(svg.find("<of>"), std::string::npos);
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }

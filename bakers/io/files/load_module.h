@@ -7,9 +7,10 @@
 
 namespace skybake {
 
-// OpenVDB, and the libraries that read maps.
+// OpenVDB, the libraries that read maps, and those that draw charts.
 inline constexpr const char* vdb_module_name = "skybake_vdb";
 inline constexpr const char* image_module_name = "skybake_images";
+inline constexpr const char* chart_module_name = "skybake_charts";
 
 // What a module exports, or null with the reason.
 struct ModuleSymbol {
@@ -22,8 +23,8 @@ struct ModuleSymbol {
 // trees and builds have them.
 ModuleSymbol load_module(const std::string& module, const char* symbol);
 
-// The files of the program's code: the program and the modules that lie beside it. Empty where the
-// system does not tell where the program is.
+// The files of the program's code that makes assets: the program and the modules beside it, but for
+// charts. Empty where the system does not tell where the program is.
 std::vector<std::filesystem::path> program_files();
 
 }  // namespace skybake

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bakers/math/parallel.h"
-#include "bakers/plot/png_image.h"
 
 namespace skybake {
 

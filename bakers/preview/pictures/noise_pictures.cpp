@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "bakers/plot/chart.h"
-#include "bakers/plot/field_scaling.h"
 #include "bakers/preview/pictures/noise_spectrum.h"
 #include "bakers/preview/pictures/volume_slices.h"
 

@@ -35,7 +35,8 @@ std::vector<config::Diagnostic> measure_plots(PreviewAssets& assets, int threads
         if (bake == bakes.end()) continue;
         auto report = report_asset(*assets.recipe, *bake, {threads, true, progress});
         if (!report.value) return std::move(report.diagnostics);
-        if (!report.value->rows.empty()) assets.plots[bake->name] = report_svg(*report.value);
+        if (!report.value->rows.empty())
+            assets.plots[bake->name] = report_svg(report_figure(*report.value));
     }
     return {};
 }

@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "bakers/plot/chart.h"
-#include "bakers/plot/field_scaling.h"
 #include "bakers/preview/pictures/caption_words.h"
 #include "bakers/render/tone_curve.h"
 #include "config/assets/aerial_perspective.h"

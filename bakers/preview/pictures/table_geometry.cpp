@@ -20,7 +20,7 @@ double angle_of(double cosine) {
     return std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees_per_radian;
 }
 
-double cosine_of(double angle) { return std::cos(angle / degrees_per_radian); }
+double cosine_of_angle(double angle) { return std::cos(angle / degrees_per_radian); }
 
 // A function of [0, 1] beyond its ends, by odd reflection, so that what is monotonic stays so.
 template <class Function>
@@ -77,10 +77,10 @@ std::array<double, 2> TableGeometry::texture_coordinates(double altitude_km,
     std::array<double, 2> x{};
     if (is_transmittance_) {
         const UnitCoordinates place =
-            transmittance_coordinates(shell_, altitude_km, cosine_of(zenith_angle));
+            transmittance_coordinates(shell_, altitude_km, cosine_of_angle(zenith_angle));
         x = {place.x_mu, place.x_r};
     } else {
-        x = {suns_.coordinate(cosine_of(zenith_angle)), altitude_km / shell_.thickness_km};
+        x = {suns_.coordinate(cosine_of_angle(zenith_angle)), altitude_km / shell_.thickness_km};
     }
     return {texture_coordinate(convention_, x[0], size_[0]),
             texture_coordinate(convention_, x[1], size_[1])};

@@ -14,7 +14,6 @@
 
 #include "bakers/field/bilinear.h"
 #include "bakers/plot/chart.h"
-#include "bakers/plot/field_scaling.h"
 #include "bakers/preview/pictures/caption_words.h"
 #include "bakers/preview/pictures/sky_asset_pictures.h"
 #include "bakers/preview/pictures/table_geometry.h"
@@ -23,8 +22,8 @@
 namespace skybake {
 namespace {
 
-constexpr int view_width = 512;
-constexpr int view_height = 320;
+constexpr int drawn_width = 512;
+constexpr int drawn_height = 320;
 constexpr int profile_points = 400;
 constexpr std::uint8_t no_ray_grey = 0xd4;
 
@@ -94,7 +93,7 @@ double widest_angle(const TableGeometry& geometry) {
 
 // What lookups return, NaN where the ray hits the ground. Row 0 is the ground.
 Image2<float> physical_view(const Image2<float>& table, const TableGeometry& geometry) {
-    Image2<float> view(view_width, view_height, table.channels);
+    Image2<float> view(drawn_width, drawn_height, table.channels);
     std::vector<double> value(static_cast<std::size_t>(table.channels));
     const double widest = widest_angle(geometry);
     for (int y = 0; y < view.height; ++y) {
@@ -173,7 +172,7 @@ PreviewPicture texels_picture(const ManifestAsset& entry, const Image2<float>& l
         entry.name + "_texels", title,
         fmt::format("The picture shows the file's texels, with its first row at the bottom; {}.",
                     tone_text(exposure)),
-        framed(shown(fitted(light, view_width, 2 * view_width), exposure), title, across, up)};
+        framed(shown(fitted(light, drawn_width, 2 * drawn_width), exposure), title, across, up)};
 }
 
 // --- Pictures -----------------------------------------------------------------------------------
@@ -242,7 +241,7 @@ class TablePictures {
             fmt::format("The picture shows bilinear lookups over zenith angle and altitude{}.{}",
                         scale.logarithmic ? ", on a logarithmic scale" : "", where_grey()),
             false_colour_chart(one_channel(view_, channel), scale, title, angle_axis(),
-                               altitude_axis(), view_width));
+                               altitude_axis(), drawn_width));
         pictures_.back().kind = PictureKind::plot;
     }
 

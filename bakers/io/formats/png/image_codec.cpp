@@ -3,10 +3,8 @@
 
 #include "bakers/io/formats/png/map_reader.h"
 #include "bakers/io/formats/png/png_encoder.h"
-#include "bakers/io/formats/png/text_renderer.h"
 
 extern "C" const skybake::ImageCodec* skybake_image_codec() {
-    static constexpr skybake::ImageCodec codec = {skybake::read_map, skybake::encode_png,
-                                                  skybake::draw_text};
+    static constexpr skybake::ImageCodec codec = {skybake::read_map, skybake::encode_png};
     return &codec;
 }

@@ -1,6 +1,6 @@
 // The seam between pictures and the libraries that know them: what the module on its far side does.
 // Linking OpenImageIO loads 260 libraries and costs half a second at every start of the program, so
-// it is loaded on first use (image_module.h), and FreeType with it.
+// it is loaded on first use (image_module.h).
 #pragma once
 
 #include <cstdint>
@@ -27,21 +27,6 @@ struct EncodedPicture {
     std::string bytes;
 };
 
-enum class FontWeight { regular, bold };
-
-// A line of text as how much of each pixel it covers: 0 nothing, 255 all. Its origin, the left end
-// of the baseline, is `baseline` rows below the top of row 0 and `left` columns right of the left
-// edge of column 0. Of blank text, 0 x 0, with its advance.
-struct TextBitmap {
-    std::string problem;  // empty: none
-    int width = 0;
-    int height = 0;
-    int baseline = 0;
-    int left = 0;
-    double advance = 0;  // from the origin to where text that follows begins
-    std::vector<std::uint8_t> coverage;
-};
-
 // The module's functions. None throws.
 struct ImageCodec {
     // The channel of that name, or the first where it is empty. Integers are over their largest
@@ -51,10 +36,6 @@ struct ImageCodec {
     // A PNG of 8 bits a channel, sRGB, of interleaved R G B; row 0 at the top. No date, no
     // software's name: the same picture gives the same bytes.
     EncodedPicture (*encode_png)(int width, int height, std::span<const std::uint8_t> rgb);
-
-    // A line of UTF-8 in DejaVu Sans, `em_pixels` high from 1 to 256. Bytes that are not UTF-8
-    // show as U+FFFD, control characters as spaces.
-    TextBitmap (*draw_text)(std::string_view text, int em_pixels, FontWeight weight);
 };
 
 // What the module exports, under this name.

@@ -1,4 +1,4 @@
-#include "bakers/plot/png_image.h"
+#include "bakers/plot/picture.h"
 
 #include <utility>
 

@@ -1,10 +1,30 @@
-// Where to write the names of points so that they cover neither each other nor the points.
+// The points of a chart: markers, the line of their front, and names that cover neither each other
+// nor the points.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "bakers/plot/chart.h"
+
 namespace skybake {
+
+// Where the plot of a chart is in its drawing, in pixels.
+struct PlotArea {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+DrawingPoint place_in(const PlotArea& plot, const Chart& chart, double x, double y);
+
+void draw_points(Drawing& drawing, const Chart& chart, const PlotArea& plot);
+
+// The marker of a family, which has its own colour and shape.
+void draw_marker(Drawing& drawing, DrawingPoint at, int family);
+
+void draw_front_sample(Drawing& drawing, DrawingPoint left, double length);
 
 struct Box {
     double left = 0;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "bakers/plot/canvas.h"
 #include "bakers/plot/chart.h"
 
 namespace skybake {
@@ -73,21 +72,24 @@ Sheet lay_out(const std::vector<Picture>& pictures, const std::vector<std::strin
 Picture contact_sheet(const std::vector<Picture>& pictures,
                       const std::vector<std::string>& captions, int columns) {
     const Sheet sheet = lay_out(pictures, captions, columns);
-    Canvas canvas(gutter + sheet.columns * (sheet.cell_width + gutter), sheet.height, paper_colour);
+    Drawing drawing;
+    drawing.width = gutter + sheet.columns * (sheet.cell_width + gutter);
+    drawing.height = sheet.height;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const int index = static_cast<int>(i);
         const int x = gutter + index % sheet.columns * (sheet.cell_width + gutter);
         const int y = sheet.row_tops[static_cast<std::size_t>(index / sheet.columns)];
-        canvas.place(pictures[i], x + (sheet.cell_width - pictures[i].width) / 2,
-                     y + (sheet.picture_height - pictures[i].height) / 2);
+        drawing.items.emplace_back(
+            PlacedPicture{pictures[i], x + (sheet.cell_width - pictures[i].width) / 2,
+                          y + (sheet.picture_height - pictures[i].height) / 2});
         int baseline = y + sheet.picture_height + first_baseline;
         for (const std::string& line : sheet.captions[i]) {
-            canvas.write(line, x + sheet.cell_width / 2, baseline, TextAlign::centre,
-                         caption_style);
+            drawing.write(line, x + sheet.cell_width / 2.0, baseline, TextAlign::centre,
+                          caption_style);
             baseline += caption_line_height;
         }
     }
-    return canvas.picture();
+    return painted(drawing);
 }
 
 }  // namespace skybake

@@ -1,11 +1,13 @@
-#include "bakers/plot/axis_ticks.h"
+#include "bakers/plot/axis.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace skybake {
 namespace {
@@ -70,18 +72,9 @@ class Ticks {
     }
 
   private:
-    // Where the axis has the value, by bisection: the axis is monotonic.
-    double position(double value) const {
-        const bool rising = last_ > first_;
-        double low = 0, high = 1;
-        for (int i = 0; i < 53; ++i) {
-            const double middle = (low + high) / 2;
-            ((axis_.value(middle) < value) == rising ? low : high) = middle;
-        }
-        return (low + high) / 2;
+    AxisTick tick_at(double value) const {
+        return {place_on(axis_, value), value, number_label(value)};
     }
-
-    AxisTick tick_at(double value) const { return {position(value), value, number_label(value)}; }
 
     // Multiples of the step from one value to another, ends included, ascending in t. An end that
     // is a multiple but for rounding counts.
@@ -169,11 +162,124 @@ std::string superscript(int number) {
     return text;
 }
 
+// --- Ranges -------------------------------------------------------------------------------------
+
+// Far beyond anything measured; differences and quotients within are finite.
+constexpr double largest_shown = 1e150;
+
+// 1, 2 and 5 times the powers of ten about [low, high], ascending.
+std::vector<double> round_numbers_about(double low, double high) {
+    std::vector<double> numbers;
+    const int first = static_cast<int>(std::floor(std::log10(low))) - 1;
+    const int last = static_cast<int>(std::ceil(std::log10(high))) + 1;
+    for (int decade = first; decade <= last; ++decade) {
+        for (const int mantissa : {1, 2, 5}) {
+            numbers.push_back(Step{mantissa, std::pow(10.0, decade)}.value());
+        }
+    }
+    return numbers;
+}
+
 }  // namespace
+
+ChartAxis linear_axis(std::string title, double low, double high) {
+    return {std::move(title), [=](double t) { return low + t * (high - low); }};
+}
+
+ChartAxis logarithmic_axis(std::string title, double low, double high) {
+    return {std::move(title), [=](double t) { return low * std::pow(high / low, t); },
+            AxisTicks::logarithmic};
+}
+
+ChartAxis axis_over(std::string title, const std::vector<double>& values, bool logarithmic,
+                    double room) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const double value : values) {
+        if (!(std::abs(value) <= largest_shown)) continue;
+        if (logarithmic && value < 1 / largest_shown) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    if (low > high) low = high = 1;
+    // Below a trillionth of the largest value is rounding.
+    if (logarithmic) low = std::max(low, high * 1e-12);
+    if (low == high) {
+        const double half = low == 0 ? 1 : std::abs(low) / 2;
+        low -= half;
+        high += half;
+    }
+    if (logarithmic) {
+        const double factor = std::pow(high / low, room);
+        return logarithmic_axis(std::move(title), low / factor, high * factor);
+    }
+    const double range = high - low;
+    return linear_axis(std::move(title), low == 0 ? 0 : low - room * range,
+                       high == 0 ? 0 : high + room * range);
+}
+
+ChartAxis rounded_axis(std::string title, const std::vector<double>& values, double smallest) {
+    constexpr double largest = 1e100;  // so that no end of an axis overflows
+    constexpr double beyond = 1.25;    // an axis goes at least so far beyond its values
+    double least = largest, most = 0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        least = std::min(least, std::clamp(value, smallest, largest));
+        most = std::max(most, std::clamp(value, smallest, largest));
+    }
+    if (most == 0) least = most = smallest;
+    double low = least, high = most;
+    for (const double number : round_numbers_about(least, most)) {
+        if (number <= least / beyond) low = std::max(number, smallest);
+    }
+    for (const double number : round_numbers_about(least, most)) {
+        high = number;
+        if (number >= most * beyond) break;
+    }
+    ChartAxis axis = logarithmic_axis(std::move(title), low, high);
+    axis.begins_at_zero = low <= smallest;
+    return axis;
+}
+
+bool can_show(const ChartAxis& axis, double value) {
+    return std::abs(value) <= largest_shown &&
+           (axis.ticks != AxisTicks::logarithmic || value >= 1 / largest_shown);
+}
+
+// By bisection: the axis is monotonic.
+double place_on(const ChartAxis& axis, double value) {
+    if (std::isnan(value)) return 1;
+    const bool rising = axis.value(1) > axis.value(0);
+    double low = 0, high = 1;
+    for (int i = 0; i < 53; ++i) {
+        const double middle = (low + high) / 2;
+        ((axis.value(middle) < value) == rising ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
 
 std::vector<AxisTick> axis_ticks(const ChartAxis& axis, double gap) {
     Ticks ticks(axis, gap);
-    return axis.ticks == AxisTicks::logarithmic ? ticks.logarithmic() : ticks.decimal();
+    if (axis.ticks != AxisTicks::logarithmic) return ticks.decimal();
+    std::vector<AxisTick> found = ticks.logarithmic();
+    if (axis.begins_at_zero) {
+        std::erase_if(found, [gap](const AxisTick& tick) { return tick.t < gap; });
+        found.insert(found.begin(), {0, 0, "0"});
+    }
+    return found;
+}
+
+std::vector<double> minor_ticks(const ChartAxis& axis, double gap) {
+    const double first = axis.value(0), last = axis.value(1);
+    if (axis.ticks != AxisTicks::logarithmic || !(first > 0 && last > first)) return {};
+    if (std::log10(10.0 / 9) / std::log10(last / first) < gap) return {};
+    std::vector<double> places;
+    for (int k = static_cast<int>(std::floor(std::log10(first))); std::pow(10.0, k) < last; ++k) {
+        for (int mantissa = 2; mantissa < 10; ++mantissa) {
+            const double value = mantissa * std::pow(10.0, k);
+            if (value > first && value < last) places.push_back(place_on(axis, value));
+        }
+    }
+    return places;
 }
 
 std::string number_label(double value) {

@@ -1,0 +1,159 @@
+#include "bakers/plot/drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <tuple>
+#include <utility>
+
+#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/load_module.h"
+
+namespace skybake {
+namespace {
+
+// --- The module ---------------------------------------------------------------------------------
+
+struct LoadedModule {
+    const ChartModule* functions = nullptr;
+    std::string reason;  // of their absence
+};
+
+LoadedModule load() {
+    const ModuleSymbol symbol = load_module(chart_module_name, chart_module_symbol);
+    if (symbol.address == nullptr) return {nullptr, symbol.reason};
+    return {reinterpret_cast<ChartModuleFunction>(symbol.address)(), ""};
+}
+
+const LoadedModule& chart_module() {
+    static const LoadedModule loaded = load();
+    return loaded;
+}
+
+// --- SVG ----------------------------------------------------------------------------------------
+
+// Text as XML may hold it, in elements, attributes and comments.
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char letter : text) {
+        switch (letter) {
+            case '&':
+                result += "&amp;";
+                break;
+            case '<':
+                result += "&lt;";
+                break;
+            case '>':
+                result += "&gt;";
+                break;
+            case '"':
+                result += "&quot;";
+                break;
+            case '\'':
+                result += "&apos;";
+                break;
+            default:
+                // XML knows no other control characters.
+                result += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
+        }
+    }
+    return result;
+}
+
+// Invisible discs that know what to say.
+std::string tooltips_of(const Drawing& drawing) {
+    constexpr double radius = 8;
+    std::string text;
+    for (const Tooltip& tooltip : drawing.tooltips) {
+        text += fmt::format(
+            "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill-opacity=\"0\"><title>{}</title>"
+            "</circle>\n",
+            tooltip.centre.x, tooltip.centre.y, radius, escaped(tooltip.text));
+    }
+    return text;
+}
+
+}  // namespace
+
+// --- Drawings -----------------------------------------------------------------------------------
+
+void Drawing::fill(int x, int y, int w, int h, Colour colour) {
+    const double left = x, top = y, right = x + w, bottom = y + h;
+    Shape shape;
+    shape.points = {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+    shape.closed = true;
+    shape.fill = colour;
+    items.emplace_back(std::move(shape));
+}
+
+void Drawing::line(std::vector<DrawingPoint> points, double line_width, Colour colour) {
+    Shape shape;
+    shape.points = std::move(points);
+    shape.stroke = colour;
+    shape.stroke_width = line_width;
+    items.emplace_back(std::move(shape));
+}
+
+void Drawing::write(std::string_view text, double x, double baseline, TextAlign align,
+                    const TextStyle& style) {
+    if (text.empty()) return;
+    items.emplace_back(TextLine{std::string(text), {x, baseline}, align, style, false});
+}
+
+void Drawing::write_upwards(std::string_view text, double baseline, double y,
+                            const TextStyle& style) {
+    if (text.empty()) return;
+    items.emplace_back(TextLine{std::string(text), {baseline, y}, TextAlign::centre, style, true});
+}
+
+double text_width(std::string_view text, const TextStyle& style) {
+    const ChartModule* const functions = chart_module().functions;
+    if (functions == nullptr || text.empty()) return 0;
+    // Pages repeat their labels, and a width takes longer than a look into a map.
+    using Key = std::tuple<std::string, int, FontWeight>;
+    static std::mutex mutex;
+    static std::map<Key, double> widths;
+    const std::lock_guard lock(mutex);
+    const auto [found, fresh] =
+        widths.try_emplace(Key(std::string(text), style.em_pixels, style.weight), 0);
+    if (fresh) found->second = functions->text_width(text, style);
+    return found->second;
+}
+
+Picture painted(const Drawing& drawing) {
+    if (drawing.width <= 0 || drawing.height <= 0) return {};
+    const ChartModule* const functions = chart_module().functions;
+    if (functions != nullptr) return functions->paint(drawing);
+    Picture blank(drawing.width, drawing.height);
+    std::fill(blank.rgb.begin(), blank.rgb.end(), paper_colour[0]);
+    return blank;
+}
+
+std::string svg_of(const Drawing& drawing, std::string_view comment) {
+    const ChartModule* const functions = chart_module().functions;
+    if (functions == nullptr) return "";
+    const std::string text = functions->svg(drawing);
+    const std::size_t declared = text.find('\n') + 1;
+    const std::size_t opened = text.find('\n', declared) + 1;  // behind <svg ...>
+    const std::size_t closed = text.rfind("</svg>");
+    return fmt::format("{}<!-- {} -->\n{}<title>{}</title>\n{}{}{}", text.substr(0, declared),
+                       comment, text.substr(declared, opened - declared), escaped(drawing.title),
+                       text.substr(opened, closed - opened), tooltips_of(drawing),
+                       text.substr(closed));
+}
+
+std::optional<config::Diagnostic> chart_problem() {
+    const LoadedModule& loaded = chart_module();
+    if (loaded.functions == nullptr) {
+        return file_error("E0300", "", "cannot draw charts: " + loaded.reason);
+    }
+    if (loaded.functions->has_font()) return std::nullopt;
+    config::Diagnostic diagnostic =
+        file_error("W0302", "", "charts have no text: the font DejaVu Sans is not installed");
+    diagnostic.severity = config::Severity::warning;
+    return diagnostic;
+}
+
+}  // namespace skybake
