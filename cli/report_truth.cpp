@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -17,11 +18,10 @@
 #include "bakers/io/files/file_diagnostic.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/plot/drawing.h"
-#include "bakers/preview/pictures/sky_error_pictures.h"
 #include "bakers/report/report_plot.h"
-#include "bakers/report/truth/sky_truth_budget.h"
+#include "bakers/report/truth/sky_error_pictures.h"
 #include "bakers/report/truth/sky_truth_store.h"
-#include "bakers/report/truth/sky_truth_text.h"
+#include "bakers/report/truth/sky_truth_report.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/options.h"
@@ -116,8 +116,6 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
     return outcome;
 }
 
-std::string picture_name(const std::string& key) { return "sky_error_" + key + ".png"; }
-
 // PNGs carry no sign of their maker: they are a report's where its JSON is beside them.
 std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
     auto problems = check_report_folder(
@@ -127,7 +125,7 @@ std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
         return problems;
     }
     for (const SkyMethod& method : sky_methods(request.medium, request.quick)) {
-        const fs::path path = request.folder / picture_name(method.key);
+        const fs::path path = request.folder / sky_error_picture_name(method);
         if (!fs::exists(path, error)) continue;
         Diagnostic diagnostic = file_error(
             "E0303", path.string(),
@@ -192,12 +190,10 @@ ExitCode add_pictures(const TruthRequest& request, const std::vector<MadeSkyMeth
         if (code != ExitCode::done) return code;
     }
     BakeProgress progress("sky", console);
-    for (const PreviewPicture& picture :
-         sky_error_pictures(request.medium, methods, options, request.threads, &progress)) {
-        auto png = png_bytes(picture.picture);
-        if (const ExitCode code = console.report(png.diagnostics); !png.value) return code;
-        files.push_back({picture.name + ".png", std::move(*png.value)});
-    }
+    auto pictures =
+        sky_error_pictures(request.medium, methods, options, request.threads, &progress);
+    if (const ExitCode code = console.report(pictures.diagnostics); !pictures.value) return code;
+    std::move(pictures.value->begin(), pictures.value->end(), std::back_inserter(files));
     return ExitCode::done;
 }
 

@@ -15,8 +15,7 @@
 
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/preview/bake_assets.h"
-#include "bakers/preview/draft.h"
-#include "bakers/preview/unused_options.h"
+#include "bakers/preview/check_options.h"
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/options.h"

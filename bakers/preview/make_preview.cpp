@@ -4,12 +4,11 @@
 
 #include <utility>
 
-#include "bakers/preview/camera_altitude.h"
+#include "bakers/preview/check_options.h"
 #include "bakers/preview/cloud_input.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/preview/pictures/sky_pictures.h"
-#include "bakers/preview/unused_options.h"
 #include "config/assets/reads.h"
 
 namespace skybake {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bakers/preview/page.h"
-#include "bakers/preview/pictures/encode_pictures.h"
 #include "bakers/preview/preview_assets.h"
+#include "bakers/preview/preview_files.h"
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/stage_progress.h"
 #include "config/diagnostics/diagnostic.h"

@@ -9,7 +9,6 @@
 
 #include "bakers/io/files/spelling.h"
 #include "bakers/io/manifest/release.h"
-#include "bakers/preview/page_template.h"
 
 namespace skybake {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bakers/io/manifest/manifest.h"
@@ -94,5 +95,11 @@ inline constexpr const char* page_name = "index.html";
 // The names of the files that a page says lie beside it, those of earlier previews among them; none
 // where the text was not written by page_html.
 std::optional<std::vector<std::string>> files_of_page(std::string_view html);
+
+// page.html, page.css, page.js and page_watch.js as they travel inside the program.
+std::string_view page_html_template();
+std::string_view page_style();
+std::string_view page_script();
+std::string_view page_watch_script();
 
 }  // namespace skybake

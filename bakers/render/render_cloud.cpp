@@ -15,7 +15,7 @@ namespace skybake {
 
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 double clamped_altitude_km(const Shell& shell, double altitude_m) {
     return std::clamp(altitude_m / 1000, 0.0, shell.thickness_km);
@@ -65,7 +65,7 @@ CloudAir::Range range_of(const CloudViewSettings& settings, const CameraRays& ra
         for (int y = 0; y < settings.height; ++y) {
             if (x != 0 && x != settings.width / 2 && y != 0 && y != settings.height - 1) continue;
             const double elevation =
-                90 - arc_cosine(std::clamp(rays.through(x, y).z, -1.0, 1.0)) * kDegrees;
+                90 - arc_cosine(std::clamp(rays.through(x, y).z, -1.0, 1.0)) * kDegreesPerRadian;
             lowest = std::min(lowest, elevation);
             highest = std::max(highest, elevation);
         }
@@ -115,10 +115,13 @@ CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
     parallel_for(settings.height, threads, [&](int y) {
         for (int x = 0; x < settings.width; ++x) {
             const glm::dvec3 direction = rays.through(x, y);
-            const double elevation = 90 - arc_cosine(std::clamp(direction.z, -1.0, 1.0)) * kDegrees;
+            const double elevation =
+                90 - arc_cosine(std::clamp(direction.z, -1.0, 1.0)) * kDegreesPerRadian;
             const double level = std::sqrt(direction.x * direction.x + direction.y * direction.y);
             const double turn =
-                level > 0 ? arc_cosine(std::clamp(direction.x / level, -1.0, 1.0)) * kDegrees : 0;
+                level > 0
+                    ? arc_cosine(std::clamp(direction.x / level, -1.0, 1.0)) * kDegreesPerRadian
+                    : 0;
             const double azimuth = direction.y < 0 ? -turn : turn;
             const float* seen = marched.results.texel(x, y);
             const double opacity = 1 - double{seen[4]};

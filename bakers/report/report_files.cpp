@@ -7,7 +7,6 @@
 
 #include "bakers/io/files/file_diagnostic.h"
 #include "bakers/report/report_plot.h"
-#include "bakers/report/report_text.h"
 #include "bakers/report/truth/sky_truth_store.h"
 
 namespace skybake {

@@ -1,4 +1,5 @@
-// The files of a report and the signs by which it knows its own.
+// The files of a report: CSV for spreadsheets, JSON for programs, one plot for each asset
+// (report_plot.h); and the signs by which it knows its own.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +11,12 @@
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+// RFC 4180 but for line ends, one row a variant; the first line names the columns with their units.
+std::string report_csv(const std::vector<AssetReport>& assets);
+
+// One object; keys are those of the structs in report.h.
+std::string report_json(const std::vector<AssetReport>& assets);
 
 struct ReportFile {
     std::string name;  // relative to the report's folder

@@ -1,4 +1,4 @@
-// The report of any volume.
+// The reports of volumes: what all have in common, and what each kind of asset compares.
 #pragma once
 
 #include <array>
@@ -30,5 +30,30 @@ struct VolumeReportSubject {
 config::Outcome<AssetReport> report_volume(const config::Recipe& recipe,
                                            const VolumeReportSubject& subject,
                                            const ReportOptions& options);
+
+// What each kind of asset compares, as report_asset.
+//
+// Of Bruneton's tables: methods, sizes and pixel types of scattering (bruneton_sweep.h), sizes and
+// pixel types of the others. `quick` has sizes below that of a recipe's own where
+// making that takes seconds.
+config::Outcome<AssetReport> report_bruneton(const config::Recipe& recipe, const config::Bake& bake,
+                                             const ReportOptions& options);
+
+// Sizes, pixel types and compressions, and what is saved by not making noise where there is no
+// cloud.
+config::Outcome<AssetReport> report_cloud_volume(const config::Recipe& recipe,
+                                                 const config::Bake& bake,
+                                                 const ReportOptions& options);
+
+// Exact quadrature beside sums over shells, of one thickness and of equal attenuation, more and
+// more of them. Densities and phase functions have nothing to sum, and nothing to compare.
+config::Outcome<AssetReport> report_column_volume(const config::Recipe& recipe,
+                                                  const config::Bake& bake,
+                                                  const ReportOptions& options);
+
+// Sizes, pixel types, octaves and compressions.
+config::Outcome<AssetReport> report_noise_volume(const config::Recipe& recipe,
+                                                 const config::Bake& bake,
+                                                 const ReportOptions& options);
 
 }  // namespace skybake

@@ -55,7 +55,7 @@ room bakers/assets math field io air light noise clouds occupancy
 room bakers/workspace math field io assets
 room bakers/plot field io
 room bakers/render math field io air light occupancy plot
-room bakers/report math field io air light noise clouds occupancy assets plot
+room bakers/report math field io air light noise clouds occupancy assets plot render
 room bakers/preview math field io air light occupancy assets workspace plot render report
 
 # Each room has its line, and nothing lies beside the rooms.

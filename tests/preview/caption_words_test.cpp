@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/caption_words.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/noise_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,7 +9,6 @@
 #include <functional>
 #include <numbers>
 
-#include "bakers/preview/pictures/fourier.h"
 #include "bakers/preview/pictures/noise_spectrum.h"
 #include "bakers/preview/pictures/volume_slices.h"
 

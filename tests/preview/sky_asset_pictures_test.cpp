@@ -1,10 +1,9 @@
-#include "bakers/preview/pictures/sky_asset_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <gtest/gtest.h>
 
 #include "bakers/assets/registry.h"
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/preview/pictures/asset_pictures.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

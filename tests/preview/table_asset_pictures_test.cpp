@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/preview/pictures/bruneton_pictures.h"
-#include "bakers/preview/pictures/phase_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/table_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -10,7 +10,6 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/table_geometry.h"
 #include "tests/preview/captions.h"
 #include "tests/support/atmospheres.h"

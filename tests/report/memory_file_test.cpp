@@ -1,4 +1,4 @@
-#include "bakers/report/truth/memory_file.h"
+#include "bakers/report/sweeps/costs.h"
 
 #include <gtest/gtest.h>
 

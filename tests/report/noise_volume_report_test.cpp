@@ -1,4 +1,4 @@
-#include "bakers/report/noise_volume_report.h"
+#include "bakers/report/volume_report.h"
 
 #include <gtest/gtest.h>
 

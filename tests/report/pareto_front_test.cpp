@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/pareto_front.h"
+#include "bakers/report/sweeps/fronts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/pointwise_noise.h"
+#include "bakers/report/sweeps/noise_volume_sweep.h"
 
 #include <gtest/gtest.h>
 

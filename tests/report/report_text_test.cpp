@@ -1,4 +1,4 @@
-#include "bakers/report/report_text.h"
+#include "bakers/report/report_files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/skipping_rays.h"
+#include "bakers/report/occupancy_report.h"
 
 #include <gtest/gtest.h>
 

@@ -15,9 +15,7 @@
 #include "bakers/light/isotropic_orders.h"
 #include "bakers/report/report_plot.h"
 #include "bakers/report/truth/bruneton_sky.h"
-#include "bakers/report/truth/sky_truth_budget.h"
 #include "bakers/report/truth/sky_truth_store.h"
-#include "bakers/report/truth/sky_truth_text.h"
 
 namespace skybake {
 namespace {

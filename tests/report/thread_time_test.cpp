@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/thread_time.h"
+#include "bakers/report/sweeps/costs.h"
 
 #include <gtest/gtest.h>
 

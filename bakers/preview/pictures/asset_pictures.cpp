@@ -1,12 +1,12 @@
 #include "bakers/preview/pictures/asset_pictures.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
-#include "bakers/preview/pictures/bruneton_pictures.h"
-#include "bakers/preview/pictures/noise_pictures.h"
-#include "bakers/preview/pictures/phase_pictures.h"
-#include "bakers/preview/pictures/sky_asset_pictures.h"
-#include "bakers/preview/pictures/table_pictures.h"
+#include "bakers/render/tone_curve.h"
 
 namespace skybake {
 namespace {
@@ -32,6 +32,31 @@ std::vector<PreviewPicture> asset_pictures(const PreviewAsset& asset) {
     }
     if (asset.entry.is_volume()) return noise_pictures(asset);
     return {};
+}
+
+// Without an exponent of ten.
+std::string exposure_text(double exposure) {
+    const std::string factor =
+        exposure < 100 ? fmt::format("{:.3g}", exposure) : fmt::format("{:.0f}", exposure);
+    return fmt::format("exposure {} ({:+.1f} stops)", factor, std::log2(exposure));
+}
+
+std::string tone_text(double exposure) {
+    return fmt::format("{}, tone curve {}", exposure_text(exposure), tone_curve_name());
+}
+
+std::string sun_text(double elevation_degrees) {
+    if (elevation_degrees == 0) return "sun on the horizon";
+    const double size = std::fabs(elevation_degrees);
+    return fmt::format("sun {:.4g} degree{} {} the horizon", size, size == 1 ? "" : "s",
+                       elevation_degrees < 0 ? "below" : "above");
+}
+
+std::string sun_stem(double elevation_degrees) {
+    std::string stem = fmt::format("sun_{}{:g}", elevation_degrees < 0 ? "minus_" : "",
+                                   std::fabs(elevation_degrees));
+    std::replace(stem.begin(), stem.end(), '.', '_');
+    return stem;
 }
 
 }  // namespace skybake

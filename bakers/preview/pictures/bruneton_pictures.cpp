@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/bruneton_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <fmt/format.h>
 
@@ -8,15 +8,14 @@
 #include <string>
 
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/caption_words.h"
 #include "bakers/preview/pictures/volume_slices.h"
 #include "bakers/render/tone_curve.h"
 
 namespace skybake {
 namespace {
 
-constexpr int slice_width = 256;
-constexpr int shown_slices = 4;
+constexpr int bruneton_slice_width = 256;
+constexpr int shown_bruneton_slices = 4;
 
 class BrunetonPictures {
   public:
@@ -26,8 +25,8 @@ class BrunetonPictures {
                   static_cast<int>(entry_.channels.size()),
                   &asset.voxels} {
         const int last = entry_.size[2] - 1;
-        for (int i = 0; i < shown_slices; ++i) {
-            const int z = last * i / (shown_slices - 1);
+        for (int i = 0; i < shown_bruneton_slices; ++i) {
+            const int z = last * i / (shown_bruneton_slices - 1);
             if (slices_.empty() || z != slices_.back()) slices_.push_back(z);
         }
     }
@@ -76,7 +75,8 @@ class BrunetonPictures {
         std::vector<std::string> captions;
         for (const int z : slices_) {
             pictures.push_back(tone_mapped(
-                fitted(colours(z, first, count), slice_width, 2 * slice_width), exposure));
+                fitted(colours(z, first, count), bruneton_slice_width, 2 * bruneton_slice_width),
+                exposure));
             captions.push_back(caption(z));
         }
         return {entry_.name + suffix, title,

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/cloud_slices.h"
+#include "bakers/preview/pictures/cloud_pictures.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/noise_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/phase_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/sky_asset_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,6 @@
 #include <variant>
 
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/caption_words.h"
 #include "bakers/render/tone_curve.h"
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/sky_view.h"

@@ -14,7 +14,7 @@
 
 #include "bakers/field/bilinear.h"
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/caption_words.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"

@@ -8,7 +8,7 @@
 #include "bakers/field/error_statistics.h"
 #include "bakers/field/image.h"
 #include "bakers/light/sky_light.h"
-#include "bakers/preview/pictures/sky_difference.h"
+#include "bakers/render/sky_difference.h"
 #include "bakers/render/sky_rays.h"
 #include "bakers/render/sky_tables.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/table_pictures.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,6 @@
 
 #include "bakers/field/bilinear.h"
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/caption_words.h"
-#include "bakers/preview/pictures/sky_asset_pictures.h"
 #include "bakers/preview/pictures/table_geometry.h"
 #include "bakers/render/tone_curve.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/bruneton_scattering_sweep.h"
+#include "bakers/report/sweeps/bruneton_sweep.h"
 
 #include <fmt/format.h>
 
@@ -25,8 +25,8 @@
 #include "bakers/io/files/spelling.h"
 #include "bakers/light/solved_orders.h"
 #include "bakers/light/solver/solve_light.h"
+#include "bakers/report/sweeps/costs.h"
 #include "bakers/report/sweeps/sweep.h"
-#include "bakers/report/sweeps/thread_time.h"
 #include "config/assets/bruneton.h"
 
 namespace skybake {

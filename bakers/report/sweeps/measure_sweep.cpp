@@ -11,9 +11,8 @@
 
 #include "bakers/field/survey_volume.h"
 #include "bakers/io/manifest/asset_files.h"
-#include "bakers/report/sweeps/row_fronts.h"
-#include "bakers/report/sweeps/thread_time.h"
-#include "bakers/report/truth/memory_file.h"
+#include "bakers/report/sweeps/costs.h"
+#include "bakers/report/sweeps/fronts.h"
 
 namespace skybake {
 

@@ -16,9 +16,8 @@
 #include "bakers/field/voxel_boxes.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/aligned_floats.h"
-#include "bakers/report/sweeps/row_fronts.h"
-#include "bakers/report/sweeps/thread_time.h"
-#include "bakers/report/truth/memory_file.h"
+#include "bakers/report/sweeps/costs.h"
+#include "bakers/report/sweeps/fronts.h"
 
 namespace skybake {
 

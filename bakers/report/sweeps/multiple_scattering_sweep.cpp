@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/multiple_scattering_sweep.h"
+#include "bakers/report/sweeps/table_sweeps.h"
 
 #include <algorithm>
 #include <cstddef>

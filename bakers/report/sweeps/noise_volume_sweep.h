@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "bakers/field/baked.h"
+#include "bakers/noise/noise_plan.h"
 #include "bakers/report/sweeps/volume_sweep.h"
 #include "config/assets/noise_volume.h"
 #include "config/sections/noise.h"
@@ -17,5 +20,17 @@ std::array<int, 3> report_size(const config::Noise& noise, const config::NoiseVo
 // voxels made point by point.
 VolumeSweep noise_volume_sweep(const config::Noise& noise, const config::NoiseVolumeBake& bake,
                                std::array<int, 3> size, bool quick);
+
+// A noise as noise libraries make it, every sample hashed on its own: what a report measures the
+// kernels that share work between voxels against. The values are the same, bit for bit.
+class PointwiseNoise : public VoxelSource {
+  public:
+    explicit PointwiseNoise(noise::NoisePlan plan);
+    // The box lies within the tile, all channels are wanted.
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
+
+  private:
+    noise::NoisePlan plan_;
+};
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/phase_sweep.h"
+#include "bakers/report/sweeps/table_sweeps.h"
 
 #include <fmt/format.h>
 

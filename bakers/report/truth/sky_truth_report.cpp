@@ -10,9 +10,8 @@
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
-#include "bakers/report/sweeps/pareto_front.h"
-#include "bakers/report/sweeps/row_fronts.h"
-#include "bakers/report/sweeps/thread_time.h"
+#include "bakers/report/sweeps/costs.h"
+#include "bakers/report/sweeps/fronts.h"
 
 namespace skybake {
 

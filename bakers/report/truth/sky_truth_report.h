@@ -80,4 +80,12 @@ std::vector<double> dome_shares(const std::vector<SkyTruthDirection>& directions
 // RMS over the channels: one figure for a sun.
 double joined(const Spectrum& channels, int count);
 
+// One row a method and one of the truth's own standard error; the first line names the columns.
+// Errors are shares, of 1; dome_rms_SUN_CHANNEL as of SkyErrorFigures, SUN in degrees from the
+// zenith.
+std::string sky_truth_report_csv(const SkyErrorReport& report);
+
+// One object; keys are those of the structs in sky_truth_report.h.
+std::string sky_truth_report_json(const SkyErrorReport& report);
+
 }  // namespace skybake

@@ -1,4 +1,4 @@
-#include "bakers/report/truth/sky_truth_text.h"
+#include "bakers/report/truth/sky_truth_report.h"
 
 #include <fmt/format.h>
 

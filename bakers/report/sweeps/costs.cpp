@@ -1,12 +1,14 @@
-#include "bakers/report/sweeps/thread_time.h"
+#include "bakers/report/sweeps/costs.h"
 
+#include <fmt/format.h>
+
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <time.h>
-
 #include <algorithm>
 #include <cstddef>
 
 namespace skybake {
-
 namespace {
 
 double median(std::vector<double> values) {
@@ -38,6 +40,18 @@ std::vector<double> interleaved_medians(
     std::vector<double> medians;
     for (std::vector<double>& times : seconds) medians.push_back(median(std::move(times)));
     return medians;
+}
+
+MemoryFile::MemoryFile() : file_(::memfd_create("skybake-report", MFD_CLOEXEC)) {}
+
+std::filesystem::path MemoryFile::path() const {
+    return fmt::format("/proc/self/fd/{}", file_.get());
+}
+
+std::uint64_t MemoryFile::bytes() const {
+    struct stat status {};
+    if (!file_.valid() || ::fstat(file_.get(), &status) != 0) return 0;
+    return static_cast<std::uint64_t>(status.st_size);
 }
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/sky_error_pictures.h"
+#include "bakers/report/truth/sky_error_pictures.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "bakers/math/parallel.h"
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/sky_difference.h"
+#include "bakers/render/sky_difference.h"
 #include "bakers/render/sky_rays.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kChartEdge = 320;
@@ -84,9 +84,8 @@ ChartAxis error_dome_axis(const char* title) {
     return {title, [](double t) { return 180 * t - 90; }, AxisTicks::angles};
 }
 
-PreviewPicture picture_of(const SkyMethod& method, const SkyMethod& reference,
-                          const std::vector<SkyDifference>& domes,
-                          const SkyErrorPictureOptions& options) {
+Picture picture_of(const SkyMethod& method, const SkyMethod& reference,
+                   const std::vector<SkyDifference>& domes, const SkyErrorPictureOptions& options) {
     const double percent = percent_shown(domes);
     std::vector<Picture> charts;
     std::vector<std::string> captions;
@@ -102,26 +101,20 @@ PreviewPicture picture_of(const SkyMethod& method, const SkyMethod& reference,
                                        100 * domes[i].error.max, 100 * domes[i].error.rms,
                                        reference.family, reference.name));
     }
-    PreviewPicture result;
-    result.name = "sky_error_" + method.key;
-    result.title = fmt::format("The sky's error: {}, {}", method.family, method.name);
-    result.caption = fmt::format(
-        "{}. Each pixel shows the channel with the largest error, relative to the reference or to "
-        "1e-3 of the channel's largest value, whichever is larger; the reference is {}, {}. The "
-        "camera is at {:g} km; the sun is towards the top.",
-        result.title, reference.family, reference.name, options.camera_altitude_km);
-    result.picture = contact_sheet(charts, captions, static_cast<int>(charts.size()));
-    return result;
+    return contact_sheet(charts, captions, static_cast<int>(charts.size()));
 }
 
 }  // namespace
 
-std::vector<PreviewPicture> sky_error_pictures(const SkyMedium& medium,
-                                               const std::vector<MadeSkyMethod>& methods,
-                                               const SkyErrorPictureOptions& options, int threads,
-                                               Progress* progress) {
-    std::vector<PreviewPicture> pictures;
-    if (methods.empty() || options.sun_zenith_degrees.empty()) return pictures;
+std::string sky_error_picture_name(const SkyMethod& method) {
+    return "sky_error_" + method.key + ".png";
+}
+
+config::Outcome<std::vector<ReportFile>> sky_error_pictures(
+    const SkyMedium& medium, const std::vector<MadeSkyMethod>& methods,
+    const SkyErrorPictureOptions& options, int threads, Progress* progress) {
+    std::vector<ReportFile> files;
+    if (methods.empty() || options.sun_zenith_degrees.empty()) return {files, {}};
     const MadeSkyMethod& reference = methods.back();
     std::vector<Image2<float>> exact;
     for (const double sun : options.sun_zenith_degrees) {
@@ -138,9 +131,11 @@ std::vector<PreviewPicture> sky_error_pictures(const SkyMedium& medium,
             domes.push_back(
                 sky_difference(render(medium, methods[m], view, threads), exact[i], view));
         }
-        pictures.push_back(picture_of(methods[m].method, reference.method, domes, options));
+        auto png = png_bytes(picture_of(methods[m].method, reference.method, domes, options));
+        if (!png.value) return {{}, std::move(png.diagnostics)};
+        files.push_back({sky_error_picture_name(methods[m].method), std::move(*png.value)});
     }
-    return pictures;
+    return {std::move(files), {}};
 }
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-#include "bakers/preview/unused_options.h"
+#include "bakers/preview/check_options.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <string_view>
 #include <variant>
 
+#include "bakers/assets/registry.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 
 namespace skybake {
-
 namespace {
 
 template <class Section>
@@ -77,6 +77,28 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
         problems.push_back(std::move(problem));
     }
     return problems;
+}
+
+std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
+                                                   const PreviewOptions& options) {
+    if (!options.altitude_m || !assets.recipe || assets.of_kind("transmittance") == nullptr ||
+        assets.of_kind("multiple_scattering") == nullptr) {
+        return std::nullopt;
+    }
+    const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
+    const double top_m = atmosphere.top_radius.meters - atmosphere.ground_radius.meters;
+    if (*options.altitude_m <= top_m) return std::nullopt;
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0110";
+    diagnostic.message =
+        fmt::format("--altitude: {:g} km is above the top of the atmosphere, {:g} km",
+                    *options.altitude_m / 1000, top_m / 1000);
+    return diagnostic;
+}
+
+config::Recipe draft_of(config::Recipe recipe, int most_voxels) {
+    for (config::Bake& bake : recipe.parameters.bakes) baker_of(bake).draft(bake, most_voxels);
+    return recipe;
 }
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-#include "bakers/preview/pictures/sky_difference.h"
+#include "bakers/render/sky_difference.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,32 @@
-#include "bakers/report/sweeps/row_fronts.h"
+#include "bakers/report/sweeps/fronts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace skybake {
+namespace {
+
+// Errors fall along any chain of beats, so the choice of the least error is on the front, if no
+// other.
+bool beats(const CostAndError& a, const CostAndError& b, double noise) {
+    if (a.error == b.error) return a.cost < b.cost;
+    return a.error < b.error && a.cost <= b.cost * (1 + noise);
+}
+
+}  // namespace
+
+std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double noise) {
+    std::vector<bool> front;
+    for (const CostAndError& choice : choices) {
+        const auto is_better = [&](const CostAndError& other) {
+            return beats(other, choice, noise);
+        };
+        front.push_back(std::isfinite(choice.cost) && std::isfinite(choice.error) &&
+                        std::none_of(choices.begin(), choices.end(), is_better));
+    }
+    return front;
+}
 
 void mark_front(std::vector<ReportRow>& rows,
                 const std::function<bool(const ReportRow&)>& takes_part,

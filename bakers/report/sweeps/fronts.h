@@ -1,13 +1,22 @@
-// The Pareto fronts of a report's rows.
+// Which of several choices are worth their price, and which rows of a report.
 #pragma once
 
 #include <functional>
 #include <vector>
 
 #include "bakers/report/report.h"
-#include "bakers/report/sweeps/pareto_front.h"
 
 namespace skybake {
+
+struct CostAndError {
+    double cost = 0;
+    double error = 0;
+};
+
+// True for each choice that no other beats: by a smaller error at no greater cost, or by a smaller
+// cost at the same error. Costs that are apart by no more than the share `noise` count as the same
+// where errors differ. A choice that is not finite is never on the front.
+std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double noise = 0);
 
 // Medians of equal work have been seen to differ by so much.
 inline constexpr double kTimingNoise = 0.05;
