@@ -16,7 +16,6 @@
 #include "bakers/plot/drawing.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
-#include "bakers/report/report_text.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "cli/command.h"
 #include "cli/console.h"

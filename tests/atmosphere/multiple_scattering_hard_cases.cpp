@@ -203,7 +203,7 @@ TEST(MultipleScatteringHardCase, Case19GroundBounceOnce) {
             test::preset_medium("earth", {"atmosphere.ground_albedo=" + std::to_string(albedo)});
         const Row row = integrate(earth, 1, {0.6});
         Spectrum value{};
-        value = row.psi * row.quadrature.escape;
+        for (std::size_t c = 0; c < 3; ++c) value[c] = row.psi[c] * row.quadrature.escape[c];
         return value;
     };
     const Spectrum none = second_order(0);

@@ -21,7 +21,7 @@ void expect_agreement(const Medium& medium, double altitude_km, double sun_cos_z
     const Sunlight sunlight(medium, altitudes, {768, 128}, 1);
     const RowQuadrature row = make_row_quadrature(medium, altitudes, altitude_km, {40, 1e-4, 1e-5});
     Spectrum psi{};
-    integrate_row(medium, sunlight, row, &sun_cos_zenith, 1, psi.data());
+    integrate_row(medium, sunlight, row, &sun_cos_zenith, 1, &psi.x);
     for (std::size_t c = 0; c < static_cast<std::size_t>(medium.channels); ++c) {
         EXPECT_NEAR(psi[c], exact.psi[c], tolerance * exact.psi[c] + 1e-7)
             << altitude_km << ' ' << sun_cos_zenith << " channel " << c;

@@ -48,7 +48,7 @@ TEST(ViewRay, NodesAreExactForLinearLight) {
     const Medium earth = test::preset_medium("earth");
     const std::vector<double> altitudes = break_altitudes_km(earth, {0.5, 1, 2, 3.5, 6, 10});
     ViewRay ray = trace_view_ray(earth, altitudes, 2, 6362 * 0.2, false);
-    refine_view_ray(earth, {1, 1, 1}, 1e-5, ray);
+    refine_view_ray(earth, {1, 1, 1, 0}, 1e-5, ray);
     Spectrum sum{};
     for (const RayNode& node : nodes_of(earth, ray)) {
         for (std::size_t c = 0; c < 3; ++c) {

@@ -56,7 +56,7 @@ TEST(StripOrders, AreTheSumOverEightStrips) {
         const StripOrders strips(medium, {});
         for (const double azimuth : {0.3, 1.8}) {
             const double found =
-                strips.scattered({0, 0.5, 0.2, std::cos(azimuth)}, {{0.01, 0, 0}})[0];
+                strips.scattered({0, 0.5, 0.2, std::cos(azimuth)}, {Spectrum{0.01, 0, 0, 0}})[0];
             const double wanted = 0.01 * summed(medium, 0.2, azimuth, 0.5);
             // Between suns of the grid its light is linear, within 0.5 % of itself.
             EXPECT_NEAR(found / wanted, 1, 1e-2) << phase;
@@ -71,7 +71,7 @@ TEST(StripOrders, OfIsotropicScatteringAreHalfTheMeanRadiance) {
     double mean = 0;
     for (const Spectrum& radiance : strips.radiances(1, 0.5)) mean += radiance[0] / 4;
     for (const double mu : {-1.0, -0.3, 0.0, 1.0}) {
-        EXPECT_NEAR(strips.scattered({1, 0.5, mu, 0.1}, {{0.01, 0, 0}})[0], 0.005 * mean,
+        EXPECT_NEAR(strips.scattered({1, 0.5, mu, 0.1}, {Spectrum{0.01, 0, 0, 0}})[0], 0.005 * mean,
                     1e-12 * mean);
     }
     double ground = 0;

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "config/fields/fields.h"
+
 namespace skybake::config {
 namespace {
 

@@ -155,7 +155,7 @@ std::string section_of_page(const Section& section) {
     text += "\n| key | takes | default | allowed | meaning |\n|---|---|---|---|---|\n";
     for (const Field& field : section.fields) {
         text += fmt::format("| `{}` | {} | {} | {} | {} |\n", field.key,
-                            cell(describe_kind(field.kind)), default_of(field), allowed(field),
+                            cell(std::string(field.kind.words)), default_of(field), allowed(field),
                             meaning(section, field));
     }
     return text;

@@ -61,7 +61,9 @@ TEST(PathTracer, SunlightThatComesInGoesOut) {
         const double square = uncovered * (i + 0.5) / kRings;
         const Spectrum depth =
             optical_depth_to_top(medium.air, medium.air.thickness_km, -top * std::sqrt(square));
-        passed += uncovered * exponential(-depth) / kRings;
+        for (std::size_t c = 0; c < 3; ++c) {
+            passed[c] += uncovered * exponential(-depth[c]) / kRings;
+        }
     }
     // Middles of equal parts of the sun's cosine, of the direction's squared cosine, of azimuth.
     const PathTracer tracer(medium);
@@ -80,7 +82,7 @@ TEST(PathTracer, SunlightThatComesInGoesOut) {
         const PathTracedRadiance radiance =
             trace_paths(tracer, medium.air.thickness_km, sun, inwards,
                         paths(64, static_cast<std::uint32_t>(i)), 1);
-        sum += radiance.radiance / kPoints;
+        sum += radiance.radiance / double{kPoints};
         variance += radiance.standard_error * radiance.standard_error;
     }
     for (std::size_t c = 0; c < 3; ++c) {

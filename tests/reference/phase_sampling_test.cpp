@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <ostream>
 #include <string>
 

@@ -134,8 +134,7 @@ TEST(ScatteringHardCase, Case13SunBelowTheHorizon) {
     const SkyMedium medium = preset("earth");
     const SolvedLight light = solve_light(medium, {}, 0);
     double rises = 0;
-    Spectrum last{};
-    last.fill(std::numeric_limits<double>::infinity());
+    Spectrum last(std::numeric_limits<double>::infinity());
     for (double zenith = 86; zenith <= 108; zenith += 0.5) {
         const Spectrum value = radiance(medium, light, zenith, 0, 0);
         for (std::size_t c = 0; c < 3; ++c) rises += value[c] < last[c] && value[c] >= 0 ? 0 : 1;
