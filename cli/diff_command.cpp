@@ -12,9 +12,9 @@
 #include "bakers/io/files/file_input.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/compare.h"
-#include "cli/options.h"
 #include "cli/console.h"
 #include "cli/events.h"
+#include "cli/options.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
 #include "cli/console.h"
 #include "cli/events.h"
+#include "cli/options.h"
 #include "config/recipe/explain.h"
 #include "config/text/key_path.h"
 #include "config/text/suggest.h"

@@ -136,8 +136,8 @@ struct BlendedLookup {
 // A place in a level and the value that a correct lookup of the stored file returns there.
 struct Probe {
     std::vector<std::pair<std::string, double>> at = {};  // {"altitude_km", 0.5}, {"x_m", 500}
-    std::array<double, 3> uvw{};  // texture coordinates: texel i is at (i + 1/2) / size; w of a
-                                  // table is 1/2
+    std::array<double, 3> uvw{};    // texture coordinates: texel i is at (i + 1/2) / size; w of a
+                                    // table is 1/2
     std::vector<double> value;      // one per channel, in double, as the level is looked up
     std::vector<double> tolerance;  // one per channel: room for filtering in 1/256 texel
     std::optional<BlendedLookup> blend = {};  // of two sub-images, Bruneton's along nu
@@ -152,7 +152,7 @@ struct VoxelPeak {
 
 // One level of detail. Level 0 is the asset itself.
 struct Level {
-    std::array<int, 3> size{};  // voxels along u, v, w; a table has one along w
+    std::array<int, 3> size{};                      // voxels along u, v, w; a table has one along w
     std::array<bool, 3> repeats{true, true, true};  // for lookups; axes that do not are clamped
     std::shared_ptr<const VoxelSource> voxels;
     std::vector<ValueStatistics> statistics;  // one per channel
@@ -170,28 +170,29 @@ struct CompanionFile {
 };
 
 struct Baked : config::AssetFiles {
-    std::string name;               // NAME of [bake.NAME]
-    std::string kind;               // "transmittance", "noise_volume"
-    std::string content;            // what a texel means, with its unit, in one line
-    std::string mapping;            // "bruneton", "ue", "tile", "layer"
-    std::vector<AxisMapping> axes;  // u, v of a table; u, v, w of a volume
+    std::string name;                        // NAME of [bake.NAME]
+    std::string kind;                        // "transmittance", "noise_volume"
+    std::string content;                     // what a texel means, with its unit, in one line
+    std::string mapping;                     // "bruneton", "ue", "tile", "layer"
+    std::vector<AxisMapping> axes;           // u, v of a table; u, v, w of a volume
     std::vector<std::string> channel_names;  // {"R", "G", "B", "A"}, {"R", "G", "B"} or {"Y"}
     std::vector<Level> levels;
     RangeCounts range;
     bool certified = false;
     Certificate certificate;
-    double bake_seconds = 0;  // wall time of making the texels once: the one figure that is not pure
-    std::string parameters;   // TOML: the resolved parameters that this asset depends on
+    double bake_seconds =
+        0;                   // wall time of making the texels once: the one figure that is not pure
+    std::string parameters;  // TOML: the resolved parameters that this asset depends on
     Conventions conventions;
     Facts details;  // further facts, for example counts
 
     // Of volumes.
-    std::vector<std::string> grid_names;    // VDB: one per channel; empty: density, or R, G, ...
-    bool sparse = false;                    // VDB: voxels stored as 0 are background, not active
-    std::array<double, 3> voxel_size_m{};   // VDB: edges of a voxel of level 0
-    std::array<double, 3> minimum_m{};      // VDB: the lower corner of voxel (0, 0, 0)
-    std::string up_axis;                    // "+z", of VDB files
-    std::optional<CompanionFile> companion; // NAME.json
+    std::vector<std::string> grid_names;     // VDB: one per channel; empty: density, or R, G, ...
+    bool sparse = false;                     // VDB: voxels stored as 0 are background, not active
+    std::array<double, 3> voxel_size_m{};    // VDB: edges of a voxel of level 0
+    std::array<double, 3> minimum_m{};       // VDB: the lower corner of voxel (0, 0, 0)
+    std::string up_axis;                     // "+z", of VDB files
+    std::optional<CompanionFile> companion;  // NAME.json
     double seam_error = 0;  // largest difference between voxel 0 and voxel `size`, over all axes
 
     bool is_table() const { return axes.size() == 2; }

@@ -10,8 +10,8 @@
 
 namespace skybake {
 
-// A Spectrum as two pairs, in the vector types that GCC and Clang share: pairs are what every x86-64
-// and ARM has, so that no code needs to be compiled per processor.
+// A Spectrum as two pairs, in the vector types that GCC and Clang share: pairs are what every
+// x86-64 and ARM has, so that no code needs to be compiled per processor.
 struct Channels {
     using Pair = double __attribute__((vector_size(16)));
     using Bits = std::int64_t __attribute__((vector_size(16)));

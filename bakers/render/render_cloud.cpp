@@ -118,10 +118,9 @@ CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
             const double elevation =
                 90 - arc_cosine(std::clamp(direction.z, -1.0, 1.0)) * kDegreesPerRadian;
             const double level = std::sqrt(direction.x * direction.x + direction.y * direction.y);
-            const double turn =
-                level > 0
-                    ? arc_cosine(std::clamp(direction.x / level, -1.0, 1.0)) * kDegreesPerRadian
-                    : 0;
+            const double turn = level > 0 ? arc_cosine(std::clamp(direction.x / level, -1.0, 1.0)) *
+                                                kDegreesPerRadian
+                                          : 0;
             const double azimuth = direction.y < 0 ? -turn : turn;
             const float* seen = marched.results.texel(x, y);
             const double opacity = 1 - double{seen[4]};

@@ -16,8 +16,8 @@
 
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/read_file.h"
-#include "bakers/report/truth/sky_truth_store.h"
 #include "bakers/report/truth/sky_truth_report.h"
+#include "bakers/report/truth/sky_truth_store.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/console.h"
 #include "cli/command.h"
+#include "cli/console.h"
 
 int main(int argc, char** argv) {
     const bool list = argc == 2 && std::strcmp(argv[1], "--list") == 0;

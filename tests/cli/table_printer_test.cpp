@@ -5,7 +5,6 @@
 #include <array>
 #include <sstream>
 
-
 namespace skybake::cli {
 namespace {
 

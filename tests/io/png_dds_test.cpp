@@ -20,8 +20,8 @@ using testing::plain_volume;
 using testing::sample_voxel;
 using testing::TemporaryFolder;
 
-constexpr std::array<PixelType, 4> kTypes = {PixelType::float32, PixelType::half,
-                                             PixelType::unorm8, PixelType::unorm16};
+constexpr std::array<PixelType, 4> kTypes = {PixelType::float32, PixelType::half, PixelType::unorm8,
+                                             PixelType::unorm16};
 
 std::string written(const TemporaryFolder& folder, FileFormat format, const Baked& baked,
                     int threads) {
@@ -215,8 +215,10 @@ TEST(Dds, HoldsAllLevelsOneAfterTheOther) {
     volume.levels.resize(3, volume.levels[0]);
     for (std::size_t i = 1; i < 3; ++i) {
         volume.levels[i].size = next_mip_size(volume.levels[i - 1].size);
-        volume.levels[i].voxels = std::make_shared<testing::FunctionVoxels>(
-            [i](int x, int, int, int) { return static_cast<float>(10 * i) + static_cast<float>(x); });
+        volume.levels[i].voxels =
+            std::make_shared<testing::FunctionVoxels>([i](int x, int, int, int) {
+                return static_cast<float>(10 * i) + static_cast<float>(x);
+            });
     }
     const std::string bytes = written(folder, FileFormat::dds, volume, 2);
     EXPECT_EQ(word(bytes, 28), 3U);
@@ -233,10 +235,10 @@ TEST(Dds, HoldsAllLevelsOneAfterTheOther) {
     EXPECT_EQ(found, (std::vector<float>{20, 21}));
     // A runtime computes the sizes of levels itself.
     volume.levels[1].size = {5, 3, 3};
-    EXPECT_EQ(testing::first_code(
-                  testing::write_as(FileFormat::dds, volume, 1, nullptr, folder / "a.file")
-                      .diagnostics),
-              "E0500");
+    EXPECT_EQ(
+        testing::first_code(
+            testing::write_as(FileFormat::dds, volume, 1, nullptr, folder / "a.file").diagnostics),
+        "E0500");
 }
 
 // --- Both ---------------------------------------------------------------------------------------
@@ -299,9 +301,8 @@ TEST(PngAndDds, RefuseDamagedFiles) {
                           format_of(format).read(folder / "whole", other, 0, visit).diagnostics),
                       "E0304");
         }
-        EXPECT_EQ(
-            testing::first_code(format_of(format).inspect(folder / "absent").diagnostics),
-            "E0300");
+        EXPECT_EQ(testing::first_code(format_of(format).inspect(folder / "absent").diagnostics),
+                  "E0300");
     }
 }
 

@@ -311,5 +311,23 @@ TEST(SkyTruthStore, TheKeyIsOfTheAir) {
     EXPECT_NE(sky_truth_key(recipe("earth"), {directions[0]}, 64), key);
 }
 
+// Layers of particles scatter as these do.
+TEST(SkyTruthStore, TheKeyIsOfTheParticles) {
+    const auto key_of = [](const std::string& radius) {
+        const auto found = config::parse_recipe(
+            "preset = \"earth\"\n[particles.drop]\nmaterial = \"water\"\n"
+            "sizes = \"monodisperse\"\nradius = \"" +
+                radius +
+                "\"\n[atmosphere.layers.fog]\nprofile = \"slab\"\nbottom_altitude = \"0 m\"\n"
+                "top_altitude = \"100 m\"\nphase = { mie = \"drop\" }\n"
+                "number_density = \"15 /cm3\"\n",
+            "test");
+        EXPECT_TRUE(found.value) << found.diagnostics.front().message;
+        return found.value ? sky_truth_key(*found.value, few_directions(), 64) : radius;
+    };
+    EXPECT_EQ(key_of("2 um"), key_of("2 um"));
+    EXPECT_NE(key_of("2 um"), key_of("3 um"));
+}
+
 }  // namespace
 }  // namespace skybake

@@ -145,7 +145,7 @@ TEST(SkyViewTable, IsBakedByARecipe) {
         ASSERT_EQ(probe.at.size(), 3u);
         std::vector<double> found(3);
         bilinear(baked.value->image(), probe.uvw[0], probe.uvw[1], found.data());
-        for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(found[c], probe.value[c]);
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_DOUBLE_EQ(found[c], probe.value[c]);
     }
 }
 

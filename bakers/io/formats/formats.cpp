@@ -32,9 +32,8 @@ const Format* find_format(std::string_view word) {
 }
 
 config::Diagnostic other_size(const std::filesystem::path& path) {
-    return file_error(
-        "E0304", path.string(),
-        fmt::format("`{}` is not of the size that its manifest says", path.string()));
+    return file_error("E0304", path.string(),
+                      fmt::format("`{}` is not of the size that its manifest says", path.string()));
 }
 
 config::Diagnostic contradiction(const std::filesystem::path& path, const std::string& what) {

@@ -116,7 +116,8 @@ void SheetWriter::make(const VoxelBox& box, Slot& slot) const {
 }
 
 void SheetWriter::turn_over(char* rows, std::size_t count) const {
-    const std::size_t row = static_cast<std::size_t>(width()) * static_cast<std::size_t>(bytes_per_value(type_));
+    const std::size_t row =
+        static_cast<std::size_t>(width()) * static_cast<std::size_t>(bytes_per_value(type_));
     for (std::size_t y = 0; y < count / 2; ++y) {
         std::swap_ranges(rows + y * row, rows + (y + 1) * row, rows + (count - 1 - y) * row);
     }
@@ -152,8 +153,8 @@ void SheetWriter::arrange(const VoxelBox& box, const float* values, char* out) c
 namespace {
 
 // Rows of an image as they would stand if it were not upside down.
-std::optional<config::Diagnostic> read_rows(const RowSource& image, const SheetGrid& grid, int first,
-                                            int count, float* texels) {
+std::optional<config::Diagnostic> read_rows(const RowSource& image, const SheetGrid& grid,
+                                            int first, int count, float* texels) {
     if (!grid.flipped) return image.read(first, count, texels);
     if (auto problem = image.read(image.height - first - count, count, texels)) return problem;
     const std::size_t row = static_cast<std::size_t>(image.width) * image.channels;

@@ -89,9 +89,8 @@ config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range
         count = std::min(most, voxels - first);
         bytes.resize(static_cast<std::size_t>(count) * voxel_bytes);
         values.resize(static_cast<std::size_t>(count * stored));
-        const auto done =
-            file.read(range.offset + static_cast<std::uint64_t>(first) * voxel_bytes, bytes.data(),
-                      bytes.size());
+        const auto done = file.read(range.offset + static_cast<std::uint64_t>(first) * voxel_bytes,
+                                    bytes.data(), bytes.size());
         if (!done || *done < bytes.size()) return {{}, {file.diagnostic()}};
         load_values(bytes.data(), values.size(), range.type, values.data());
         const bool padded = range.channels != range.stored_channels;

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
 
 #include "bakers/io/files/read_file.h"
 #include "bakers/math/hash.h"
+#include "config/assets/reads.h"
 
 namespace skybake {
 
@@ -95,8 +95,8 @@ std::string first_line(const std::string& key, std::string_view values) {
 std::string sky_truth_key(const config::Recipe& recipe,
                           const std::vector<SkyTruthDirection>& directions,
                           std::int64_t mean_paths) {
-    static const std::array<std::string, 3> air = {"wavelengths", "atmosphere.*",
-                                                   "atmosphere.layers.*.*"};
+    const std::vector<config::Read> air =
+        config::reads_of_air(recipe.parameters, config::Roles::all());
     std::string text = fmt::format("version {}\n{} paths\n{}\n", kSkyTruthVersion, mean_paths,
                                    config::parameters_toml(recipe, air));
     for (const SkyTruthDirection& at : directions) {

@@ -21,7 +21,8 @@ using config::Outcome;
 using config::PixelType;
 namespace fs = std::filesystem;
 
-static_assert(std::endian::native == std::endian::little, "headers are stored as they lie in memory");
+static_assert(std::endian::native == std::endian::little,
+              "headers are stored as they lie in memory");
 
 // The members of DDS_PIXELFORMAT, DDS_HEADER and DDS_HEADER_DXT10 in their order, each 32 bits.
 struct Header {
@@ -82,8 +83,8 @@ std::size_t stored_for(std::size_t channels) { return channels == 3 ? 4 : channe
 std::uint32_t dxgi_format_of(PixelType type, std::size_t channels) {
     const auto row = std::find_if(dxgi.begin(), dxgi.end(),
                                   [type](const Dxgi& entry) { return entry.type == type; });
-    const auto column = std::find(stored_channels.begin(), stored_channels.end(),
-                                  stored_for(channels));
+    const auto column =
+        std::find(stored_channels.begin(), stored_channels.end(), stored_for(channels));
     return row->formats[static_cast<std::size_t>(column - stored_channels.begin())];
 }
 
@@ -125,7 +126,8 @@ std::optional<std::string> dds_obstacle(const Baked& baked) {
 }
 
 Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
-    if (const auto reason = dds_obstacle(content.baked)) return {{}, {contradiction(path, *reason)}};
+    if (const auto reason = dds_obstacle(content.baked))
+        return {{}, {contradiction(path, *reason)}};
     FileOutput output(path);
     const Header header = header_of(content.baked);
     output.write({reinterpret_cast<const char*>(&header), header_bytes});
@@ -139,9 +141,9 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
 }
 
 config::Diagnostic damaged_dds_file(const fs::path& path, const std::string& reason) {
-    return file_error("E0304", path.string(),
-                      fmt::format("`{}` is no DDS file that skybake reads: {}", path.string(),
-                                  reason));
+    return file_error(
+        "E0304", path.string(),
+        fmt::format("`{}` is no DDS file that skybake reads: {}", path.string(), reason));
 }
 
 // What is in a header that skybake does not write; none: nothing.
@@ -179,7 +181,8 @@ Outcome<FileFacts> inspect_dds(const fs::path& path) {
     }
     if (!facts.pixel_type) {
         return {{},
-                {damaged_dds_file(path, fmt::format("its DXGI format is {}", header.value->dxgi_format))}};
+                {damaged_dds_file(
+                    path, fmt::format("its DXGI format is {}", header.value->dxgi_format))}};
     }
     return {std::move(facts), {}};
 }
@@ -196,14 +199,14 @@ bool fits(const Header& header, const FileShape& shape) {
 }
 
 Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int level,
-                   const VoxelVisitor& visit) {
+                            const VoxelVisitor& visit) {
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const Outcome<Header> header = read_header(*file.value, path);
     if (!header.value) return {{}, header.diagnostics};
     if (!fits(*header.value, shape)) return {{}, {other_size(path)}};
-    StoredTexelRange range = {header_bytes, shape.size, shape.channels,
-                              stored_for(shape.channels), shape.pixel_type};
+    StoredTexelRange range = {header_bytes, shape.size, shape.channels, stored_for(shape.channels),
+                              shape.pixel_type};
     StoredTexelRange wanted = range;
     for (int i = 0; i < shape.levels; ++i) {
         if (i == level) wanted = range;

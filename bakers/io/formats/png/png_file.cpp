@@ -57,9 +57,9 @@ class Writer {
     void begin(int width, int height, int bits, std::size_t channels, std::string metadata) {
         png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
         png_set_compression_level(png_, deflate_level);
-        png_set_IHDR(png_, info_, static_cast<png_uint_32>(width),
-                     static_cast<png_uint_32>(height), bits, colour_types[channels - 1],
-                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        png_set_IHDR(png_, info_, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height),
+                     bits, colour_types[channels - 1], PNG_INTERLACE_NONE,
+                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         std::string name = metadata_name;
         png_text text{};
         text.compression = PNG_ITXT_COMPRESSION_NONE;
@@ -70,7 +70,9 @@ class Writer {
         png_write_info(png_, info_);
         if (bits == 16) png_set_swap(png_);  // samples come little-endian
     }
-    void row(const char* samples) { png_write_row(png_, reinterpret_cast<png_const_bytep>(samples)); }
+    void row(const char* samples) {
+        png_write_row(png_, reinterpret_cast<png_const_bytep>(samples));
+    }
     void end() { png_write_end(png_, nullptr); }
 
   private:
@@ -83,7 +85,8 @@ void interleave(const SheetRows& rows, int y, std::size_t width, std::size_t cha
                 std::size_t sample, std::string& row) {
     row.resize(width * channels * sample);
     for (std::size_t c = 0; c < channels; ++c) {
-        const char* from = rows.texels + c * rows.plane + static_cast<std::size_t>(y) * width * sample;
+        const char* from =
+            rows.texels + c * rows.plane + static_cast<std::size_t>(y) * width * sample;
         for (std::size_t x = 0; x < width; ++x) {
             std::memcpy(&row[(x * channels + c) * sample], from + x * sample, sample);
         }
@@ -202,9 +205,9 @@ class Reader {
 };
 
 config::Diagnostic damaged_png_file(const fs::path& path, const char* reason) {
-    return file_error("E0304", path.string(),
-                      fmt::format("`{}` is no PNG file that skybake reads: {}", path.string(),
-                                  reason));
+    return file_error(
+        "E0304", path.string(),
+        fmt::format("`{}` is no PNG file that skybake reads: {}", path.string(), reason));
 }
 
 Outcome<FileFacts> inspect_png(const fs::path& path) {
@@ -250,10 +253,9 @@ class HeldRows {
   private:
     // Deflate makes at most 1032 bytes of one.
     bool can_hold(std::uint64_t bytes) const {
-        const double samples = static_cast<double>(facts_.image_size[0]) *
-                               static_cast<double>(facts_.image_size[1]) *
-                               static_cast<double>(facts_.channels) *
-                               bytes_per_value(*facts_.pixel_type);
+        const double samples =
+            static_cast<double>(facts_.image_size[0]) * static_cast<double>(facts_.image_size[1]) *
+            static_cast<double>(facts_.channels) * bytes_per_value(*facts_.pixel_type);
         return samples <= 1032.0 * static_cast<double>(bytes);
     }
 
@@ -261,7 +263,8 @@ class HeldRows {
     std::vector<std::string> rows_;
 };
 
-Outcome<bool> read_png_file(const fs::path& path, const FileShape& shape, int, const VoxelVisitor& visit) {
+Outcome<bool> read_png_file(const fs::path& path, const FileShape& shape, int,
+                            const VoxelVisitor& visit) {
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     try {
@@ -280,7 +283,10 @@ Outcome<bool> read_png_file(const fs::path& path, const FileShape& shape, int, c
 }  // namespace
 
 Format png_format() {
-    return {.format = config::FileFormat::png, .write = write_png_file, .inspect = inspect_png, .read = read_png_file};
+    return {.format = config::FileFormat::png,
+            .write = write_png_file,
+            .inspect = inspect_png,
+            .read = read_png_file};
 }
 
 }  // namespace skybake
