@@ -32,6 +32,8 @@ struct Subject {
     Subject(const test::CloudCase& any, PixelType type)
         : field(std::make_shared<cloud::CloudField>(any.plan())) {
         volume.mapping = "layer";
+        volume.axes.resize(3);
+        volume.axes[0].wrap = volume.axes[1].wrap = AxisWrap::repeat;
         volume.channel_names = field->plan().channels == 1
                                    ? std::vector<std::string>{"Y"}
                                    : std::vector<std::string>{"R", "G", "B", "A"};

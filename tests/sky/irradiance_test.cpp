@@ -9,6 +9,13 @@
 namespace skybake {
 namespace {
 
+// What a baker is given of a table before it makes one.
+Baked colours() {
+    Baked table;
+    table.channel_names = {"R", "G", "B"};
+    return table;
+}
+
 using config::SkyOrders;
 using test::kDegree;
 using test::TestSky;
@@ -96,7 +103,7 @@ TEST(IrradianceTable, HoldsItsErrorInTheDustOfMars) {
     bake.content = config::IrradianceContent::sky;
     bake.orders = SkyOrders::multiple;
     bake.max_texel_error = 0.002;
-    const auto table = bake_irradiance(light, bake, {.threads = 2}, {});
+    const auto table = bake_irradiance(light, bake, {.threads = 2}, colours());
     ASSERT_TRUE(table.value) << table.diagnostics.at(0).message;
     EXPECT_LE(table.value->certificate.texel.max, 0.002);
 }
@@ -116,7 +123,7 @@ TEST(IrradianceTable, HoldsItsErrorAndAddsUp) {
     bake.max_texel_error = 0.005;
     const auto table = [&](config::IrradianceContent content) {
         bake.content = content;
-        return bake_irradiance(sky.light(), bake, {.threads = 2}, {});
+        return bake_irradiance(sky.light(), bake, {.threads = 2}, colours());
     };
     const auto direct = table(config::IrradianceContent::direct);
     const auto diffuse = table(config::IrradianceContent::sky);
