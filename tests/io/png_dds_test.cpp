@@ -110,6 +110,8 @@ TEST(Png, ReadsBackAndDoesNotDependOnThreads) {
         for (const std::array<int, 3> size :
              {std::array{1, 1, 1}, {31, 7, 5}, {1031, 523, 3}, {64, 64, 50}}) {
             for (const int channels : {1, 2, 3, 4}) {
+                // Parts of slices and several slices a box: once for each type.
+                if (size[0] * size[1] * size[2] > 100000 && channels != 3) continue;
                 Baked volume = plain_volume(size, channels == 2 ? 1 : channels, type);
                 if (channels == 2) volume.channel_names = {"R", "G"};
                 if (size[2] == 50) {
@@ -201,6 +203,8 @@ TEST(Dds, ReadsBackAndDoesNotDependOnThreads) {
     for (const PixelType type : kTypes) {
         for (const std::array<int, 3> size :
              {std::array{1, 1, 1}, {31, 7, 5}, {1031, 523, 3}, {67, 61, 211}}) {
+            // Parts of slices and several slices a box.
+            if (size[0] * size[1] * size[2] > 10000 && type != PixelType::half) continue;
             const Baked volume = plain_volume(size, 3, type);
             const std::string bytes = written(folder, FileFormat::dds, volume, 1);
             EXPECT_TRUE(written(folder, FileFormat::dds, volume, 3) == bytes);
