@@ -133,6 +133,10 @@ def main():
             is_volume = row["asset"] == "cells"
             assert (row["depth"] != "") == is_volume and (row["write_ms"] != "") == is_volume, row
         check_volume(assets[2], run.stdout)
+        for row in rows[:4]:
+            milliseconds = float(row["time_ms"])
+            decimals = 2 if milliseconds < 10 else 1 if milliseconds < 100 else 0
+            assert f" {milliseconds:.{decimals}f} ms " in run.stdout, (row["time_ms"], run.stdout)
 
         run = report(program, folder, "--only", "air", "--json")
         assert [asset["name"] for asset in json.loads(run.stdout)["assets"]] == ["air"]
