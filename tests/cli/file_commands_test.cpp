@@ -1,8 +1,8 @@
 // info, diff and verify on sample bakes.
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/formats/exr/exr.h"
 #include "tests/cli/program.h"
+#include "tests/support/exr_image.h"
 
 namespace skybake::cli {
 namespace {

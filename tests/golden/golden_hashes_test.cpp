@@ -22,13 +22,13 @@
 #include <variant>
 
 #include "bakers/assets/registry.h"
-#include "bakers/io/formats/exr/exr.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/hash.h"
 #include "config/fields/fields.h"
 #include "config/recipe/recipe.h"
 #include "tests/incremental/bakes.h"
+#include "tests/support/exr_image.h"
 
 namespace skybake::testing {
 namespace {

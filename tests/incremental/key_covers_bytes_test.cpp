@@ -11,7 +11,6 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/voxel_bytes.h"
-#include "bakers/io/formats/exr/exr.h"
 #include "bakers/math/hash.h"
 #include "bakers/workspace/asset_identity.h"
 #include "config/fields/fields.h"

@@ -18,9 +18,9 @@
 #include "bakers/field/survey_volume.h"
 #include "bakers/field/trilinear.h"
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/io/formats/exr/exr.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
+#include "tests/support/exr_image.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {

@@ -10,9 +10,9 @@
 #include <map>
 
 #include "bakers/io/files/load_module.h"
-#include "bakers/io/formats/exr/exr.h"
 #include "bakers/math/hash.h"
 #include "tests/io/files.h"
+#include "tests/support/exr_image.h"
 
 namespace skybake {
 namespace {

@@ -1,8 +1,8 @@
 #include "bakers/io/manifest/metadata.h"
 
-#include "bakers/io/formats/exr/exr.h"
 #include "bakers/math/hash.h"
 #include "tests/io/files.h"
+#include "tests/support/exr_image.h"
 
 namespace skybake {
 namespace {

@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

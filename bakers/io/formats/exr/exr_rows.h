@@ -7,14 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/formats/exr/attribute_pieces.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 
 class ExrRows {
   public:
-    // E0300 where the file cannot be read, E0304 as decode_exr.
+    // E0300 where the file cannot be read, E0304 where it is damaged or of another layout than
+    // skybake writes: tiles, parts, deep data, subsampling, integers, mixed types, lossy codecs.
+    // Takes no memory for what the header claims and the bytes cannot hold.
     static config::Outcome<ExrRows> open(const std::filesystem::path& path);
     ExrRows(ExrRows&&) noexcept;
     ExrRows& operator=(ExrRows&&) noexcept;

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/io/formats/exr/exr.h"
+#include "bakers/io/formats/exr/attribute_pieces.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "config/diagnostics/diagnostic.h"

@@ -1,5 +1,6 @@
 // OpenEXR images in memory and in files, in the one profile that every reader tried understands:
-// single part, scanlines in increasing Y, no lossy codec, no date. exr.cpp alone knows OpenEXR.
+// single part, scanlines in increasing Y, no lossy codec, no date. It shares the header of files
+// with the product, and no code that writes or reads texels.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "bakers/io/formats/exr/exr.h"
+#include "tests/support/exr_image.h"
 
 #include <ImfFrameBuffer.h>
 #include <ImfIO.h>
