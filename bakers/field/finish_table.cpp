@@ -264,11 +264,8 @@ void fill_image(const VoxelSource& source, Image2<float>& image) {
     std::vector<float*> targets;
     for (std::size_t c = 0; c < channels; ++c) targets.push_back(&planes[c * count]);
     source.fill({{}, {image.width, image.height, 1}}, targets);
-    for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t c = 0; c < channels; ++c) {
-            image.texels[i * channels + c] = planes[c * count + i];
-        }
-    }
+    store_voxels({targets.begin(), targets.end()}, count, config::PixelType::float32,
+                 reinterpret_cast<char*>(image.texels.data()));
 }
 
 // Adds levels that are means of the one before, taken before rounding.
@@ -349,7 +346,8 @@ Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& opt
         ProbeSpace& space = parts[static_cast<std::size_t>(k)].space;
         spaces.push_back({below_each_other(std::move(space.place), k, count), space.wanted});
     }
-    Image2<float> image = stacked_image(parts);
+    std::optional<Image2<float>> stack;
+    if (count > 1) stack = stacked_image(parts);
     Baked table = std::move(parts.front().table);
     for (std::size_t k = 1; k < parts.size(); ++k) {
         const Baked& part = parts[k].table;
@@ -358,7 +356,7 @@ Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& opt
         table.bake_seconds += part.bake_seconds;
         add_certificate(part.certificate, table.certificate);
     }
-    set_image(std::move(image), table);
+    if (stack) set_image(std::move(*stack), table);
     add_levels(table);
     std::vector<Diagnostic> problems = look_over(spaces, options, table);
     if (options.cancelled()) return {};

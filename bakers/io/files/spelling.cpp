@@ -79,10 +79,6 @@ std::optional<config::PixelType> pixel_type_of(std::string_view word) {
     return value_of<config::PixelType>("pixel_type", word);
 }
 
-std::optional<config::Compression> compression_of(std::string_view word) {
-    return value_of<config::Compression>("compression", word);
-}
-
 std::optional<config::SheetLayout> sheet_layout_of(std::string_view word) {
     return value_of<config::SheetLayout>("layout", word);
 }

@@ -24,7 +24,6 @@ std::optional<TexelConvention> end_points_of(std::string_view word);
 std::optional<AxisWrap> axis_wrap_of(std::string_view word);
 std::optional<AxisFilter> axis_filter_of(std::string_view word);
 std::optional<config::PixelType> pixel_type_of(std::string_view word);
-std::optional<config::Compression> compression_of(std::string_view word);
 std::optional<config::SheetLayout> sheet_layout_of(std::string_view word);
 
 }  // namespace skybake
