@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/preview/load_sweep.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"

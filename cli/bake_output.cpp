@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/files/byte_size_text.h"
-#include "bakers/io/files/file_names.h"
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/output_folder.h"
+#include "bakers/io/files/to_string.h"
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/progress.h"
@@ -86,7 +85,7 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
             extent_text(asset.size),
             channels_text(asset),
             file.path,
-            std::string(spell(file.pixel_type)),
+            std::string(to_string(file.pixel_type)),
             time_text(asset.timing.bake_s),
             finished.state == AssetState::baked ? time_text(finished.certify_s) : "",
             time_text(asset.timing.write_s),
@@ -98,7 +97,7 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
 // Further files of a volume: another format or level of detail.
 std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestFile& file) {
     return {"", file.level == 0 ? "" : extent_text(size_of(asset, file)), "", file.path,
-            std::string(spell(file.pixel_type))};
+            std::string(to_string(file.pixel_type))};
 }
 
 // The table of what was made; empty where all was up to date.

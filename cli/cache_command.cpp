@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/files/byte_size_text.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/workspace/asset_cache.h"
 #include "cli/command.h"
 #include "cli/console.h"

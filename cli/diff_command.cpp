@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/compare.h"
 #include "cli/console.h"

@@ -12,7 +12,7 @@
 #include "cli/options.h"
 #include "config/recipe/explain.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace {

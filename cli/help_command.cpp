@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"
-#include "cli/help.h"
 #include "cli/options.h"
 #include "cli/table_printer.h"
 

@@ -9,10 +9,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/spelling.h"
-#include "bakers/io/formats/exr/exr_rows.h"
-#include "bakers/io/formats/metadata_name.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
@@ -84,8 +84,8 @@ std::string image_json(const std::string& path, const ExrRows& image,
                        {"path", path},
                        {"size", {image.width(), image.height()}},
                        {"channels", image.channel_names()},
-                       {"pixel_type", spell(image.pixel_type())},
-                       {"compression", spell(image.compression())},
+                       {"pixel_type", to_string(image.pixel_type())},
+                       {"compression", to_string(image.compression())},
                        {"values", std::move(values)},
                        {"attributes", attributes_json(image.attributes())}});
 }
@@ -126,8 +126,8 @@ std::string image_text(const std::string& name, const ExrRows& image,
     TextTable facts;
     facts.add_row({"size", fmt::format("{} x {}", image.width(), image.height())});
     facts.add_row({"channels", fmt::format("{}, {}", fmt::join(image.channel_names(), " "),
-                                           spell(image.pixel_type()))});
-    facts.add_row({"compression", std::string(spell(image.compression()))});
+                                           to_string(image.pixel_type()))});
+    facts.add_row({"compression", std::string(to_string(image.compression()))});
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         std::string text = fmt::format("{:.6g} to {:.6g}", ranges[i].smallest, ranges[i].largest);
         if (ranges[i].not_finite > 0) text += fmt::format(", {} not finite", ranges[i].not_finite);
@@ -255,7 +255,7 @@ std::string manifest_text(const fs::path& folder, const Manifest& manifest) {
         for (const ManifestFile& file : asset.files) {
             table.add_row({asset.name, asset.kind, extent_text(size_of(asset, file)),
                            fmt::format("{}", fmt::join(asset.channels, "")), asset.mapping,
-                           file.path, std::string(spell(file.pixel_type)),
+                           file.path, std::string(to_string(file.pixel_type)),
                            bytes_text(folder / file.path, file.bytes), error_text(asset.error)});
         }
     }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "cli/console.h"
 #include "cli/events.h"
@@ -18,7 +18,7 @@
 #include "cli/table_printer.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace options {

@@ -11,10 +11,9 @@
 #include <variant>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
-#include "config/text/text_file.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace {

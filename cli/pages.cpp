@@ -5,7 +5,6 @@
 
 #include "bakers/io/manifest/release.h"
 #include "cli/command.h"
-#include "cli/help.h"
 
 namespace skybake::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "cli/options.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace {

@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/io/files/byte_size_text.h"
 #include "bakers/io/files/output_folder.h"
-#include "bakers/io/files/spelling.h"
 #include "bakers/io/files/temporary_file.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
@@ -62,7 +61,8 @@ struct Column {
 constexpr std::array<Column, 10> kColumns = {{
     {"variant", Align::left, [](const ReportRow& row) { return row.variant; }},
     {"size", Align::right, [](const ReportRow& row) { return size_text(row.size); }},
-    {"type", Align::left, [](const ReportRow& row) { return std::string(spell(row.pixel_type)); }},
+    {"type", Align::left,
+     [](const ReportRow& row) { return std::string(to_string(row.pixel_type)); }},
     {"file", Align::right,
      [](const ReportRow& row) { return byte_size_text(static_cast<double>(row.file_bytes)); }},
     {"time", Align::right, [](const ReportRow& row) { return duration_text(row.time_ms); }},

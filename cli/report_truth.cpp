@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/plot/drawing.h"
-#include "bakers/report/report_plot.h"
+#include "bakers/report/report_files.h"
 #include "bakers/report/truth/sky_error_pictures.h"
 #include "bakers/report/truth/sky_truth_report.h"
 #include "bakers/report/truth/sky_truth_store.h"

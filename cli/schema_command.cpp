@@ -11,7 +11,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace {

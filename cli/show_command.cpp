@@ -15,9 +15,9 @@
 #include "cli/options.h"
 #include "cli/table_printer.h"
 #include "config/recipe/recipe.h"
-#include "config/sections/zenith_optical_depth.h"
+#include "config/sections/atmosphere.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::cli {
@@ -39,7 +39,7 @@ Line make_line(const config::ResolvedValue& value) {
     for (std::size_t i = 0; i + 1 < names.size(); ++i) {
         line.table = config::join_path(line.table, names[i]);
     }
-    if (!names.empty()) line.key = config::spell_key(names.back());
+    if (!names.empty()) line.key = config::key_to_string(names.back());
     return line;
 }
 
@@ -115,7 +115,7 @@ std::string depths_text(const config::Parameters& parameters) {
     TextTable table({Align::left, Align::right, Align::right, Align::right}, 0);
     std::vector<std::string> heading = {"# zenith optical depth"};
     for (const config::Length wavelength : parameters.wavelengths) {
-        heading.push_back(config::spell_wavelength(wavelength.meters));
+        heading.push_back(config::wavelength_to_string(wavelength.meters));
     }
     table.add_row(std::move(heading));
     std::vector<double> total(parameters.wavelengths.size(), 0);
@@ -123,7 +123,7 @@ std::string depths_text(const config::Parameters& parameters) {
         const auto depths =
             config::zenith_optical_depth(with_coefficients(layer), parameters.atmosphere);
         for (std::size_t i = 0; i < total.size(); ++i) total[i] += depths[i];
-        table.add_row(depth_row("  " + config::spell_key(layer.name), depths));
+        table.add_row(depth_row("  " + config::key_to_string(layer.name), depths));
     }
     table.add_row(depth_row("  all layers", total));
     return table.text();

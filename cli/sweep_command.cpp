@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/files/load_module.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/run_sweep.h"
-#include "bakers/workspace/sweep/variant_names.h"
+#include "bakers/workspace/sweep/variants.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"

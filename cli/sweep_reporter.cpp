@@ -55,7 +55,7 @@ std::string reasons_text(const PlannedVariant& variant) {
     return text;
 }
 
-std::string_view spell_planned(VariantStatus status) {
+std::string_view planned_to_string(VariantStatus status) {
     if (status == VariantStatus::done) return "up_to_date";
     return status == VariantStatus::failed ? "failed" : "stale";
 }
@@ -180,7 +180,7 @@ std::string planned_variant_events(const SweepJob& job, const std::vector<Planne
                             {"index", variant.result.index},
                             {"name", variant.result.name},
                             {"path", folder_of(job, variant.result)},
-                            {"state", spell_planned(variant.result.status)},
+                            {"state", planned_to_string(variant.result.status)},
                             {"why", reasons_text(variant)},
                             {"seconds", variant.seconds},
                             {"memory_mib", variant.memory_mib}});

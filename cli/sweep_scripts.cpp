@@ -8,7 +8,7 @@
 
 #include "bakers/io/files/load_module.h"
 #include "bakers/workspace/sweep/index_files.h"
-#include "bakers/workspace/sweep/variant_names.h"
+#include "bakers/workspace/sweep/variants.h"
 #include "cli/events.h"
 
 namespace skybake::cli {

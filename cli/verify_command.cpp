@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bakers/assets/occupancy/skipping_check.h"
+#include "bakers/assets/occupancy/occupancy_check.h"
 #include "bakers/assets/probe_check.h"
 #include "bakers/io/formats/format.h"
 #include "cli/command.h"

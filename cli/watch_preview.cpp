@@ -65,9 +65,9 @@ class UntilSaved : public BakeProgress {
 };
 
 // What earlier rounds of one quality have made.
-struct RoundMemory {
-    AssetMemory assets;
-    PictureMemory pictures;
+struct RoundMemo {
+    AssetMemo assets;
+    PictureMemo pictures;
 };
 
 class Watch {
@@ -165,7 +165,7 @@ class Watch {
 
     // Of the sections that are selected, as `recipe` has them.
     Outcome<PreviewPage> page_of(const BakeSelection& selection, const config::Recipe& recipe,
-                                 bool draft, RoundMemory& memory, BakeProgress& progress) {
+                                 bool draft, RoundMemo& memory, BakeProgress& progress) {
         std::vector<config::Bake> bakes;
         for (const config::Bake& bake : recipe.parameters.bakes) {
             for (const config::Bake& wanted : selection.bakes) {
@@ -234,8 +234,8 @@ class Watch {
     WatchedFiles files_;
     std::vector<fs::path> good_inputs_;
     std::optional<BakeSelection> selection_;  // of the draft that is shown
-    RoundMemory draft_;
-    RoundMemory full_;
+    RoundMemo draft_;
+    RoundMemo full_;
     PageState state_;
     ExitCode exit_code_ = ExitCode::done;  // of writing: what ends the watch
 };

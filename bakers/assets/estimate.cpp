@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/voxel_boxes.h"
 
 namespace skybake {
 

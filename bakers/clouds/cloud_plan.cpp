@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <utility>
 
-#include "bakers/clouds/height_profile.h"
+#include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_bounds.h"
-#include "config/sections/cloud_channels.h"
 
 namespace skybake::cloud {
 
@@ -105,6 +105,146 @@ CloudPlan make_cloud_plan(const Cloud& cloud, const Noise& base, const Noise* de
     }
     if (cloud.full_at) plan.inverse_full = static_cast<float>(1 / *cloud.full_at);
     return plan;
+}
+
+namespace {
+
+using config::HeightPoint;
+
+// Heights at which a type begins, is full, begins to thin, ends.
+struct Heights {
+    double begin, full, thin, end;
+};
+constexpr std::array<Heights, 3> kClassicHeights = {
+    {{0.02, 0.05, 0.09, 0.11}, {0.02, 0.2, 0.48, 0.625}, {0.01, 0.0625, 0.78, 1.0}}};
+
+double smooth_ramp(double from, double to, double h) {
+    const double x = std::clamp((h - from) / (to - from), 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+}
+
+double classic_profile(const Heights& heights, double h) {
+    return smooth_ramp(heights.begin, heights.full, h) *
+           (1 - smooth_ramp(heights.thin, heights.end, h));
+}
+
+// 1 - e^-x for x >= 0, without cancellation: e^-x = u is off by a rounding, and so is ln u, alike
+// (Kahan's device; Higham 2002, Accuracy and Stability of Numerical Algorithms, section 1.14.1).
+double one_minus_exponential(double x) {
+    const double u = exponential(-x);
+    if (u == 1) return x;
+    if (u < 0.5) return 1 - u;
+    return (1 - u) * x / -logarithm(u);
+}
+
+double tabulated(const std::vector<HeightPoint>& table, double h) {
+    const auto above = std::upper_bound(
+        table.begin(), table.end(), h,
+        [](double height, const HeightPoint& point) { return height < point.height; });
+    if (above == table.begin()) return table.front().value;
+    if (above == table.end()) return table.back().value;
+    const HeightPoint& low = *(above - 1);
+    const double t = (h - low.height) / (above->height - low.height);
+    return low.value * (1 - t) + above->value * t;
+}
+
+}  // namespace
+
+std::array<double, 3> classic_profiles(double h) {
+    std::array<double, 3> values;
+    for (std::size_t i = 0; i < 3; ++i) values[i] = classic_profile(kClassicHeights[i], h);
+    return values;
+}
+
+std::array<double, 3> type_weights(double cloud_type) {
+    const double to_second = std::min(2 * cloud_type, 1.0);
+    const double to_third = std::max(2 * cloud_type - 1, 0.0);
+    return {1 - to_second, to_second - to_third, to_third};
+}
+
+double height_profile(const config::HeightProfile& profile, double h) {
+    const auto classic = [&](std::size_t type) { return classic_profiles(h)[type]; };
+    switch (profile.type) {
+        case HeightProfileType::thesis:
+            return one_minus_exponential(profile.bottom_sharpness * h) *
+                   exponential(-profile.top_falloff * h);
+        case HeightProfileType::stratus:
+            return classic(0);
+        case HeightProfileType::stratocumulus:
+            return classic(1);
+        case HeightProfileType::cumulus:
+            return classic(2);
+        case HeightProfileType::tabulated:
+            return tabulated(profile.table, h);
+        case HeightProfileType::blended:
+            break;
+    }
+    const std::array<double, 3> values = classic_profiles(h);
+    const std::array<double, 3> weights = type_weights(profile.cloud_type);
+    return values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2];
+}
+
+namespace {
+
+using config::MapFilter;
+using config::MapWrap;
+
+// The coordinate within the picture.
+double wrapped(double coordinate, MapWrap wrap) {
+    if (wrap == MapWrap::clamp) return std::clamp(coordinate, 0.0, 1.0);
+    return coordinate - std::floor(coordinate);  // [0, 1]: 1 - 1e-20 rounds to 1
+}
+
+// `within` as of wrapped(): 1 is the far edge of the last pixel.
+int nearest_pixel(double within, int size) {
+    return std::min(static_cast<int>(within * size), size - 1);
+}
+
+// The two pixels about a place on one axis, and how far it is from the first to the second, in
+// [0, 1).
+struct Neighbours {
+    int first = 0;
+    int second = 0;
+    double fraction = 0;
+};
+
+Neighbours neighbours(double within, int size, MapWrap wrap) {
+    const double position = within * size - 0.5;
+    const double below = std::floor(position);
+    const int first = static_cast<int>(below);  // -1 to size - 1
+    const int second = first + 1;
+    const double fraction = position - below;
+    if (wrap == MapWrap::clamp) return {std::max(first, 0), std::min(second, size - 1), fraction};
+    return {first < 0 ? size - 1 : first, second == size ? 0 : second, fraction};
+}
+
+// In this form equal ends give themselves, and rounding leads beyond no end: b - a may round up by
+// half an ulp, but its product with a fraction below 1 is then rounded to less than b - a itself.
+double mixed(double a, double b, double fraction) { return a + (b - a) * fraction; }
+
+}  // namespace
+
+MapLookup::MapLookup(MapImage image, MapWrap wrap, MapFilter filter)
+    : image_(std::move(image)), wrap_(wrap), filter_(filter) {}
+
+double MapLookup::pixel(int x, int y) const {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width);
+    return double{image_.values[row + static_cast<std::size_t>(x)]};
+}
+
+double MapLookup::at(double u, double v) const {
+    const double x = wrapped(u, wrap_);
+    const double y = wrapped(v, wrap_);
+    if (filter_ == MapFilter::nearest) {
+        return pixel(nearest_pixel(x, image_.width), nearest_pixel(y, image_.height));
+    }
+    const Neighbours columns = neighbours(x, image_.width, wrap_);
+    const Neighbours rows = neighbours(y, image_.height, wrap_);
+    const double upper = mixed(pixel(columns.first, rows.first), pixel(columns.second, rows.first),
+                               columns.fraction);
+    const double lower = mixed(pixel(columns.first, rows.second),
+                               pixel(columns.second, rows.second), columns.fraction);
+    return mixed(upper, lower, rows.fraction);
 }
 
 }  // namespace skybake::cloud

@@ -26,13 +26,39 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/clouds/map_lookup.h"
 #include "bakers/clouds/tower_field.h"
+#include "bakers/field/image.h"
 #include "bakers/noise/noise_field.h"
 #include "config/sections/cloud.h"
 #include "config/sections/noise.h"
 
 namespace skybake::cloud {
+
+// Lookups in a map that lies over a cloud's ground plan.
+//
+//   linear    m(u, v) = (1 - t) ((1 - s) m00 + s m10) + t ((1 - s) m01 + s m11)
+//   nearest   m(u, v) = the pixel that (u, v) lies in
+//
+// u runs along x, from the first column to the last, v along y, from the picture's first row down:
+// row 0 begins at v = 0. Pixel (i, j) has its centre at ((i + 1/2) / width, (j + 1/2) / height);
+// s and t are the distances to the centres before (u, v), in pixels.
+class MapLookup {
+  public:
+    // `image` has at least one pixel.
+    MapLookup(MapImage image, config::MapWrap wrap, config::MapFilter filter);
+
+    // The value at any finite (u, v): never beyond the values of the pixels about it, and just
+    // theirs where they are all the same. Outside of [0, 1] the picture repeats, or its edge goes
+    // on. Any number of threads may ask.
+    double at(double u, double v) const;
+
+  private:
+    double pixel(int x, int y) const;
+
+    MapImage image_;
+    config::MapWrap wrap_;
+    config::MapFilter filter_;
+};
 
 // The constants of one slice z, as floats.
 struct SliceShape {
@@ -77,5 +103,22 @@ CloudPlan make_cloud_plan(const config::Cloud& cloud, const config::Noise& base,
 // channel only the first.
 config::Noise cloud_noise(const config::Noise& noise, const std::array<int, 3>& scale,
                           config::CloudChannels channels);
+
+// How full a cloud is by height: the factor that gives noise a base, a body and a top.
+
+// Profiles of the three classic types at height h, 0 at the base and 1 at the top: stratus,
+// stratocumulus, cumulus. Each rises and falls smoothly between four heights (Schneider and Vos
+// 2015, "The Real-Time Volumetric Cloudscapes of Horizon: Zero Dawn", draw them; the heights are
+// those of the open implementations of it). In [0, 1]; 0 at and beyond the ends.
+std::array<double, 3> classic_profiles(double h);
+
+// Weights of the three for a cloud type in [0, 1]: 0 stratus, 1/2 stratocumulus, 1 cumulus.
+std::array<double, 3> type_weights(double cloud_type);
+
+// The profile at h in [0, 1] for profiles that do not depend on a map; blended: with its own
+// cloud_type. At least 0.
+//
+//   thesis   (1 - exp(-b h)) exp(-f h), at most 0.751882 for b = 50, f = 4 (Olajos 2016)
+double height_profile(const config::HeightProfile& profile, double h);
 
 }  // namespace skybake::cloud

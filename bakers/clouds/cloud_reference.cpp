@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "bakers/clouds/height_profile.h"
+#include "bakers/clouds/cloud_plan.h"
 #include "bakers/noise/noise_reference.h"
 
 namespace skybake::cloud {
@@ -140,7 +140,7 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
     return inside * smooth_step(cloud_.threshold, cloud_.threshold + cloud_.edge_softness, value);
 }
 
-bool CloudReference::is_dear() const {
+bool CloudReference::is_expensive() const {
     constexpr std::size_t kTowers = 300;  // some microseconds each
     return towers_.size() > kTowers;
 }

@@ -25,7 +25,7 @@ class CloudReference {
                    const config::Noise* detail, CloudMaps maps);
 
     // Whether a point takes more than a millisecond.
-    bool is_dear() const;
+    bool is_expensive() const;
 
     // All channels at a place: x and y in tiles, h in [0, 1].
     std::vector<double> operator()(const std::array<double, 3>& place) const;

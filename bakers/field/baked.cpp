@@ -1,11 +1,14 @@
 #include "bakers/field/baked.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 
+#include "bakers/math/parallel.h"
+
 namespace skybake {
 
-void HeldTexels::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
+void DenseTexels::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
     for (std::size_t c = 0; c < channels.size(); ++c) {
         float* out = channels[c];
         if (out == nullptr) continue;
@@ -19,7 +22,7 @@ void HeldTexels::fill(const VoxelBox& box, const std::vector<float*>& channels) 
 
 const Image2<float>& Baked::image() const {
     assert(is_table() && !levels.empty());
-    return static_cast<const HeldTexels&>(*levels.front().voxels).image();
+    return static_cast<const DenseTexels&>(*levels.front().voxels).image();
 }
 
 void set_files(const config::AssetFiles& files, Baked& baked) {
@@ -31,7 +34,7 @@ void set_image(Image2<float> image, Baked& table) {
     level.size = {image.width, image.height, 1};
     level.repeats = repeating_axes(table.axes);
     level.nearest = is_looked_up_nearest(table.axes);
-    level.voxels = std::make_shared<HeldTexels>(std::move(image));
+    level.voxels = std::make_shared<DenseTexels>(std::move(image));
     table.levels = {std::move(level)};
 }
 
@@ -43,6 +46,47 @@ std::array<bool, 3> repeating_axes(const std::vector<AxisMapping>& axes) {
 
 bool is_looked_up_nearest(const std::vector<AxisMapping>& axes) {
     return !axes.empty() && axes.front().filter == AxisFilter::nearest;
+}
+
+namespace {
+
+std::int64_t divided_up(std::int64_t count, std::int64_t by) { return (count + by - 1) / by; }
+
+}  // namespace
+
+BoxSequence::BoxSequence(std::array<int, 3> size, int channels, int columns) : size_(size) {
+    const std::int64_t row = std::int64_t{size[0]} * channels * columns;
+    const std::int64_t group = row * size[1];
+    // Sixteen boxes or more, for threads to share; none so small that its set-up would tell.
+    constexpr std::int64_t kFewestFloats = 1 << 18;
+    const std::int64_t floats = row / columns * size[1] * size[2];
+    const std::int64_t budget = std::clamp(floats / 16, kFewestFloats, kFloats);
+    depth_ = columns;
+    rows_ = size[1];
+    if (group <= budget) {
+        const std::int64_t wanted = budget / group * columns;
+        depth_ = static_cast<int>(
+            std::min<std::int64_t>(wanted, divided_up(size[2], columns) * columns));
+    } else {
+        rows_ = static_cast<int>(std::max<std::int64_t>(1, budget / row));
+    }
+    groups_ = static_cast<int>(divided_up(size[2], depth_));
+    parts_ = static_cast<int>(divided_up(size[1], rows_));
+}
+
+VoxelBox BoxSequence::operator[](int index) const {
+    const int y = index % parts_ * rows_;
+    const int z = index / parts_ * depth_;
+    return {{0, y, z}, {size_[0], std::min(rows_, size_[1] - y), std::min(depth_, size_[2] - z)}};
+}
+
+std::int64_t BoxSequence::largest_count() const {
+    return std::int64_t{size_[0]} * rows_ * std::min(depth_, size_[2]);
+}
+
+int box_slots(int threads) {
+    constexpr int kMost = 24;
+    return std::min(thread_count(threads) + 2, kMost);
 }
 
 }  // namespace skybake

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "bakers/field/image.h"
-#include "bakers/field/texel_axis.h"
 #include "bakers/math/facts.h"
 #include "config/sections/files.h"
 
@@ -108,9 +107,9 @@ class VoxelSource {
 
 // A table's texels as stored: already rounded to the pixel type. Row y of the image is row y of the
 // one slice.
-class HeldTexels : public VoxelSource {
+class DenseTexels : public VoxelSource {
   public:
-    explicit HeldTexels(Image2<float> image) : image_(std::move(image)) {}
+    explicit DenseTexels(Image2<float> image) : image_(std::move(image)) {}
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
     const Image2<float>& image() const { return image_; }
 
@@ -211,5 +210,35 @@ std::array<bool, 3> repeating_axes(const std::vector<AxisMapping>& axes);
 
 // Whether lookups take the nearest voxel, as the axes say.
 bool is_looked_up_nearest(const std::vector<AxisMapping>& axes);
+
+// How a volume is cut into boxes that are made, converted and written one after the other.
+
+// The boxes of a volume in the order in which a file's rows want them: groups of `columns` slices
+// (the cells of one row of an atlas; 1 for a stack), several groups a box where they are small,
+// parts of their rows where they are large. With columns = 1 the voxels of box after box are those
+// of the volume in the order x, y, z. A box has at most kFloats values unless one row of a group
+// has more. A pure function of its arguments: sums over boxes are the same on every machine.
+class BoxSequence {
+  public:
+    static constexpr std::int64_t kFloats = 1 << 21;  // 8 MiB
+
+    BoxSequence(std::array<int, 3> size, int channels, int columns = 1);
+
+    int count() const { return groups_ * parts_; }
+    VoxelBox operator[](int index) const;
+    // The most voxels that a box has.
+    std::int64_t largest_count() const;
+
+  private:
+    std::array<int, 3> size_;
+    int depth_ = 1;   // slices of a box
+    int rows_ = 1;    // rows of a box
+    int groups_ = 1;  // boxes along z
+    int parts_ = 1;   // boxes along y
+};
+
+// How many boxes may be alive while `threads` threads make them: enough to keep all at work, and
+// few enough for memory not to grow with the machine.
+int box_slots(int threads);
 
 }  // namespace skybake

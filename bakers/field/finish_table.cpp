@@ -7,11 +7,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/field/mip_source.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/smallest_table.h"
+#include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
-#include "bakers/field/voxel_bytes.h"
 #include "bakers/math/low_discrepancy.h"
 
 namespace skybake {
@@ -277,9 +276,9 @@ void add_levels(Baked& table) {
         level.size = next_mip_size(level.size);
         Image2<float> image(level.size[0], level.size[1], table.image().channels);
         fill_image(means, image);
-        finer = std::make_shared<HeldTexels>(image);
+        finer = std::make_shared<DenseTexels>(image);
         round_values(image.texels.data(), image.texels.size(), table.pixel_type);
-        level.voxels = std::make_shared<HeldTexels>(std::move(image));
+        level.voxels = std::make_shared<DenseTexels>(std::move(image));
         table.levels.push_back(std::move(level));
     }
 }
@@ -301,7 +300,7 @@ std::vector<std::array<double, 2>> histogram_ranges(const Image2<float>& image) 
 std::optional<Diagnostic> add_probes(const std::vector<ProbeSpace>& spaces,
                                      const BakeOptions& options, const Baked& table, Level& level) {
     const int count = std::max(kTableProbes, kProbesOfPart * static_cast<int>(spaces.size()));
-    const Image2<float>& image = static_cast<const HeldTexels&>(*level.voxels).image();
+    const Image2<float>& image = static_cast<const DenseTexels&>(*level.voxels).image();
     ProbeSet set =
         take_probes(probed_texture(image, level, table.pixel_type), spaces, count, options);
     if (const auto problem = weak_probes(table.name, set)) return problem;

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
 
-#include "bakers/field/make_volume_probes.h"
-#include "bakers/field/mip_source.h"
-#include "bakers/field/stored_source.h"
+#include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
+#include "bakers/math/low_discrepancy.h"
 
 namespace skybake {
 
@@ -22,11 +23,11 @@ std::string place_text(const std::array<double, 3>& uvw) {
 }
 
 void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volume) {
-    constexpr int kDearPoints = 64;
+    constexpr int kExpensivePoints = 64;
     constexpr int kQuickPoints = 1024;
     constexpr int kFullPoints = 16384;
     const Level& level = volume.levels.front();
-    const int quick_points = finish.dear ? kDearPoints : kQuickPoints;
+    const int quick_points = finish.expensive ? kExpensivePoints : kQuickPoints;
     const int points = options.certification == Certification::full ? kFullPoints : quick_points;
     const auto voxels =
         static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
@@ -112,6 +113,182 @@ config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
     if (options.cancelled()) return outcome;
     outcome.value = std::move(volume);
     return outcome;
+}
+
+namespace {
+
+using UnitPlace = std::array<double, 3>;  // texture coordinates
+
+constexpr int kVolumeProbes = 24;
+
+ProbedTexture probed_volume(const Level& level, config::PixelType type) {
+    ProbedTexture texture;
+    texture.texture.use = {level.size, level.repeats, level.nearest};
+    texture.texture.channels = level.statistics.size();
+    texture.texture.read = [voxels = StoredVoxels(level, type)](const std::array<VoxelTap, 8>& taps,
+                                                                float* values) {
+        const std::vector<float> found = voxels.at(taps);
+        std::copy(found.begin(), found.end(), values);
+    };
+    texture.type = type;
+    for (const ValueStatistics& channel : level.statistics) {
+        texture.largest.push_back(std::max(std::fabs(channel.min), std::fabs(channel.max)));
+    }
+    return texture;
+}
+
+// Within half a voxel of either end of each axis, where lookups that repeat and such that are
+// clamped differ.
+void add_seams(const Level& level, std::vector<UnitPlace>& places) {
+    constexpr int kEach = 4;
+    int index = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const double side : {0.25, -0.25}) {
+            for (int i = 0; i < kEach; ++i) {
+                UnitPlace place = low_discrepancy_point(index++);
+                place[axis] = side / level.size[axis] + (side < 0 ? 1 : 0);
+                places.push_back(place);
+            }
+        }
+    }
+}
+
+void add_even_places(std::vector<UnitPlace>& places) {
+    constexpr int kPlaces = 96;
+    for (int i = 0; i < kPlaces; ++i) places.push_back(low_discrepancy_point(i));
+}
+
+// At most so many of the larger peaks, from all over the volume.
+std::vector<VoxelPeak> chosen_peaks(const Level& level) {
+    constexpr std::size_t kMostPeaks = 24;
+    std::vector<float> largest(level.statistics.size());
+    for (const VoxelPeak& peak : level.peaks) {
+        float& of_channel = largest[static_cast<std::size_t>(peak.channel)];
+        of_channel = std::max(of_channel, peak.value);
+    }
+    std::vector<VoxelPeak> high;
+    for (const VoxelPeak& peak : level.peaks) {
+        if (peak.value * 4 >= largest[static_cast<std::size_t>(peak.channel)]) high.push_back(peak);
+    }
+    std::vector<VoxelPeak> chosen;
+    const std::size_t count = std::min(kMostPeaks, high.size());
+    for (std::size_t i = 0; i < count; ++i) chosen.push_back(high[i * high.size() / count]);
+    return chosen;
+}
+
+// The slope from a peak along an axis, to one side: where the value falls below half.
+class Slope {
+  public:
+    Slope(const Level& level, const StoredVoxels& voxels, const VoxelPeak& peak, std::size_t axis,
+          int side)
+        : level_(level), voxels_(voxels), peak_(peak), axis_(axis), side_(side) {}
+
+    // Between the two voxels that it lies between; none where it stays above half up to the edge.
+    std::optional<UnitPlace> place() const {
+        int high = 0;
+        int low = 1;
+        while (is_high(low)) {
+            high = low;
+            low *= 2;
+            if (low >= level_.size[axis_]) return std::nullopt;
+        }
+        while (low - high > 1) {
+            const int middle = (low + high) / 2;
+            (is_high(middle) ? high : low) = middle;
+        }
+        UnitPlace place;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double voxel = peak_.voxel[i] + 0.5 + (i == axis_ ? side_ * (high + 0.5) : 0.0);
+            const double coordinate = voxel / level_.size[i];
+            place[i] = coordinate - std::floor(coordinate);
+        }
+        return place;
+    }
+
+  private:
+    bool is_high(int distance) const {
+        std::array<VoxelTap, 8> taps;
+        taps.fill({peak_.voxel, 0});
+        const int size = level_.size[axis_];
+        int index = peak_.voxel[axis_] + side_ * distance;
+        if (!level_.repeats[axis_] && (index < 0 || index >= size)) return false;
+        index = (index % size + size) % size;
+        for (VoxelTap& tap : taps) tap.voxel[axis_] = index;
+        return voxels_.at(taps)[static_cast<std::size_t>(peak_.channel)] * 2 >= peak_.value;
+    }
+
+    const Level& level_;
+    const StoredVoxels& voxels_;
+    const VoxelPeak& peak_;
+    const std::size_t axis_;
+    const int side_;
+};
+
+// The peaks, a little beside them, and the slopes about the first of them.
+void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace>& places) {
+    constexpr std::size_t kWithSlopes = 8;
+    const StoredVoxels voxels(level, type);
+    const std::vector<VoxelPeak> peaks = chosen_peaks(level);
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        const UnitPlace within = low_discrepancy_point(static_cast<int>(i));
+        UnitPlace place;
+        for (std::size_t a = 0; a < 3; ++a) {
+            place[a] = (peaks[i].voxel[a] + within[a]) / level.size[a];
+        }
+        places.push_back(place);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            UnitPlace at_seam = place;
+            at_seam[axis] = 0.25 / level.size[axis];
+            places.push_back(at_seam);
+        }
+    }
+    // Spread over them.
+    const std::size_t steep = std::min(kWithSlopes, peaks.size());
+    for (std::size_t i = 0; i < steep; ++i) {
+        const VoxelPeak& peak = peaks[i * peaks.size() / steep];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (const int side : {-1, 1}) {
+                const auto place = Slope(level, voxels, peak, axis, side).place();
+                if (place) places.push_back(*place);
+            }
+        }
+    }
+}
+
+// A small level with its voxels in memory: making all of them once is cheaper than making the eight
+// of every lookup.
+Level held_if_small(const Level& level, const BakeOptions& options) {
+    constexpr std::int64_t kSmall = 1 << 18;
+    Level held = level;
+    const auto channels = static_cast<int>(level.statistics.size());
+    if (VoxelBox{{}, level.size}.count() <= kSmall) {
+        held.voxels =
+            std::make_shared<StoredSource>(*level.voxels, level.size, channels, options, "probes");
+    }
+    return held;
+}
+
+ProbePlace texture_place(const UnitPlace& uvw) {
+    return {{{"u", uvw[0]}, {"v", uvw[1]}, {"w", uvw[2]}}, {{uvw}}};
+}
+
+}  // namespace
+
+std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
+                                                    const ProbePlaces& place,
+                                                    config::PixelType type,
+                                                    const BakeOptions& options, Level& level) {
+    ProbeSpace space{place ? place : texture_place, {}};
+    const Level readable = held_if_small(level, options);
+    add_seams(readable, space.wanted);
+    add_even_places(space.wanted);
+    add_peaks(readable, type, space.wanted);
+    ProbeSet set = take_probes(probed_volume(readable, type), {space}, kVolumeProbes, options);
+    if (const auto problem = weak_probes(asset, set)) return problem;
+    level.probes.clear();
+    for (TakenProbe& taken : set.probes) level.probes.push_back(as_probe(std::move(taken)));
+    level.catches = std::move(set.catches);
+    return std::nullopt;
 }
 
 }  // namespace skybake

@@ -4,11 +4,12 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/certify_volume.h"
+#include "bakers/field/certify.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
@@ -23,7 +24,7 @@ struct VolumeFinish {
     std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
     VolumeReference reference;                            // none: no certificate
     std::string reference_name;
-    bool dear = false;  // the reference: then --certify=quick takes fewer points
+    bool expensive = false;  // the reference: then --certify=quick takes fewer points
     VolumeComparison comparison = {};
     // In place of the reference: for volumes that a runtime looks up in another way than between
     // the eight nearest voxels.
@@ -38,5 +39,16 @@ struct VolumeFinish {
 // probes tell a wrong file. No value and no diagnostics after an interruption.
 config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
                                      const BakeOptions& options);
+
+// The probes of a level of a volume.
+
+// Fills probes and catches of a level that has been surveyed. `place` tells the physical place of
+// texture coordinates; empty: texture coordinates are all that is known. Places are looked for all
+// over the volume, at its seams, at the level's peaks and on the slopes about them. E0407, which
+// names `asset`.
+std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
+                                                    const ProbePlaces& place,
+                                                    config::PixelType type,
+                                                    const BakeOptions& options, Level& level);
 
 }  // namespace skybake

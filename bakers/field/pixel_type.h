@@ -1,6 +1,11 @@
 // Rounding to what a file's pixel type can hold, and counting what it holds badly.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include "bakers/field/baked.h"
 #include "config/sections/files.h"
 
@@ -35,5 +40,21 @@ double rounding_error(config::PixelType type);
 
 // Rounds a value for storage and counts it if the pixel type holds it badly.
 float store(double value, config::PixelType type, RangeCounts& counts);
+
+// Voxels as files store them: channels interleaved, little-endian, in a pixel type.
+
+// Rounds as round_to_pixel_type does; `out` holds count * channels.size() values. Every value must
+// fit the type.
+void store_voxels(const std::vector<const float*>& channels, std::size_t count,
+                  config::PixelType type, char* out);
+
+// The same of one array that is interleaved already, or has one channel.
+void store_values(const float* values, std::size_t count, config::PixelType type, char* out);
+
+// The values that the bytes stand for, exactly; unorm as the nearest floats.
+void load_values(const char* bytes, std::size_t count, config::PixelType type, float* out);
+
+// Rounds in place to what a file of the type would hold. Every value must fit the type.
+void round_values(float* values, std::size_t count, config::PixelType type);
 
 }  // namespace skybake

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 
 namespace skybake {
@@ -109,7 +109,7 @@ double lookup_error(const TableModel& model, const Candidate& candidate, config:
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
                            const ReferencePoints& points, const BakeOptions& options) {
     // A level whose kernel is off by more than the bound holds it with no table, and one that is
-    // off by an eighth of it gains next to nothing from a dearer one.
+    // off by an eighth of it gains next to nothing from a more expensive one.
     const int levels = static_cast<int>(model.cost_per_texel.size());
     int first = levels;
     int last = levels - 1;

@@ -1,8 +1,11 @@
 #include "bakers/field/stored_voxels.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 #include "bakers/field/pixel_type.h"
+#include "bakers/math/tiles.h"
 
 namespace skybake {
 
@@ -39,6 +42,161 @@ void StoredVoxels::fetch(const VoxelBox& box, std::size_t from, std::vector<floa
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t c = 0; c < channels(); ++c) {
             values[(from + i) * channels() + c] = round_to_pixel_type(planar[c * count + i], type_);
+        }
+    }
+}
+
+StoredSource::StoredSource(const VoxelSource& source, const std::array<int, 3>& size, int channels,
+                           const BakeOptions& options, std::string_view step)
+    : size_(size) {
+    const auto slice = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+    values_.assign(static_cast<std::size_t>(channels),
+                   std::vector<float>(slice * static_cast<std::size_t>(size[2])));
+    constexpr int kDepth = 8;
+    for_each_tile((size[2] + kDepth - 1) / kDepth, options, step, [&](int tile) {
+        const int z = tile * kDepth;
+        std::vector<float*> targets;
+        for (auto& values : values_) {
+            targets.push_back(values.data() + static_cast<std::size_t>(z) * slice);
+        }
+        source.fill({{0, 0, z}, {size_[0], size_[1], std::min(kDepth, size_[2] - z)}}, targets);
+    });
+}
+
+void StoredSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
+    const auto width = static_cast<std::size_t>(box.size[0]);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        float* target = channels[c];
+        if (target == nullptr) continue;
+        for (int z = 0; z < box.size[2]; ++z) {
+            for (int y = 0; y < box.size[1]; ++y) {
+                const std::size_t row = static_cast<std::size_t>(box.origin[2] + z) *
+                                            static_cast<std::size_t>(size_[1]) +
+                                        static_cast<std::size_t>(box.origin[1] + y);
+                const float* from = values_[c].data() + row * static_cast<std::size_t>(size_[0]) +
+                                    static_cast<std::size_t>(box.origin[0]);
+                std::memcpy(target, from, width * sizeof(float));
+                target += width;
+            }
+        }
+    }
+}
+
+namespace {
+
+// The finer voxels under a coarse one along an axis, from `first` on, with weights of sum 1.
+struct Footprint {
+    int first = 0;
+    std::vector<double> weights;
+};
+
+// In units of 1/m of a finer voxel everything is an integer.
+Footprint footprint_of(int coarse, int finer_size, int size) {
+    const std::int64_t begin = std::int64_t{coarse} * finer_size;
+    const std::int64_t end = begin + finer_size;
+    Footprint footprint;
+    footprint.first = static_cast<int>(begin / size);
+    for (std::int64_t voxel = footprint.first; voxel * size < end; ++voxel) {
+        const std::int64_t overlap =
+            std::min(end, (voxel + 1) * size) - std::max(begin, voxel * size);
+        footprint.weights.push_back(static_cast<double>(overlap) / finer_size);
+    }
+    return footprint;
+}
+
+std::vector<Footprint> footprints(int first, int count, int finer_size, int size) {
+    std::vector<Footprint> result;
+    for (int i = 0; i < count; ++i) result.push_back(footprint_of(first + i, finer_size, size));
+    return result;
+}
+
+// How many finer voxels a range of coarse ones lies over.
+int extent_of(const std::vector<Footprint>& under) {
+    return under.back().first + static_cast<int>(under.back().weights.size()) - under.front().first;
+}
+
+// Row (y, z), given as finer voxels of the tile, of an array over a box.
+const float* row_of(const float* values, const VoxelBox& box, int y, int z) {
+    const auto row =
+        static_cast<std::size_t>(z - box.origin[2]) * static_cast<std::size_t>(box.size[1]) +
+        static_cast<std::size_t>(y - box.origin[1]);
+    return values + row * static_cast<std::size_t>(box.size[0]);
+}
+
+float mean_under(const VoxelBox& finer, const float* values, const Footprint& x, const Footprint& y,
+                 const Footprint& z) {
+    double sum = 0;
+    for (std::size_t k = 0; k < z.weights.size(); ++k) {
+        for (std::size_t j = 0; j < y.weights.size(); ++j) {
+            const float* row = row_of(values, finer, y.first + static_cast<int>(j),
+                                      z.first + static_cast<int>(k)) +
+                               (x.first - finer.origin[0]);
+            double row_sum = 0;
+            for (std::size_t i = 0; i < x.weights.size(); ++i) row_sum += x.weights[i] * row[i];
+            sum += z.weights[k] * y.weights[j] * row_sum;
+        }
+    }
+    return static_cast<float>(sum);
+}
+
+}  // namespace
+
+std::array<int, 3> next_mip_size(const std::array<int, 3>& size) {
+    return {std::max(1, size[0] / 2), std::max(1, size[1] / 2), std::max(1, size[2] / 2)};
+}
+
+MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size)
+    : finer_(std::move(finer)), finer_size_(finer_size), size_(next_mip_size(finer_size)) {}
+
+void MipSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
+    // As many coarse rows and slices at a time as keep the finer ones within 8 MiB, or one row.
+    constexpr std::int64_t kFinerFloats = 1 << 21;
+    const std::int64_t row =
+        std::int64_t{2} * (box.size[0] + 1) * 9 * static_cast<std::int64_t>(channels.size());
+    const auto rows =
+        static_cast<int>(std::clamp<std::int64_t>(kFinerFloats / row, 1, box.size[1]));
+    const auto depth =
+        static_cast<int>(std::clamp<std::int64_t>(kFinerFloats / (row * rows), 1, box.size[2]));
+    for (int z = 0; z < box.size[2]; z += depth) {
+        for (int y = 0; y < box.size[1]; y += rows) {
+            const VoxelBox part{
+                {box.origin[0], box.origin[1] + y, box.origin[2] + z},
+                {box.size[0], std::min(rows, box.size[1] - y), std::min(depth, box.size[2] - z)}};
+            fill_part(box, part, channels);
+        }
+    }
+}
+
+void MipSource::fill_part(const VoxelBox& box, const VoxelBox& part,
+                          const std::vector<float*>& channels) const {
+    std::array<std::vector<Footprint>, 3> under;
+    VoxelBox finer;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        under[axis] =
+            footprints(part.origin[axis], part.size[axis], finer_size_[axis], size_[axis]);
+        finer.origin[axis] = under[axis].front().first;
+        finer.size[axis] = extent_of(under[axis]);
+    }
+    const auto count = static_cast<std::size_t>(finer.count());
+    std::vector<float> values(count * channels.size());
+    std::vector<float*> finer_channels(channels.size(), nullptr);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        if (channels[c] != nullptr) finer_channels[c] = values.data() + c * count;
+    }
+    finer_->fill(finer, finer_channels);
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        if (channels[c] == nullptr) continue;
+        for (int z = 0; z < part.size[2]; ++z) {
+            for (int y = 0; y < part.size[1]; ++y) {
+                float* target = channels[c] +
+                                (row_of(channels[c], box, part.origin[1] + y, part.origin[2] + z) -
+                                 channels[c]);
+                for (const Footprint& x : under[0]) {
+                    *target++ = mean_under(finer, finer_channels[c], x,
+                                           under[1][static_cast<std::size_t>(y)],
+                                           under[2][static_cast<std::size_t>(z)]);
+                }
+            }
         }
     }
 }

@@ -12,9 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/voxel_boxes.h"
-#include "bakers/field/voxel_bytes.h"
 #include "bakers/math/aligned_floats.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/parallel.h"

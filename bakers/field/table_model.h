@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {

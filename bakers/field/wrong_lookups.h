@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bakers/field/image.h"
-#include "bakers/field/trilinear.h"
+#include "bakers/field/interpolation.h"
 
 namespace skybake {
 

@@ -8,7 +8,7 @@
 // and y = altitude / thickness in both. Column 0 is mu_s = -1, row 0 the ground.
 #pragma once
 
-#include "config/sections/sky_choices.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 

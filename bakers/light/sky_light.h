@@ -12,7 +12,7 @@
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/atmosphere.h"
-#include "config/sections/sky_choices.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 

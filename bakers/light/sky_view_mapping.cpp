@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "bakers/air/horizon_margin.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
-#include "bakers/field/bilinear.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/gauss_legendre.h"

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/field/bilinear.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/light/moment_sum.h"
 
 namespace skybake {

@@ -16,7 +16,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/math/aligned_floats.h"
-#include "bakers/noise/lattice_planes.h"
+#include "bakers/noise/lattice_hash.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

@@ -1,7 +1,7 @@
 // Gradient noise on boxes of voxels, separably.
 //
 // Inside a lattice cell improved noise is a sum of products of functions of x, y and z alone
-// (gradient_basis.h). So the gradients are hashed once a lattice point, blended along z once a
+// (noise_plan.h). So the gradients are hashed once a lattice point, blended along z once a
 // slice and along y once a row, and four products a voxel remain, whatever the frequency. Equals
 // noise_specification.h bit for bit.
 #pragma once
@@ -11,7 +11,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/math/aligned_floats.h"
-#include "bakers/noise/lattice_planes.h"
+#include "bakers/noise/lattice_hash.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

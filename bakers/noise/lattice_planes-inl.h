@@ -9,7 +9,7 @@
 #include <hwy/highway.h>
 
 #include "bakers/noise/lattice_hash-inl.h"
-#include "bakers/noise/lattice_planes.h"
+#include "bakers/noise/lattice_hash.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise {

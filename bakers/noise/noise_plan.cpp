@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "bakers/noise/gradient_basis.h"
 #include "bakers/noise/lattice_hash.h"
 
 namespace skybake::noise {
@@ -236,6 +235,58 @@ std::array<double, 2> nominal_range(const NoiseChannel& channel) {
     // One value alone: a range about it.
     if (range[0] == range[1]) range = {range[0] - 0.5, range[1] + 0.5};
     return range;
+}
+
+std::array<TileAxis, 3> tile_axes(const std::array<int, 3>& size, config::NoiseSampling sampling) {
+    using config::NoiseSampling;
+    const int across = sampling == NoiseSampling::corners ? 0 : 1;
+    const int along = sampling == NoiseSampling::centers ? 1 : 0;
+    return {{{size[0], across}, {size[1], across}, {size[2], along}}};
+}
+
+bool is_resolved(const std::array<TileAxis, 3>& axes, const std::array<int, 3>& frequency) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (frequency[axis] > axes[axis].size && axes[axis].size > 1) return false;
+    }
+    return true;
+}
+
+namespace {
+
+double fade(double u) { return u * u * u * (u * (6 * u - 15) + 10); }
+double fade_derivative(double u, double one_minus_u) {
+    const double product = u * one_minus_u;
+    return 30 * product * product;
+}
+
+// u and 1 - u, each with all its digits.
+struct Fraction {
+    double u = 0;
+    double one_minus_u = 0;
+};
+
+Fraction fraction_of(const LatticePosition& position) {
+    const auto denominator = static_cast<double>(position.denominator);
+    return {static_cast<double>(position.numerator) / denominator,
+            static_cast<double>(position.denominator - position.numerator) / denominator};
+}
+
+}  // namespace
+
+GradientBasis gradient_basis(const LatticePosition& position) {
+    const auto [u, one_minus_u] = fraction_of(position);
+    const double weight_0 = fade(one_minus_u);  // 1 - fade(u), without the cancellation
+    const double weight_1 = fade(u);
+    return {static_cast<float>(weight_0), static_cast<float>(weight_1),
+            static_cast<float>(u * weight_0), static_cast<float>(-one_minus_u * weight_1)};
+}
+
+GradientBasis gradient_basis_derivative(const LatticePosition& position) {
+    const auto [u, one_minus_u] = fraction_of(position);
+    const double slope = fade_derivative(u, one_minus_u);
+    return {static_cast<float>(-slope), static_cast<float>(slope),
+            static_cast<float>(fade(one_minus_u) - u * slope),
+            static_cast<float>(fade(u) - one_minus_u * slope)};
 }
 
 }  // namespace skybake::noise

@@ -8,10 +8,58 @@
 #include <vector>
 
 #include "bakers/math/aligned_floats.h"
-#include "bakers/noise/tile_axis.h"
 #include "config/sections/noise.h"
 
 namespace skybake::noise {
+
+// Where the voxels of a tile lie on a lattice, in integers: tiling is exact by construction for any
+// size and frequency.
+//
+//   position of voxel i = (2 i + o) f / (2 N) cells,   o = 1: voxel centres, o = 0: lower corners
+//
+// i may be any integer: voxel i + N is voxel i.
+
+// One axis of a tile: how many voxels, and where in them the samples are.
+struct TileAxis {
+    int size = 0;
+    int offset = 0;  // of the sample within its voxel, in half voxels: 0 or 1
+};
+
+std::array<TileAxis, 3> tile_axes(const std::array<int, 3>& size, config::NoiseSampling sampling);
+
+// A sample on a lattice: cell + numerator / denominator cells, 0 <= numerator < denominator.
+struct LatticePosition {
+    std::int64_t cell = 0;  // not wrapped
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 1;
+};
+
+inline std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
+    const std::int64_t quotient = a / b;
+    return quotient - (a % b < 0 ? 1 : 0);
+}
+
+inline LatticePosition lattice_position(const TileAxis& axis, int frequency, std::int64_t voxel) {
+    const std::int64_t denominator = std::int64_t{2} * axis.size;
+    const std::int64_t scaled = (2 * voxel + axis.offset) * frequency;
+    const std::int64_t cell = floor_divide(scaled, denominator);
+    return {cell, scaled - cell * denominator, denominator};
+}
+
+// Whether the lattice has at most one cell a voxel along every axis of more than one voxel: then
+// neighbours share lattice points, and the kernels that share their work apply.
+bool is_resolved(const std::array<TileAxis, 3>& axes, const std::array<int, 3>& frequency);
+
+// The position in the cell, in [0, 1), as the kernels for cells take it: rounded to float.
+inline float cell_fraction(const LatticePosition& position) {
+    return static_cast<float>(static_cast<double>(position.numerator) /
+                              static_cast<double>(position.denominator));
+}
+
+// The lattice repeats after `frequency` cells.
+inline std::uint32_t wrapped_cell(std::int64_t cell, int frequency) {
+    return static_cast<std::uint32_t>(cell - floor_divide(cell, frequency) * frequency);
+}
 
 // Vectors of up to so many floats may be loaded from any voxel of an axis on.
 inline constexpr int kLanePadding = 16;
@@ -23,7 +71,7 @@ struct AxisCells {
     AlignedFloats fraction;  // position in the cell, in [0, 1), rounded to float
 };
 
-// The four functions of gradient_basis.h per voxel, padded by zeros.
+// The four functions of noise_plan.h per voxel, padded by zeros.
 struct AxisBasis {
     AlignedFloats weight_0, weight_1, distance_0, distance_1;
 };
@@ -99,5 +147,32 @@ NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& 
 // The range that a channel's values are meant to lie in: [0, 1], [-1, 1] for curl, either carried
 // through remap, smoothstep, invert, bias and clamp. Never empty.
 std::array<double, 2> nominal_range(const config::NoiseChannel& channel);
+
+// Gradient noise along one axis as a sum of four products.
+//
+// With u the position in a cell, w = 6u^5 - 15u^4 + 10u^3 and v = u - 1, improved noise is
+//
+//   sum over the corners k of a cell of  (gx u_k + gy v_k + gz t_k) W(x) W(y) W(z),
+//
+// so along each axis it is made of (1-w, w), weights, and (u (1-w), v w), distances times weights.
+// Its derivative along an axis is the same sum with the derivatives of that axis' four functions.
+// They are computed in double from an exact fraction and rounded once.
+struct GradientBasis {
+    float weight_0 = 0;    // 1 - w
+    float weight_1 = 0;    // w
+    float distance_0 = 0;  // u (1 - w)
+    float distance_1 = 0;  // (u - 1) w
+};
+
+GradientBasis gradient_basis(const LatticePosition& position);
+
+// Each times a factor, rounded to float.
+inline GradientBasis scaled(const GradientBasis& basis, float factor) {
+    return {basis.weight_0 * factor, basis.weight_1 * factor, basis.distance_0 * factor,
+            basis.distance_1 * factor};
+}
+
+// d/du of each.
+GradientBasis gradient_basis_derivative(const LatticePosition& position);
 
 }  // namespace skybake::noise

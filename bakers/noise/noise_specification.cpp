@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "bakers/noise/cell_value.h"
-#include "bakers/noise/gradient_basis.h"
 #include "bakers/noise/lattice_hash.h"
+#include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {
 

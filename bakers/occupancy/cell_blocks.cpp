@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "bakers/field/voxel_bytes.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/aligned_floats.h"
 #include "bakers/math/parallel.h"
 

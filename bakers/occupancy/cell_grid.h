@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "config/assets/occupancy.h"
+
 namespace skybake::occupancy {
 
 // Voxels or cells first ... last - 1 of an axis.
@@ -50,5 +52,53 @@ inline std::size_t index_of(const std::array<int, 3>& size, int x, int y, int z)
 // the last one.
 inline int wrapped(int i, int size) { return ((i % size) + size) % size; }
 inline int clamped(int i, int size) { return std::clamp(i, 0, size - 1); }
+
+// What a filter makes of the voxels along one axis.
+
+// How many voxels beyond a cell's faces lookups in the cell use: 0, 1, 2.
+int voxels_beyond(config::OccupancyFilter filter);
+
+// The voxels that a lookup uses, and their weights: >= 0, of sum 1 but for rounding.
+struct AxisTaps {
+    int count = 0;
+    std::array<int, 4> voxel{};
+    std::array<double, 4> weight{};
+};
+
+// At `position` in voxel units, voxel i having its centre at i + 1/2, on an axis of `size` voxels
+// that repeats or is clamped.
+//   nearest    voxel floor(position)
+//   trilinear  the two nearest centres
+//   tricubic   the uniform B-spline over the four nearest centres, for instance Sigg & Hadwiger,
+//              "Fast third-order texture filtering", GPU Gems 2, 2005
+AxisTaps filter_taps(config::OccupancyFilter filter, double position, int size, bool repeats);
+
+// The filtered value in double; value(x, y, z) is that of a voxel. Weights >= 0 round it by 1e-15
+// of the greatest voxel used.
+template <class Value>
+double filtered_in_double(const std::array<AxisTaps, 3>& taps, const Value& value) {
+    double sum = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(taps[2].count); ++k) {
+        double plane = 0;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(taps[1].count); ++j) {
+            double row = 0;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(taps[0].count); ++i) {
+                row += taps[0].weight[i] *
+                       double{value(taps[0].voxel[i], taps[1].voxel[j], taps[2].voxel[k])};
+            }
+            plane += taps[1].weight[j] * row;
+        }
+        sum += taps[2].weight[k] * plane;
+    }
+    return sum;
+}
+
+// The same rounded to float, as a texture unit has it. The double is off by far less than half a
+// unit in the float's last place, unless voxels of both signs cancel: where the exact filter is not
+// above a float, this is not either.
+template <class Value>
+float filtered_value(const std::array<AxisTaps, 3>& taps, const Value& value) {
+    return static_cast<float>(filtered_in_double(taps, value));
+}
 
 }  // namespace skybake::occupancy

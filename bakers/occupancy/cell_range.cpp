@@ -4,10 +4,9 @@
 #include <utility>
 
 #include "bakers/occupancy/cell_blocks.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/cell_row_kernel.h"
 #include "bakers/occupancy/exact_extremes.h"
-#include "bakers/occupancy/filter_taps.h"
-#include "bakers/occupancy/outward_rounding.h"
 #include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {

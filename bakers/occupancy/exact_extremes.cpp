@@ -7,8 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include "bakers/occupancy/outward_rounding.h"
-
 namespace skybake::occupancy {
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bakers/occupancy/filter_taps.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {

@@ -11,7 +11,6 @@
 #include "bakers/plot/axis.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/plot/false_colours.h"
-#include "bakers/plot/picture.h"
 
 namespace skybake {
 

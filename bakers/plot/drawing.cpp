@@ -8,8 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/files/load_module.h"
+#include "bakers/io/formats/png/map_image.h"
 
 namespace skybake {
 namespace {
@@ -154,6 +155,18 @@ std::optional<config::Diagnostic> chart_problem() {
         file_error("W0302", "", "charts have no text: the font DejaVu Sans is not installed");
     diagnostic.severity = config::Severity::warning;
     return diagnostic;
+}
+
+config::Outcome<std::string> png_bytes(const Picture& picture) {
+    const LoadedImageCodec& loaded = image_codec();
+    if (loaded.codec == nullptr) {
+        return {{}, {file_error("E0300", "", "cannot write pictures: " + loaded.reason)}};
+    }
+    EncodedPicture png = loaded.codec->encode_png(picture.width, picture.height, picture.rgb);
+    if (!png.problem.empty()) {
+        return {{}, {file_error("E0500", "", "cannot write a picture: " + png.problem)}};
+    }
+    return {std::move(png.bytes), {}};
 }
 
 }  // namespace skybake

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "bakers/preview/bake_assets.h"
 #include "bakers/preview/make_preview.h"
-#include "bakers/preview/preview_assets.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/parameters.h"

@@ -7,17 +7,13 @@
 #include <utility>
 
 #include "bakers/assets/registry.h"
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/files/read_file.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/io/manifest/recorded_recipe.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
-#include "bakers/report/report_plot.h"
 
 namespace skybake {
 

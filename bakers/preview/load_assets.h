@@ -6,7 +6,7 @@
 
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/progress.h"
-#include "bakers/preview/preview_assets.h"
+#include "bakers/preview/bake_assets.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

@@ -7,11 +7,10 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/read_file.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/workspace/sweep/index_files.h"
-#include "bakers/workspace/sweep/variant_names.h"
+#include "bakers/workspace/sweep/variants.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 

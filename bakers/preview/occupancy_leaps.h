@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "bakers/render/cloud_medium.h"
-#include "bakers/render/preview_asset.h"
+#include "bakers/render/sky_tables.h"
 #include "config/assets/occupancy.h"
 
 namespace skybake {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
 
 namespace skybake {
@@ -94,7 +94,7 @@ Json to_json(const ManifestAsset& entry) {
     for (const ManifestFile& file : entry.files) {
         files.push_back({{"path", file.path},
                          {"format", file.format},
-                         {"pixel_type", spell(file.pixel_type)},
+                         {"pixel_type", to_string(file.pixel_type)},
                          {"bytes", file.bytes},
                          {"xxh3", file.xxh3}});
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/plot/picture.h"
+#include "bakers/plot/drawing.h"
 
 namespace skybake {
 

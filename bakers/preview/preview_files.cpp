@@ -6,8 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/read_file.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {

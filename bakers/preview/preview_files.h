@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/plot/picture.h"
+#include "bakers/plot/drawing.h"
 #include "bakers/preview/page.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -21,14 +21,14 @@ namespace skybake {
 std::string file_stem(std::string_view name);
 
 // Pictures that were made before, by what they were made of.
-struct PictureMemory {
+struct PictureMemo {
     std::map<std::string, std::vector<PagePicture>> pictures;
 };
 
 class PictureEncoder {
   public:
     // `memory` may be null; else it is asked first, and left with what was shown this time.
-    PictureEncoder(int threads, PictureMemory* memory) : threads_(threads), memory_(memory) {}
+    PictureEncoder(int threads, PictureMemo* memory) : threads_(threads), memory_(memory) {}
 
     // The pictures that `make` makes, or those that the memory has of `key`. Names that are taken
     // get a number behind them.
@@ -43,8 +43,8 @@ class PictureEncoder {
     std::string free_name(std::string_view name);
 
     int threads_;
-    PictureMemory* memory_;
-    PictureMemory shown_;
+    PictureMemo* memory_;
+    PictureMemo shown_;
     std::set<std::string> names_;
     std::vector<config::Diagnostic> problems_;
 };

@@ -11,12 +11,11 @@
 #include "bakers/air/sky_medium.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/check_options.h"
-#include "bakers/preview/cloud_input.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"
+#include "bakers/preview/make_preview.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
-#include "bakers/preview/pictures/volume_slices.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"
@@ -27,7 +26,7 @@ namespace skybake {
 
 namespace {
 
-struct TellingPicture {
+struct Thumbnail {
     Picture picture;
     std::string light;  // exposure, tone curve and sun of a picture of light; else empty
 };
@@ -52,7 +51,7 @@ double sun_elevation_deg(const PreviewOptions& options) {
     return options.sun_elevations_deg.empty() ? 10 : options.sun_elevations_deg.front();
 }
 
-std::optional<TellingPicture> sky_picture(const PreviewAssets& assets, PreviewOptions& options) {
+std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions& options) {
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
     if (!transmittance || !scattering || !assets.recipe) return std::nullopt;
@@ -72,8 +71,8 @@ std::optional<TellingPicture> sky_picture(const PreviewAssets& assets, PreviewOp
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
     add_sun_disc(medium, *tables.value, view, radiance);
     const double exposure = exposure_of(radiance, options);
-    return TellingPicture{tone_mapped(radiance, exposure),
-                          light_words(exposure, view.sun_elevation_degrees)};
+    return Thumbnail{tone_mapped(radiance, exposure),
+                     light_words(exposure, view.sun_elevation_degrees)};
 }
 
 // The first channel of the middle plane, 0 black and 1 white.
@@ -96,7 +95,7 @@ Picture slice_picture(const PreviewAsset& asset) {
 }
 
 // Half of what is asked for, as a draft is.
-std::optional<TellingPicture> cloud_picture(const PreviewAssets& assets, PreviewOptions& options) {
+std::optional<Thumbnail> cloud_picture(const PreviewAssets& assets, PreviewOptions& options) {
     for (const PreviewAsset& asset : assets.assets) {
         CloudPreviewInput input = cloud_input(assets, asset, options);
         if (input.cloud == nullptr || input.volume == nullptr) continue;
@@ -105,12 +104,12 @@ std::optional<TellingPicture> cloud_picture(const PreviewAssets& assets, Preview
         input.draft = true;
         auto pictures = cloud_pictures(input, options.threads);
         if (pictures.empty()) continue;
-        TellingPicture telling{std::move(pictures.front().picture), ""};
+        Thumbnail slices{std::move(pictures.front().picture), ""};
         if (const std::optional<double> exposure = pictures.front().exposure) {
             if (!options.exposure_stops) options.exposure_stops = std::log2(*exposure);
-            telling.light = light_words(*exposure, input.suns.front().elevation_degrees);
+            slices.light = light_words(*exposure, input.suns.front().elevation_degrees);
         }
-        return telling;
+        return slices;
     }
     return std::nullopt;
 }
@@ -118,16 +117,15 @@ std::optional<TellingPicture> cloud_picture(const PreviewAssets& assets, Preview
 // A lit cloud where there is one, else a panorama of the sky, else a slice, else a table. Without
 // exposure_stops the exposure is chosen for the picture and written there, so that the next ones
 // have the same. None where there is nothing to show.
-std::optional<TellingPicture> telling_picture(const PreviewAssets& assets,
-                                              PreviewOptions& options) {
+std::optional<Thumbnail> telling_picture(const PreviewAssets& assets, PreviewOptions& options) {
     if (auto cloud = cloud_picture(assets, options)) return cloud;
     if (auto sky = sky_picture(assets, options)) return sky;
     for (const PreviewAsset& asset : assets.assets) {
-        if (!asset.voxels.empty()) return TellingPicture{slice_picture(asset), ""};
+        if (!asset.voxels.empty()) return Thumbnail{slice_picture(asset), ""};
     }
     for (const PreviewAsset& asset : assets.assets) {
         auto pictures = asset_pictures(asset);
-        if (!pictures.empty()) return TellingPicture{std::move(pictures.front().picture), ""};
+        if (!pictures.empty()) return Thumbnail{std::move(pictures.front().picture), ""};
     }
     return std::nullopt;
 }

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "bakers/air/ray.h"
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/math/parallel.h"
+#include "bakers/render/cloud_camera.h"
 #include "bakers/render/sky_view.h"
-#include "bakers/render/view_direction.h"
 
 namespace skybake {
 

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "bakers/air/ray.h"
+#include "bakers/math/parallel.h"
 #include "bakers/math/tiles.h"
+#include "bakers/render/cloud_air.h"
 #include "bakers/render/cloud_camera.h"
+#include "bakers/render/sky_view.h"
 #include "bakers/render/sun_leaps.h"
 
 namespace skybake {
@@ -140,6 +145,133 @@ MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& setti
         view.fetches.light_samples += count.light_samples;
         view.fetches.cells += count.cells;
     }
+    return view;
+}
+
+namespace {
+
+// The picture of cloud_view.h from what its march sees: light, air and sky.
+
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
+
+double clamped_altitude_km(const Shell& shell, double altitude_m) {
+    return std::clamp(altitude_m / 1000, 0.0, shell.thickness_km);
+}
+
+Spectrum sunlight_at(const Atmosphere& atmosphere, double altitude_m, const SunDirection& sun) {
+    const Shell shell = shell_of(atmosphere.medium.air);
+    const double altitude_km = clamped_altitude_km(shell, altitude_m);
+    const double r = shell.ground_radius_km + altitude_km;
+    return look_up_sunlight(atmosphere.tables, shell, altitude_km,
+                            r * sine_of_degrees(sun.elevation_degrees));
+}
+
+// Over the directions between two elevations, each weighing the same.
+Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const SunDirection& sun,
+                       double lowest_degrees, double highest_degrees, int threads) {
+    SkyView view;
+    view.projection = SkyProjection::panorama;
+    view.width = 64;
+    view.height = 64;
+    view.camera_altitude_km = clamped_altitude_km(shell_of(atmosphere.medium.air), altitude_m);
+    view.sun_elevation_degrees = sun.elevation_degrees;
+    view.lowest_degrees = lowest_degrees;
+    view.highest_degrees = highest_degrees;
+    const Image2<float> radiance = render_sky(atmosphere.medium, atmosphere.tables, view, threads);
+    Spectrum sum{};
+    double weights = 0;
+    for (int y = 0; y < radiance.height; ++y) {
+        const double t = (y + 0.5) / radiance.height;
+        const double weight =
+            cosine_of_degrees(highest_degrees + t * (lowest_degrees - highest_degrees));
+        for (int x = 0; x < radiance.width; ++x) {
+            for (int c = 0; c < radiance.channels; ++c) {
+                sum[static_cast<std::size_t>(c)] += weight * double{radiance.texel(x, y)[c]};
+            }
+            weights += weight;
+        }
+    }
+    return sum / weights;
+}
+
+// The elevations that a picture shows.
+CloudAir::Range range_of(const CloudViewSettings& settings, const CameraRays& rays) {
+    double lowest = 90;
+    double highest = -90;
+    for (int x = 0; x < settings.width; ++x) {
+        for (int y = 0; y < settings.height; ++y) {
+            if (x != 0 && x != settings.width / 2 && y != 0 && y != settings.height - 1) continue;
+            const double elevation =
+                90 - arc_cosine(std::clamp(rays.through(x, y).z, -1.0, 1.0)) * kDegreesPerRadian;
+            lowest = std::min(lowest, elevation);
+            highest = std::max(highest, elevation);
+        }
+    }
+    CloudAir::Range range;
+    range.degrees_per_pixel = settings.camera.horizontal_field_degrees / settings.width;
+    range.lowest_degrees = std::max(lowest - range.degrees_per_pixel, -90.0);
+    range.highest_degrees = std::min(highest + range.degrees_per_pixel, 90.0);
+    range.reach_m = settings.reach_m;
+    return range;
+}
+
+// Radiance of what a pixel's march has seen.
+Spectrum cloud_radiance(const CloudIllumination& light, const float* seen) {
+    return light.sun_at_base * double{seen[0]} + light.sun_at_top * double{seen[1]} +
+           light.sky * double{seen[2]} + light.ground * double{seen[3]};
+}
+
+}  // namespace
+
+CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
+                               const SunDirection& sun, int threads) {
+    const double top_m = medium.base_m + medium.extent_m[2];
+    CloudIllumination light;
+    light.sun_at_base = sunlight_at(atmosphere, medium.base_m, sun);
+    light.sun_at_top = sunlight_at(atmosphere, top_m, sun);
+    light.sky = mean_radiance(atmosphere, top_m, sun, 0, 90, threads);
+    light.ground = mean_radiance(atmosphere, medium.base_m, sun, -90, 0, threads);
+    return light;
+}
+
+CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
+                       const CloudViewSettings& settings, int threads, Progress* progress) {
+    const int channels = atmosphere.medium.air.channels;
+    CloudIllumination light = illumination(medium, atmosphere, settings.sun, threads);
+    CloudViewSettings lit_settings = settings;
+    const Spectrum dark{};
+    if (light.sun_at_base == dark && light.sun_at_top == dark) lit_settings.sunlit = false;
+    const MarchedView marched = march_view(medium, lit_settings, threads, progress);
+    light.ground *= marched.through;
+    const CameraRays rays(settings.camera, settings.width, settings.height);
+    const CloudAir air(atmosphere, settings.camera, settings.sun, range_of(settings, rays),
+                       threads);
+    CloudView view;
+    view.fetches = marched.fetches;
+    view.radiance = Image2<float>(settings.width, settings.height, channels);
+    parallel_for(settings.height, threads, [&](int y) {
+        for (int x = 0; x < settings.width; ++x) {
+            const glm::dvec3 direction = rays.through(x, y);
+            const double elevation =
+                90 - arc_cosine(std::clamp(direction.z, -1.0, 1.0)) * kDegreesPerRadian;
+            const double level = std::sqrt(direction.x * direction.x + direction.y * direction.y);
+            const double turn = level > 0 ? arc_cosine(std::clamp(direction.x / level, -1.0, 1.0)) *
+                                                kDegreesPerRadian
+                                          : 0;
+            const double azimuth = direction.y < 0 ? -turn : turn;
+            const float* seen = marched.results.texel(x, y);
+            const double opacity = 1 - double{seen[4]};
+            const double distance = opacity > 0 ? double{seen[5]} / opacity : 0;
+            const CloudAir::Along along = air.along(elevation, azimuth, distance);
+            const Spectrum cloud = cloud_radiance(light, seen);
+            for (int c = 0; c < channels; ++c) {
+                const auto i = static_cast<std::size_t>(c);
+                view.radiance.texel(x, y)[c] = static_cast<float>(
+                    along.transmittance[i] * cloud[i] + opacity * along.in_scattered[i] +
+                    double{seen[4]} * along.sky[i]);
+            }
+        }
+    });
     return view;
 }
 

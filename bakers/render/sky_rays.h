@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "bakers/field/certify.h"
+#include "bakers/field/image.h"
 #include "bakers/light/sky_direction.h"
 
 namespace skybake {
@@ -38,5 +40,17 @@ std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y);
 
 // How much of a pixel lies in the picture's circle: 1 inside, 0 outside, between on its edge.
 double coverage_at(const SkyView& view, int x, int y);
+
+// How far one picture of the sky is from another.
+struct SkyDifference {
+    // One channel: of each pixel that of the channel that is furthest off, signed, as a share of
+    // max(reference, 1e-3 of the channel's largest); row 0 at the top, 0 outside of a dome.
+    Image2<float> relative;
+    ErrorFigures error;  // over all channels of the pixels whose middles the picture shows
+};
+
+// Of pictures of one view.
+SkyDifference sky_difference(const Image2<float>& picture, const Image2<float>& reference,
+                             const SkyView& view);
 
 }  // namespace skybake

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/field/texel_axis.h"
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/field/image.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/math/transcendental.h"
 

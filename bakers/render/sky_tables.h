@@ -5,14 +5,22 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/field/image.h"
-#include "bakers/render/preview_asset.h"
+#include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 
+// A baked asset in memory, as a preview looks at it: what its file holds, not what the baker meant.
+struct PreviewAsset {
+    ManifestAsset entry;
+    Image2<float> table;  // of a table; row 0 is v = 0
+    std::vector<float>
+        voxels;  // level 0 of a volume: x fastest, then y, then z; channels interleaved
+};
+
 // A texture and how coordinates in [0, 1] stand in it: texel position = x * scale + offset, counted
 // from the first texel's centre, which is u * size - 1/2 for either convention
-// (bakers/field/texel_axis.h).
+// (bakers/field/image.h).
 struct LookupTable {
     int width = 0;
     int height = 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/field/image.h"
-#include "bakers/plot/picture.h"
+#include "bakers/plot/drawing.h"
 
 namespace skybake {
 

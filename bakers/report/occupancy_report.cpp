@@ -15,20 +15,18 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/occupancy/occupancy_check.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
-#include "bakers/field/voxel_boxes.h"
-#include "bakers/field/voxel_bytes.h"
+#include "bakers/field/baked.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/marcher.h"
-#include "bakers/report/sweeps/costs.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/sweeps/volume_sweep.h"
-#include "config/assets/cloud_extent.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
-#include "config/sections/named_sections.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -12,7 +12,6 @@
 #include "bakers/air/medium.h"
 #include "bakers/assets/registry.h"
 #include "bakers/report/occupancy_report.h"
-#include "bakers/report/sweeps/measure_sweep.h"
 #include "bakers/report/sweeps/table_sweeps.h"
 #include "bakers/report/volume_report.h"
 #include "config/assets/bruneton.h"

@@ -1,5 +1,5 @@
 // The files of a report: CSV for spreadsheets, JSON for programs, one plot for each asset
-// (report_plot.h); and the signs by which it knows its own.
+// (report_files.h); and the signs by which it knows its own.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "bakers/plot/chart.h"
 #include "bakers/report/report.h"
+#include "bakers/report/truth/sky_truth_report.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -36,5 +38,19 @@ bool is_report_text(std::string_view name, std::string_view text);
 // E0303 for each file of these names that is in the folder and is not a report's.
 std::vector<config::Diagnostic> foreign_report_files(const std::filesystem::path& folder,
                                                      const std::vector<std::string>& names);
+
+// The plots of reports, as SVG files.
+
+// A comment by which reports know their files.
+inline constexpr std::string_view report_plot_sign = "skybake report";
+
+// Of an asset: time against lookup error, and against texel error for the quadrature sweep; of
+// volumes, bytes against lookup error too.
+Figure report_figure(const AssetReport& asset);
+
+// Of the sky: the time of each method against its error.
+Figure sky_truth_figure(const SkyErrorReport& report);
+
+std::string report_svg(const Figure& figure);
 
 }  // namespace skybake

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
 
 namespace skybake {
@@ -32,7 +32,7 @@ const std::vector<Column>& columns() {
         {"of_recipe", [](const ReportRow& row) { return Json(row.of_recipe); }},
         {"width", [](const ReportRow& row) { return Json(row.size[0]); }},
         {"height", [](const ReportRow& row) { return Json(row.size[1]); }},
-        {"pixel_type", [](const ReportRow& row) { return Json(spell(row.pixel_type)); }},
+        {"pixel_type", [](const ReportRow& row) { return Json(to_string(row.pixel_type)); }},
         {"file_bytes", [](const ReportRow& row) { return Json(row.file_bytes); }},
         {"time_ms", [](const ReportRow& row) { return Json(row.time_ms); }},
         {"texel_error_max", [](const ReportRow& row) { return Json(row.texel.max); }},
@@ -49,7 +49,7 @@ const std::vector<Column>& columns() {
 const std::vector<Column>& volume_columns() {
     static const std::vector<Column> all = {
         {"depth", [](const ReportRow& row) { return Json(row.size[2]); }},
-        {"format", [](const ReportRow& row) { return Json(spell(row.volume_file->format)); }},
+        {"format", [](const ReportRow& row) { return Json(to_string(row.volume_file->format)); }},
         {"compression", [](const ReportRow& row) { return Json(row.volume_file->compression); }},
         {"write_ms", [](const ReportRow& row) { return Json(row.volume_file->write_ms); }},
         {"on_bytes_front",

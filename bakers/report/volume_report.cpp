@@ -16,8 +16,8 @@
 #include "bakers/assets/registry.h"
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
+#include "bakers/noise/noise_plan.h"
 #include "bakers/noise/noise_reference.h"
-#include "bakers/noise/tile_axis.h"
 #include "bakers/report/sweeps/bruneton_sweep.h"
 #include "bakers/report/sweeps/noise_volume_sweep.h"
 #include "bakers/report/sweeps/sweep.h"
@@ -26,8 +26,8 @@
 #include "config/assets/cloud_volume.h"
 #include "config/assets/noise_volume.h"
 #include "config/assets/optical_depth.h"
-#include "config/sections/cloud_channels.h"
-#include "config/sections/named_sections.h"
+#include "config/sections/cloud.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

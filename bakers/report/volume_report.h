@@ -19,7 +19,7 @@ struct VolumeReportSubject {
     const VolumeSweep& sweep;
     const ReferenceOfSize& reference;
     ComparisonOfSize comparison = {};
-    // Of references that are dear; 0: as many as of other volumes.
+    // Of references that are expensive; 0: as many as of other volumes.
     int points = 0;
     // Of the times that the sweep's variants bring along, and what these are; 0: they bring none.
     int repetitions = 0;

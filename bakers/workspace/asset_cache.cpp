@@ -12,9 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "bakers/io/files/file_descriptor.h"
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/workspace/copy_asset.h"
 

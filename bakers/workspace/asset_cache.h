@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/workspace/asset_source.h"
+#include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

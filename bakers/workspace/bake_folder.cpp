@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "bakers/assets/registry.h"
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_names.h"
-#include "bakers/io/files/folder_lock.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/stopwatch.h"
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/io/formats/format.h"

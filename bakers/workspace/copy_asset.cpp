@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/files/file_output.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/math/hash.h"
 
 namespace skybake {

@@ -7,7 +7,7 @@
 
 #include "config/assets/asset.h"
 #include "config/sections/files.h"
-#include "config/sections/sky_choices.h"
+#include "config/sections/scene.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {

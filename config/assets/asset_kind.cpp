@@ -1,8 +1,20 @@
 #include "config/assets/asset_kind.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cassert>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <tuple>
 
 #include "config/assets/assets.h"
+#include "config/assets/file_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/text/key_path.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 
@@ -25,5 +37,257 @@ const AssetKind& kind_of(const Bake& bake) {
 }
 
 const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake); }
+
+namespace {
+
+// The scattering and extinction of a layer of particles follow from these.
+std::vector<Read> reads_of_spheres(const Layer& layer) {
+    if (layer.phase != Phase::mie) return {};
+    std::vector<Read> reads = reads_of_particles(layer.particles.particles.name);
+    reads.push_back({join_path("atmosphere.layers", layer.name), {Role::phase, Role::particles}});
+    return reads;
+}
+
+}  // namespace
+
+void append(std::vector<Read>&& more, std::vector<Read>& reads) {
+    reads.insert(reads.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
+}
+
+std::vector<Read> reads_of_air(const Parameters& parameters, Roles roles) {
+    std::vector<Read> reads = {{""}, {"atmosphere", roles}, {"atmosphere.layers.*", roles}};
+    for (const Layer& layer : parameters.atmosphere.layers) append(reads_of_spheres(layer), reads);
+    return reads;
+}
+
+std::vector<Read> reads_of_layer(const Layer& layer, Roles roles) {
+    std::vector<Read> reads = reads_of_spheres(layer);
+    reads.push_back({join_path("atmosphere.layers", layer.name), roles});
+    return reads;
+}
+
+std::vector<Read> reads_of_particles(const std::string& name) {
+    return {{join_path("particles", name)}};
+}
+
+std::vector<Read> reads_of_noise(const Noise& noise, std::span<const NoiseChannel> channels) {
+    const std::string path = join_path("noise", noise.name);
+    std::vector<Read> reads = {{path}};
+    for (const NoiseChannel& channel : channels) {
+        reads.push_back({fmt::format("{}.channels.{}", path, channel.name)});
+    }
+    return reads;
+}
+
+std::vector<Read> reads_of_cloud(const Parameters& parameters, const std::string& name) {
+    const Cloud& cloud = cloud_named(parameters, name);
+    const std::string path = join_path("clouds", cloud.name);
+    std::vector<Read> reads = {{path}, {path + ".*"}, {path + ".towers.*"}};
+    const Noise& base = noise_named(parameters, cloud.noise);
+    append(reads_of_noise(base, used_channels(base, cloud.channels)), reads);
+    if (!cloud.detail.empty() && cloud.detail != cloud.noise) {
+        const Noise& detail = noise_named(parameters, cloud.detail);
+        append(reads_of_noise(detail, used_channels(detail, CloudChannels::density)), reads);
+    }
+    return reads;
+}
+
+namespace {
+
+// A bake whose keys are read, and that has yet to take what it takes from others.
+struct OpenBake {
+    std::string name;
+    const AssetKind* kind = nullptr;
+    DecodedSection section;
+
+    Bake bind() const { return kind->bind(name, section); }
+};
+
+// Null if there is none of this name.
+const AssetKind* find_kind(std::string_view name) {
+    const auto kinds = asset_kinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(), [name](const AssetKind* kind) {
+        return kind->facts.name == name;
+    });
+    return found == kinds.end() ? nullptr : *found;
+}
+
+// The asset's name and where it is said; none if it is no text.
+struct AssetName {
+    std::string name;
+    Place place;
+};
+
+std::optional<AssetName> asset_name(const std::string& name, const Place& place,
+                                    const Table& table) {
+    const Entry* entry = find_entry(table, "asset");
+    if (!entry) return AssetName{name, place};
+    const auto* text = std::get_if<std::string>(&entry->value.data);
+    if (!text) return std::nullopt;
+    return AssetName{*text, entry->value.place};
+}
+
+void report_unknown_asset(const AssetName& asset, const std::string& path, Decoder& decoder) {
+    const std::vector<std::string_view> names = asset_names();
+    std::string label = did_you_mean(asset.name, names);
+    if (label.empty()) label = fmt::format("`asset` is one of {}", fmt::join(names, ", "));
+    decoder.diagnostics.error(
+        "E0118", asset.place,
+        fmt::format("[{}] asks for an unknown asset `{}`", path, shorten(asset.name)),
+        std::move(label));
+}
+
+// None if the asset is unknown, which is reported.
+std::optional<OpenBake> read_bake(const std::string& name, const Place& place, const Table& table,
+                                  Decoder& decoder) {
+    const std::string path = join_path("bake", name);
+    if (!is_bare_key(name)) {
+        decoder.diagnostics.error("E0117", place,
+                                  fmt::format("[{}] cannot be the name of a file", shorten(path)),
+                                  "use only letters, digits, `_` and `-`");
+    }
+    const std::optional<AssetName> asset = asset_name(name, place, table);
+    if (!asset) {
+        decoder.diagnostics.error("E0103", find_entry(table, "asset")->value.place,
+                                  fmt::format("`{}` must be a string", join_path(path, "asset")),
+                                  fmt::format("use one of {}", fmt::join(asset_names(), ", ")));
+        return std::nullopt;
+    }
+    const AssetKind* kind = find_kind(asset->name);
+    if (!kind) {
+        report_unknown_asset(*asset, path, decoder);
+        return std::nullopt;
+    }
+    OpenBake open{name, kind,
+                  decode_section(kind->section, path, place, table, Absent::filled_in, decoder)};
+    // The default of `asset` is the section's name, which the field table cannot know.
+    DecodedField& asset_field = open.section.at("asset");
+    if (!asset_field.source) asset_field.value = asset->name;
+    return open;
+}
+
+std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
+    const auto order = [](const Entry* entry) {
+        const Place& place = entry->key_place;
+        return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
+    };
+    std::vector<const Entry*> entries;
+    for (const Entry& entry : bakes) entries.push_back(&entry);
+    std::stable_sort(entries.begin(), entries.end(),
+                     [&](const Entry* a, const Entry* b) { return order(a) < order(b); });
+    return entries;
+}
+
+std::string lower_case(std::string_view name) {
+    std::string text;
+    for (const char c : name) text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
+
+// Many file systems of macOS and Windows take them for one file.
+void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& decoder) {
+    std::map<std::string, const Entry*> first;
+    for (const Entry* entry : entries) {
+        const auto [earlier, is_new] = first.try_emplace(lower_case(entry->key), entry);
+        if (is_new) continue;
+        decoder.diagnostics.warning(
+            "W0209", entry->key_place,
+            fmt::format("[bake.{}] and [bake.{}] are the same file on macOS and Windows",
+                        entry->key, earlier->second->key),
+            "choose names that differ in more than capital letters");
+    }
+}
+
+using Names = std::vector<std::string>;
+
+const DecodedField* find_decoded(const DecodedSection& section, std::string_view key) {
+    const auto found =
+        std::find_if(section.fields.begin(), section.fields.end(),
+                     [&](const DecodedField& decoded) { return decoded.field->key == key; });
+    return found == section.fields.end() ? nullptr : &*found;
+}
+
+// Whether the recipe has a layer of that name, at fault or switched off though it may be.
+bool is_in_recipe(const Table& root, const std::string& name) {
+    const Entry* atmosphere = find_entry(root, "atmosphere");
+    const Table* table = atmosphere ? as_table(atmosphere->value) : nullptr;
+    const Entry* layers = table ? find_entry(*table, "layers") : nullptr;
+    const Table* named = layers ? as_table(layers->value) : nullptr;
+    return named && find_entry(*named, name);
+}
+
+std::string what_there_is(const std::string& name, const Atmosphere& atmosphere) {
+    std::vector<std::string_view> names;
+    for (const Layer& layer : atmosphere.layers) names.push_back(layer.name);
+    if (names.empty()) return "the atmosphere has no layers";
+    std::string label = did_you_mean(name, names);
+    return label.empty() ? fmt::format("this recipe has {}", fmt::join(names, ", ")) : label;
+}
+
+// Names in the list `key` that are none of the atmosphere's layers (E0138). Sections without such a
+// key pass.
+void check_layer_names(const DecodedSection& bake, std::string_view key, const Table& root,
+                       const Atmosphere& atmosphere, Decoder& decoder) {
+    const DecodedField* decoded = find_decoded(bake, key);
+    if (!decoded || !decoded->value || !decoded->source || !decoder.complete) return;
+    const auto& names = std::get<Names>(*decoded->value);
+    for (auto name = names.begin(); name != names.end(); ++name) {
+        const bool known = std::any_of(atmosphere.layers.begin(), atmosphere.layers.end(),
+                                       [&](const Layer& layer) { return layer.name == *name; });
+        const bool again = std::find(names.begin(), name, *name) != name;
+        // A layer that is there and could not be read has been reported.
+        const bool is_off = !known && is_in_recipe(root, *name);
+        if ((known && !again) || (is_off && decoder.diagnostics.has_errors())) continue;
+        const std::string path = join_path(bake.path, key);
+        const std::string_view problem = again ? "names a layer twice"
+                                         : is_off
+                                             ? "names a layer that is switched off"
+                                             : "names a layer that the atmosphere does not have";
+        decoder.diagnostics.error("E0138", decoded->source->place,
+                                  fmt::format("`{}` {}: `{}`", path, problem, shorten(*name)),
+                                  again ? "name it once" : what_there_is(*name, atmosphere));
+    }
+}
+
+}  // namespace
+
+std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
+    std::vector<OpenBake> open;
+    std::vector<std::string_view> unreadable;
+    const std::vector<const Entry*> entries =
+        bakes_in_file_order(subtable(root, "bake", "", decoder));
+    warn_of_equal_names(entries, decoder);
+    for (const Entry* entry : entries) {
+        const Table* table = named_table(*entry, "bake", decoder);
+        std::optional<OpenBake> bake =
+            table ? read_bake(entry->key, entry->key_place, *table, decoder) : std::nullopt;
+        if (bake) {
+            open.push_back(std::move(*bake));
+        } else {
+            unreadable.push_back(entry->key);
+        }
+    }
+    std::vector<Bake> bakes;
+    for (OpenBake& bake : open) {
+        if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
+            bake.kind->resolve(bake.section, {recipe}, decoder);
+        }
+        if (bake.kind->facts.is_table) resolve_table_files(bake.section, decoder);
+        for (const std::string_view key : {"layers", "mie_layers", "kinds"}) {
+            check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
+        }
+        bakes.push_back(bake.bind());
+    }
+    // What an asset is made of may stand behind it.
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (open[i].kind->facts.of_another_bake) {
+            open[i].kind->resolve(open[i].section, {recipe, bakes, unreadable}, decoder);
+            bakes[i] = open[i].bind();
+        }
+        append_values(open[i].section, decoder);
+    }
+    return bakes;
+}
 
 }  // namespace skybake::config

@@ -12,7 +12,6 @@
 #include "config/assets/asset.h"
 #include "config/fields/fields.h"
 #include "config/fields/roles.h"
-#include "config/fields/row.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
 #include "config/sections/parameters.h"
@@ -76,5 +75,30 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
     kind.files = [](const Bake& bake) -> const AssetFiles& { return bake.as<Asset>(); };
     return kind;
 }
+
+// Values that several assets are made from.
+
+// The wavelengths, and of the planet and its layers what has these roles. Layers of particles have
+// their coefficients from those, which are always among them.
+std::vector<Read> reads_of_air(const Parameters& parameters, Roles roles);
+
+// One layer, with its particles.
+std::vector<Read> reads_of_layer(const Layer& layer, Roles roles);
+
+std::vector<Read> reads_of_particles(const std::string& name);
+
+// A noise and these of its channels.
+std::vector<Read> reads_of_noise(const Noise& noise, std::span<const NoiseChannel> channels);
+
+// A cloud and what it takes from its noises.
+std::vector<Read> reads_of_cloud(const Parameters& parameters, const std::string& name);
+
+void append(std::vector<Read>&& more, std::vector<Read>& reads);
+
+// The [bake.NAME] sections: which asset each makes, and the asset's own fields.
+
+// In the order of the file. Bakes of unknown assets are reported and left out. `recipe` is all of
+// it but the bakes.
+std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder);
 
 }  // namespace skybake::config

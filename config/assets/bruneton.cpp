@@ -4,13 +4,11 @@
 
 #include <algorithm>
 
+#include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/file_decoder.h"
-#include "config/assets/file_fields.h"
-#include "config/assets/reads.h"
-#include "config/assets/shared_fields.h"
 #include "config/assets/takram_layers.h"
-#include "config/fields/shared_ranges.h"
+#include "config/fields/fields.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

@@ -2,23 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 
+#include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/cloud_extent.h"
 #include "config/assets/file_decoder.h"
-#include "config/assets/file_fields.h"
 #include "config/assets/octave_checks.h"
-#include "config/assets/reads.h"
-#include "config/assets/shared_fields.h"
-#include "config/fields/named_reference.h"
-#include "config/fields/shared_ranges.h"
-#include "config/sections/cloud_channels.h"
-#include "config/sections/named_sections.h"
-#include "config/sections/tower_width.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/sections/parameters.h"
+#include "config/sections/towers.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 
@@ -106,17 +100,18 @@ struct CloudVolumeResolver {
         const auto usual = cloud ? usual_voxel_size(*cloud) : std::nullopt;
         decoder.diagnostics.error(
             "E0105", bake.place, fmt::format("`{}` is missing", join_path(bake.path, "size")),
-            usual ? fmt::format("give voxel_size = \"{}\", or size", spell_length(usual->meters))
-                  : "give size, the voxels along each axis, or voxel_size, the edge of cubes");
+            usual
+                ? fmt::format("give voxel_size = \"{}\", or size", length_to_string(usual->meters))
+                : "give size, the voxels along each axis, or voxel_size, the edge of cubes");
     }
 
     void report_too_many(double voxels, std::size_t axis, const Cloud& cloud) const {
         decoder.diagnostics.error(
             "E0110", size_place(),
             fmt::format("`{}` makes {} voxels along {}", join_path(bake.path, "voxel_size"),
-                        spell_number(voxels), "xyz"[axis]),
+                        number_to_string(voxels), "xyz"[axis]),
             fmt::format("at most {} of {} are allowed", bake.at("size").field->range.maximum,
-                        spell_length(cloud.extent[axis].meters)));
+                        length_to_string(cloud.extent[axis].meters)));
     }
 
     // Voxels of exactly this edge: as many as the extent has, and where that is no whole number the
@@ -154,9 +149,9 @@ struct CloudVolumeResolver {
                 "`{}` does not divide the extent of cloud `{}`: {} x {} x {} becomes {} x {} "
                 "x {}",
                 join_path(bake.path, "voxel_size"), cloud.name,
-                spell_length(cloud.extent[0].meters), spell_length(cloud.extent[1].meters),
-                spell_length(cloud.extent[2].meters), spell_length(extent[0]),
-                spell_length(extent[1]), spell_length(extent[2])),
+                length_to_string(cloud.extent[0].meters), length_to_string(cloud.extent[1].meters),
+                length_to_string(cloud.extent[2].meters), length_to_string(extent[0]),
+                length_to_string(extent[1]), length_to_string(extent[2])),
             "voxels have exactly this size, and the cloud is stretched to a whole number of them");
     }
 
@@ -219,7 +214,7 @@ struct CloudVolumeResolver {
         decoder.diagnostics.warning(
             "W0204", size_place(),
             fmt::format("{} of cloud `{}`{} is narrower than a voxel at size {}", narrow.front(),
-                        cloud.name, others, spell_voxels(size)),
+                        cloud.name, others, voxels_to_string(size)),
             "it falls between voxels; use a larger size or a wider sigma");
     }
 };

@@ -1,10 +1,14 @@
 // asset = "cloud_volume". The voxels of a cloud.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "config/assets/asset.h"
+#include "config/sections/cloud.h"
 #include "config/sections/files.h"
 #include "config/text/quantity.h"
 
@@ -17,5 +21,43 @@ struct CloudVolumeBake : AssetFiles {
 };
 
 const AssetKind& asset_kind(Tag<CloudVolumeBake>);
+
+// What a cloud volume spans.
+
+// Along x, y and up: the bake's own extent or, where it has none, the cloud's.
+inline std::array<Length, 3> volume_extent(const Cloud& cloud, const CloudVolumeBake& bake) {
+    return bake.extent[0].meters > 0 ? bake.extent : cloud.extent;
+}
+
+// The edges of a voxel in metres, along x, y and up.
+inline std::array<double, 3> voxel_edges(const Cloud& cloud, const CloudVolumeBake& bake) {
+    const std::array<Length, 3> extent = volume_extent(cloud, bake);
+    std::array<double, 3> edges{};
+    for (std::size_t i = 0; i < 3; ++i) edges[i] = extent[i].meters / bake.size[i];
+    return edges;
+}
+
+// The cloud as the bake spans it.
+inline Cloud stretched(Cloud cloud, const CloudVolumeBake& bake) {
+    cloud.extent = volume_extent(cloud, bake);
+    return cloud;
+}
+
+// How many voxels of an edge an extent has, and whether these are longer than the extent.
+struct WholeVoxels {
+    double count = 0;  // at least 1
+    bool longer = false;
+};
+
+// Both lengths are decimal numbers that were rounded to doubles, and so is their quotient: what
+// differs from a whole number by that rounding alone is one.
+inline WholeVoxels whole_voxels(Length extent, Length edge) {
+    constexpr double roundings = 4;
+    const double quotient = extent.meters / edge.meters;
+    const double nearest = std::round(quotient);
+    const double rounding = roundings * std::numeric_limits<double>::epsilon() * quotient;
+    if (nearest >= 1 && std::abs(quotient - nearest) <= rounding) return {nearest, false};
+    return {std::max(1.0, std::ceil(quotient)), true};
+}
 
 }  // namespace skybake::config

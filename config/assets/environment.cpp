@@ -1,10 +1,8 @@
 #include "config/assets/environment.h"
 
+#include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/file_fields.h"
-#include "config/assets/reads.h"
-#include "config/assets/shared_fields.h"
-#include "config/fields/shared_ranges.h"
+#include "config/fields/fields.h"
 
 namespace skybake::config {
 namespace {

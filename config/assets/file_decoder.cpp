@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "config/assets/slice_sheet.h"
+#include "config/sections/files.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {
@@ -49,7 +49,7 @@ std::vector<FileFormat> formats_of(const DecodedSection& bake) {
     return formats;
 }
 
-std::string spell_bytes(std::int64_t bytes) {
+std::string bytes_to_string(std::int64_t bytes) {
     constexpr std::array<std::string_view, 5> units = {"bytes", "KiB", "MiB", "GiB", "TiB"};
     double number = static_cast<double>(bytes);
     std::size_t unit = 0;
@@ -168,7 +168,7 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
             "E0110", decoded.source->place,
             fmt::format("`{}` is out of range: {}", join_path(bake.path, "mips"),
                         static_cast<int>(*asked)),
-            fmt::format("{} has {} levels down to one voxel", spell_voxels(size),
+            fmt::format("{} has {} levels down to one voxel", voxels_to_string(size),
                         static_cast<int>(levels)));
     }
     if (*asked == 0) decoded.value = levels;
@@ -182,7 +182,7 @@ void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, D
         if (is_axis ? count >= 2 : count == 1) continue;
         report_size(bake,
                     fmt::format("`{}` is {}: its table has {} ax{}", join_path(bake.path, "size"),
-                                spell_voxels(size), axes, axes == 1 ? "is" : "es"),
+                                voxels_to_string(size), axes, axes == 1 ? "is" : "es"),
                     is_axis ? "each of them needs two texels or more" : "give 1 along the others",
                     decoder);
         return;
@@ -191,7 +191,7 @@ void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, D
 
 }  // namespace
 
-std::string spell_voxels(const VoxelCounts& size) {
+std::string voxels_to_string(const VoxelCounts& size) {
     return fmt::format("{}x{}x{}", size[0], size[1], size[2]);
 }
 
@@ -245,7 +245,7 @@ void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std:
     decoder.diagnostics.error(
         "E0126", size_place,
         fmt::format("[{}] has {} voxels ({}) and would need {} bytes ({})", bake.path, voxels,
-                    spell_voxels(size), bytes, spell_bytes(bytes)),
+                    voxels_to_string(size), bytes, bytes_to_string(bytes)),
         fmt::format("at most {} (2^36) voxels are allowed", most_voxels));
 }
 

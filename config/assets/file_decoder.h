@@ -11,7 +11,7 @@ namespace skybake::config {
 using VoxelCounts = std::array<int, 3>;  // along x, y and z
 
 // "512x512x128"
-std::string spell_voxels(const VoxelCounts& size);
+std::string voxels_to_string(const VoxelCounts& size);
 
 // Pixel types that a format has not (E0131).
 void check_pixel_type(const DecodedSection& bake, Decoder& decoder);
@@ -20,7 +20,7 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder);
 enum class Halving { down, up };
 
 // Fills in the number of `mips`, and makes images an atlas where nobody has said its `layout`
-// and a stack would be higher than engines import (slice_sheet.h). Columns and levels beyond what
+// and a stack would be higher than engines import (files.h). Columns and levels beyond what
 // the size has are errors (E0110). A warning tells of an image that is too large for engines
 // (W0212), or that has cells without a slice (W0213).
 void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,

@@ -6,7 +6,7 @@
 
 #include "config/assets/asset.h"
 #include "config/sections/files.h"
-#include "config/sections/sky_choices.h"
+#include "config/sections/scene.h"
 
 namespace skybake::config {
 

@@ -1,14 +1,12 @@
 #include "config/assets/noise_volume.h"
 
+#include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/file_decoder.h"
-#include "config/assets/file_fields.h"
 #include "config/assets/octave_checks.h"
-#include "config/assets/reads.h"
-#include "config/assets/shared_fields.h"
-#include "config/fields/named_reference.h"
-#include "config/fields/shared_ranges.h"
-#include "config/sections/named_sections.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/parameters.h"
 
 namespace skybake::config {
 namespace {

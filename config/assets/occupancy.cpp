@@ -8,19 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/cloud_extent.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/file_decoder.h"
-#include "config/assets/file_fields.h"
-#include "config/assets/reads.h"
-#include "config/assets/shared_fields.h"
-#include "config/fields/named_reference.h"
-#include "config/fields/shared_ranges.h"
-#include "config/sections/cloud_channels.h"
-#include "config/sections/named_sections.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/sections/parameters.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

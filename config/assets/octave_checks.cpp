@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "config/assets/file_decoder.h"
-#include "config/sections/octave_sampling.h"
+#include "config/sections/noise.h"
 
 namespace skybake::config {
 namespace {
@@ -69,7 +69,7 @@ void OctaveChecks::add_coarse(const Noise& noise, std::span<const NoiseChannel> 
         }
     }
     if (coarse_ == before) return;
-    needs_.push_back(fmt::format("`{}` needs {}", noise.name, spell_voxels(needed)));
+    needs_.push_back(fmt::format("`{}` needs {}", noise.name, voxels_to_string(needed)));
 }
 
 void OctaveChecks::add(const Noise& noise, std::span<const NoiseChannel> channels,
@@ -86,14 +86,14 @@ void OctaveChecks::report(const Place& size_place, Decoder& decoder) const {
         decoder.diagnostics.warning(
             "W0208", size_place,
             fmt::format("{}{} add{} nothing at size {}: every voxel falls on a lattice point",
-                        vanishing_.front(), others, more == 0 ? "s" : "", spell_voxels(size_)),
+                        vanishing_.front(), others, more == 0 ? "s" : "", voxels_to_string(size_)),
             "use a larger or odd size, a lower frequency or fewer octaves");
     }
     if (coarse_ == 0) return;
     decoder.diagnostics.warning(
         "W0203", size_place,
         fmt::format("{} octave{} too fine for {}: {}", coarse_, coarse_ == 1 ? " is" : "s are",
-                    spell_voxels(size_), fmt::join(needs_, ", ")),
+                    voxels_to_string(size_), fmt::join(needs_, ", ")),
         fmt::format("{} will alias; use a larger size or fewer octaves",
                     coarse_ == 1 ? "it" : "they"));
 }

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/file_decoder.h"
-#include "config/assets/file_fields.h"
-#include "config/assets/reads.h"
-#include "config/assets/shared_fields.h"
-#include "config/fields/shared_ranges.h"
+#include "config/fields/fields.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {
@@ -117,13 +115,13 @@ VoxelCounts default_size(OpticalDepthTable table) {
     }
 }
 
-// Courses of paths have their own texels along u, two or more of each.
-void check_courses(const DecodedSection& bake, const VoxelCounts& size, int least,
-                   Decoder& decoder) {
+// Kinds of rays have their own texels along u, two or more of each.
+void check_ray_kinds(const DecodedSection& bake, const VoxelCounts& size, int least,
+                     Decoder& decoder) {
     if (size[0] >= least) return;
     report_size(bake,
                 fmt::format("`{}` is {}: its first axis is divided among the kinds of paths",
-                            join_path(bake.path, "size"), spell_voxels(size)),
+                            join_path(bake.path, "size"), voxels_to_string(size)),
                 fmt::format("give it at least {} texels", least), decoder);
 }
 
@@ -152,7 +150,8 @@ void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Deco
     const auto coordinates = choice_of<BetweenCoordinates>(bake.at("coordinates"));
     if (axes > 1 && bake.at("size").value) {
         const bool falls = axes == 3 && coordinates == BetweenCoordinates::distance;
-        check_courses(bake, std::get<VoxelCounts>(*bake.at("size").value), falls ? 8 : 4, decoder);
+        check_ray_kinds(bake, std::get<VoxelCounts>(*bake.at("size").value), falls ? 8 : 4,
+                        decoder);
     }
 }
 

@@ -4,12 +4,10 @@
 
 #include <span>
 
+#include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/file_fields.h"
-#include "config/assets/reads.h"
-#include "config/assets/shared_fields.h"
-#include "config/fields/named_reference.h"
-#include "config/fields/shared_ranges.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

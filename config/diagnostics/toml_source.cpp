@@ -6,9 +6,8 @@
 #include <string>
 
 #include "config/text/key_path.h"
-#include "config/text/nesting.h"
+#include "config/text/text.h"
 #include "config/text/units.h"
-#include "config/text/utf8.h"
 
 namespace skybake::config {
 namespace {
@@ -172,16 +171,16 @@ void append_table(const Table& table, std::string& text) {
     text += "{ ";
     for (std::size_t i = 0; i < table.size(); ++i) {
         if (i > 0) text += ", ";
-        text += spell_key(table[i].key) + " = ";
+        text += key_to_string(table[i].key) + " = ";
         append_value(table[i].value, text);
     }
     text += " }";
 }
 
-std::string spell_double(double value) {
+std::string double_to_string(double value) {
     if (value != value) return "nan";
     if (value - value != 0) return value > 0 ? "inf" : "-inf";
-    return spell_number(value);
+    return number_to_string(value);
 }
 
 void append_value(const Value& value, std::string& text) {
@@ -190,7 +189,7 @@ void append_value(const Value& value, std::string& text) {
     } else if (const auto* integer = std::get_if<std::int64_t>(&value.data)) {
         text += std::to_string(*integer);
     } else if (const auto* number = std::get_if<double>(&value.data)) {
-        text += spell_double(*number);
+        text += double_to_string(*number);
     } else if (const auto* string = std::get_if<std::string>(&value.data)) {
         text += toml_string(*string);
     } else if (const auto* array = std::get_if<Array>(&value.data)) {
@@ -254,7 +253,7 @@ std::optional<std::string> parse_toml_key(std::string_view text) {
     return path;
 }
 
-std::string spell_value(const Value& value) {
+std::string value_to_string(const Value& value) {
     std::string text;
     append_value(value, text);
     return text;

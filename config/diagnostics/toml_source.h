@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "config/diagnostics/diagnostic_list.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {
@@ -23,6 +23,6 @@ std::optional<Value> parse_toml_value(std::string_view text);
 std::optional<std::string> parse_toml_key(std::string_view text);
 
 // A value as TOML text on one line.
-std::string spell_value(const Value& value);
+std::string value_to_string(const Value& value);
 
 }  // namespace skybake::config

@@ -4,7 +4,7 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/number_reader.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -153,7 +153,7 @@ std::optional<FieldValue> read_path_groups(const Reader& reader, const Value& va
 std::optional<FieldValue> read_swept(const Reader& reader, const Value& value) {
     const bool is_number = std::holds_alternative<std::int64_t>(value.data) ||
                            std::holds_alternative<double>(value.data);
-    if (is_number || std::holds_alternative<std::string>(value.data)) return spell_value(value);
+    if (is_number || std::holds_alternative<std::string>(value.data)) return value_to_string(value);
     report_type(reader, value, Kind::swept.words);
     return std::nullopt;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "config/diagnostics/diagnostic_list.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/fields/field_value.h"
 #include "config/fields/fields.h"
 #include "config/text/value_tree.h"

@@ -3,11 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "config/fields/point_tables.h"
+#include "config/text/quantity.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {

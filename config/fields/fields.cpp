@@ -52,11 +52,11 @@ bool exclude_each_other(const Field& field, const Field& other) {
 
 std::string describe_range(const Field& field) {
     if (!field.kind.scale) return "";
-    const auto spell = field.kind.scale->spell_bound;
+    const auto text = field.kind.scale->bound_to_string;
     const Range& range = field.range;
-    if (range.minimum == range.maximum) return spell(range.minimum);
+    if (range.minimum == range.maximum) return text(range.minimum);
     return std::string(range.or_zero ? "0 or in " : "in ") + (range.open_minimum ? "(" : "[") +
-           spell(range.minimum) + ", " + spell(range.maximum) + (range.open_maximum ? ")" : "]");
+           text(range.minimum) + ", " + text(range.maximum) + (range.open_maximum ? ")" : "]");
 }
 
 std::string describe_choices(const Field& field) {

@@ -19,8 +19,8 @@ struct Reader;
 // The unit of a value's numbers.
 struct Scale {
     Dimension dimension = Dimension::number;
-    std::string (*spell)(double) = spell_number;        // canonical, in a base unit
-    std::string (*spell_bound)(double) = spell_number;  // for messages
+    std::string (*to_string)(double) = number_to_string;        // canonical, in a base unit
+    std::string (*bound_to_string)(double) = number_to_string;  // for messages
 };
 
 enum class RangeOver { nothing, numbers, wholes };
@@ -76,20 +76,21 @@ KindSchema density_table_schema, height_table_schema;
 
 // --- Scales -------------------------------------------------------------------------------------
 
-std::string spell_degrees(double radians);     // "53 deg"
-std::string spell_level_count(double levels);  // "4", or "all" in quotes for 0
+std::string degrees_to_string(double radians);     // "53 deg"
+std::string level_count_to_string(double levels);  // "4", or "all" in quotes for 0
 
 struct Scales {
     static constexpr Scale plain{};
     static constexpr Scale fraction{Dimension::fraction};
-    static constexpr Scale level_count{Dimension::number, spell_level_count};
-    static constexpr Scale length{Dimension::length, spell_length, spell_length};
-    static constexpr Scale wavelength{Dimension::length, spell_wavelength, spell_wavelength};
-    static constexpr Scale inverse_length{Dimension::inverse_length, spell_inverse_length,
-                                          spell_inverse_length};
-    static constexpr Scale number_density{Dimension::number_density, spell_number_density,
-                                          spell_number_density};
-    static constexpr Scale angle{Dimension::angle, spell_angle, spell_degrees};
+    static constexpr Scale level_count{Dimension::number, level_count_to_string};
+    static constexpr Scale length{Dimension::length, length_to_string, length_to_string};
+    static constexpr Scale wavelength{Dimension::length, wavelength_to_string,
+                                      wavelength_to_string};
+    static constexpr Scale inverse_length{Dimension::inverse_length, inverse_length_to_string,
+                                          inverse_length_to_string};
+    static constexpr Scale number_density{Dimension::number_density, number_density_to_string,
+                                          number_density_to_string};
+    static constexpr Scale angle{Dimension::angle, angle_to_string, degrees_to_string};
 };
 
 // --- Kinds --------------------------------------------------------------------------------------

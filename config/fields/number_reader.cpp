@@ -8,7 +8,7 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -41,7 +41,7 @@ std::optional<double> check_range(const Reader& reader, const Value& value, doub
     const bool is_percent = is_fraction && number > 1 && within(reader.field.range, number / 100);
     std::string label = with_hint("must be " + describe_range(reader.field), reader.field);
     if (is_percent && !std::holds_alternative<std::string>(value.data)) {
-        label = fmt::format("write \"{0} %\" for {0} per cent; ", spell_number(number)) + label;
+        label = fmt::format("write \"{0} %\" for {0} per cent; ", number_to_string(number)) + label;
     }
     report_range(reader, value, std::isfinite(number), std::move(label));
     return std::nullopt;
@@ -123,7 +123,7 @@ std::optional<double> read_quantity_text(const Reader& reader, const Value& valu
 
 }  // namespace
 
-std::string written(const Value& value) { return shorten(spell_value(value)); }
+std::string written(const Value& value) { return shorten(value_to_string(value)); }
 
 void report_type(const Reader& reader, const Value& value, std::string_view wanted) {
     reader.error("E0103", value,

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "config/diagnostics/diagnostic_list.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/fields/fields.h"
 #include "config/text/value_tree.h"
 

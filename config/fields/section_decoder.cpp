@@ -1,13 +1,15 @@
 #include "config/fields/section_decoder.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
+#include "config/presets/presets.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -189,7 +191,7 @@ const Table& subtable(const Table& table, std::string_view key, const std::strin
     if (const Table* found = as_table(entry->value)) return *found;
     decoder.diagnostics.error("E0103", entry->value.place,
                               fmt::format("`{}` must be a table, not {}", join_path(path, key),
-                                          shorten(spell_value(entry->value))),
+                                          shorten(value_to_string(entry->value))),
                               fmt::format("write [{}] and its keys below", join_path(path, key)));
     return empty;
 }
@@ -199,7 +201,7 @@ const Table* named_table(const Entry& entry, const std::string& path, Decoder& d
     decoder.diagnostics.error(
         "E0103", entry.value.place,
         fmt::format("`{}` must be a table, not {}", join_path(path, entry.key),
-                    shorten(spell_value(entry.value))),
+                    shorten(value_to_string(entry.value))),
         fmt::format("write [{}] and its keys below", join_path(path, entry.key)));
     return nullptr;
 }
@@ -217,7 +219,7 @@ void append_values(const DecodedSection& section, Decoder& decoder) {
         resolved.role = field.role;
         resolved.only_shown = field.only_shown;
         if (decoded.source) {
-            resolved.written = spell_value(*decoded.source);
+            resolved.written = value_to_string(*decoded.source);
             resolved.origin = origin(decoded.source->place);
         } else {
             const bool spelled_in_table = !decoded.derived && !field.fallback.empty();
@@ -226,6 +228,42 @@ void append_values(const DecodedSection& section, Decoder& decoder) {
         }
         decoder.values.push_back(std::move(resolved));
     }
+}
+
+const std::string* text_of(const DecodedField& decoded) {
+    return decoded.value ? std::get_if<std::string>(&*decoded.value) : nullptr;
+}
+
+namespace {
+
+// The section that is missing, where a preset can be it; empty otherwise.
+std::string what_to_write(const ReferenceWords& words, const std::string& name) {
+    if (words.code != noise_reference.code) return "";
+    const CloudNoisePreset noise = noise_of_cloud_preset("", name);
+    if (!noise.preset) return "";
+    return fmt::format("add [noise.{}] with preset = \"{}\" and pack = \"{}\"", name,
+                       noise.preset->name, noise.pack);
+}
+
+}  // namespace
+
+void report_unknown_name(const DecodedSection& section, std::string_view key,
+                         std::span<const std::string_view> names, const ReferenceWords& words,
+                         Decoder& decoder) {
+    const DecodedField& field = section.at(key);
+    const std::string& name = *text_of(field);
+    std::string label = did_you_mean(name, names);
+    if (label.empty()) label = what_to_write(words, name);
+    if (label.empty() && names.empty()) label = fmt::format("the recipe has no {}", words.section);
+    if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
+    const std::string wanted =
+        is_bare_key(name)
+            ? std::string(words.section).replace(words.section.find("NAME"), 4, shorten(name))
+            : fmt::format("{} `{}`", words.noun, shorten(name));
+    decoder.diagnostics.error(
+        std::string(words.code), field.source ? field.source->place : section.place,
+        fmt::format("`{}`: the recipe has no {}", join_path(section.path, key), wanted),
+        std::move(label));
 }
 
 }  // namespace skybake::config

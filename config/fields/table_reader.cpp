@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config/fields/number_reader.h"
-#include "config/fields/point_tables.h"
+#include "config/text/quantity.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -21,7 +21,7 @@ struct Columns {
     std::string_view example;
     std::size_t fewest;
     std::string_view too_few;
-    std::string (*spell)(double);
+    std::string (*to_string)(double);
 };
 
 // A table stands on the ground, so a negative altitude is a slip.
@@ -32,7 +32,7 @@ constexpr Columns density_columns{
     "[\"10 km\", 0.5]",
     2,
     "fewer than two entries",
-    spell_length,
+    length_to_string,
 };
 
 constexpr Columns height_columns{
@@ -42,7 +42,7 @@ constexpr Columns height_columns{
     "[0.2, 1.0]",
     1,
     "no entries",
-    spell_number,
+    number_to_string,
 };
 
 std::string pair_words(const Columns& columns) {
@@ -73,7 +73,7 @@ bool check_order(const Reader& reader, const Columns& columns, const Value& item
     if (first > before) return true;
     reader.error("E0114", item,
                  fmt::format("`{}` has {} that do not increase: {} after {}", reader.path,
-                             columns.plural, columns.spell(first), columns.spell(before)),
+                             columns.plural, columns.to_string(first), columns.to_string(before)),
                  fmt::format("each {} must be above the one before", columns.first.key));
     return false;
 }

@@ -7,7 +7,7 @@
 #include "config/diagnostics/diagnostic_codes.h"
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"
-#include "config/text/text_layout.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

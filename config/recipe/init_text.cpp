@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <utility>
 
-#include "config/diagnostics/diagnostic_list.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
 #include "config/fields/fields.h"
-#include "config/sections/tower_list.h"
+#include "config/sections/towers.h"
 #include "config/text/key_path.h"
-#include "config/text/text_layout.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -64,7 +64,7 @@ std::string section_text(const Section& section, const Table& table) {
         const Entry* entry = find_entry(table, field.key);
         if (entry) {
             text += comment(describe_field(field));
-            text += fmt::format("{} = {}\n", field.key, spell_value(entry->value));
+            text += fmt::format("{} = {}\n", field.key, value_to_string(entry->value));
         } else if (is_at_default(field, section, table)) {
             text += comment(describe_field(field));
             text += fmt::format("# {} = {}\n", field.key, field.fallback);
@@ -127,7 +127,8 @@ std::string commented_keys(const Section& section, const Table& table) {
         const Entry* entry = find_entry(table, field.key);
         const bool is_worth_showing = entry || is_at_default(field, section, table);
         if (!is_worth_showing) continue;
-        const std::string value = entry ? spell_value(entry->value) : std::string(field.fallback);
+        const std::string value =
+            entry ? value_to_string(entry->value) : std::string(field.fallback);
         text += comment(describe_field(field));
         text += fmt::format("# {} = {}\n", field.key, value);
     }
@@ -142,7 +143,7 @@ std::string commented_channels(const Table& preset, const std::string& path) {
         const auto& keys = std::get<Table>(entry->value.data);
         for (const Field& field : find_section("noise.*.channels.*")->fields) {
             const Entry* key = find_entry(keys, field.key);
-            if (key) text += fmt::format("# {} = {}\n", field.key, spell_value(key->value));
+            if (key) text += fmt::format("# {} = {}\n", field.key, value_to_string(key->value));
         }
     }
     return text;

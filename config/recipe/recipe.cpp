@@ -1,15 +1,19 @@
 #include "config/recipe/recipe.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "config/assets/cloud_volume.h"
-#include "config/diagnostics/diagnostic_list.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/diagnostics/toml_source.h"
 #include "config/recipe/merge.h"
 #include "config/recipe/recipe_decoder.h"
 #include "config/recipe/recipe_sources.h"
-#include "config/recipe/section_preset_merge.h"
 #include "config/sweep/sweep_decoder.h"
+#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
@@ -111,6 +115,105 @@ Outcome<Recipe> load_variant(const std::filesystem::path& path,
     DiagnosticList diagnostics;
     RecipeSources sources = read_sources(path, settings, diagnostics, varied);
     return decode_sources(std::move(sources), SweepTable::left_out, std::move(diagnostics));
+}
+
+namespace {
+
+// parameters_toml of recipe.h.
+
+// The path of the table that holds a key, and the key itself.
+struct SplitPath {
+    std::string table;
+    std::string key;
+};
+
+SplitPath split_last(const std::string& path) {
+    SplitPath result;
+    for (const std::string& name : split_path(path).value_or(std::vector<std::string>{})) {
+        if (!result.key.empty()) {
+            result.table = result.table.empty() ? result.key : result.table + '.' + result.key;
+        }
+        result.key = key_to_string(name);
+    }
+    return result;
+}
+
+template <class IsWanted>
+std::string toml_of(const Recipe& recipe, const IsWanted& is_wanted) {
+    std::string text;
+    std::string table;
+    for (const ResolvedValue& value : recipe.values) {
+        if (value.only_shown || !is_wanted(value)) continue;
+        const SplitPath path = split_last(value.path);
+        if (path.table != table) {
+            table = path.table;
+            text += (text.empty() ? "[" : "\n[") + table + "]\n";
+        }
+        text += path.key + " = " + value.canonical + '\n';
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string parameters_toml(const Recipe& recipe, std::span<const Read> reads) {
+    return toml_of(recipe, [reads](const ResolvedValue& value) { return is_read(value, reads); });
+}
+
+std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns) {
+    return toml_of(recipe, [patterns](const ResolvedValue& value) {
+        return std::any_of(patterns.begin(), patterns.end(), [&value](const std::string& pattern) {
+            return path_matches(value.path, pattern);
+        });
+    });
+}
+
+namespace {
+
+using Values = std::map<std::string, std::string>;  // TOML by path
+
+void flatten(const Table& table, const std::string& path, Values& values) {
+    for (const Entry& entry : table) {
+        const std::string below = join_path(path, entry.key);
+        if (const Table* inner = as_table(entry.value)) {
+            flatten(*inner, below, values);
+        } else {
+            values[below] = value_to_string(entry.value);
+        }
+    }
+}
+
+Values values_of(std::string_view text) {
+    Values values;
+    Source source;
+    source.text = text;
+    DiagnosticList diagnostics;
+    if (const auto root = parse_toml(source, diagnostics)) flatten(*root, "", values);
+    return values;
+}
+
+std::string shown(const std::string& value) { return value.empty() ? "none" : shorten(value); }
+
+}  // namespace
+
+std::vector<ParameterChange> parameter_changes(std::string_view before, std::string_view after) {
+    const Values old_values = values_of(before);
+    const Values new_values = values_of(after);
+    std::map<std::string, ParameterChange> changes;
+    for (const auto& [path, value] : old_values) changes[path] = {path, value, ""};
+    for (const auto& [path, value] : new_values) {
+        changes[path].path = path;
+        changes[path].after = value;
+    }
+    std::vector<ParameterChange> result;
+    for (const auto& [path, change] : changes) {
+        if (change.before != change.after) result.push_back(change);
+    }
+    return result;
+}
+
+std::string change_text(const ParameterChange& change) {
+    return fmt::format("{} {} → {}", change.path, shown(change.before), shown(change.after));
 }
 
 }  // namespace skybake::config

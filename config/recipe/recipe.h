@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/diagnostics/diagnostic.h"
-#include "config/fields/resolved_value.h"
+#include "config/fields/roles.h"
 #include "config/recipe/sweep_options.h"
 #include "config/sections/parameters.h"
 #include "config/sweep/sweep.h"
@@ -48,5 +48,18 @@ std::string parameters_toml(const Recipe& recipe, std::span<const Read> reads);
 
 // Those whose path matches one of the patterns, in which a `*` matches one path component.
 std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns);
+
+// What has changed between two texts of resolved parameters, as parameters_toml writes them.
+struct ParameterChange {
+    std::string path;    // "clouds.cumulus.threshold"
+    std::string before;  // TOML; empty where it was not there
+    std::string after;   // the same
+};
+
+// By path. Everything is new where `before` cannot be read as TOML.
+std::vector<ParameterChange> parameter_changes(std::string_view before, std::string_view after);
+
+// "clouds.cumulus.threshold 0.35 → 0.4", long values shortened.
+std::string change_text(const ParameterChange& change);
 
 }  // namespace skybake::config

@@ -7,13 +7,10 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/presets/presets.h"
-#include "config/recipe/layer_particles.h"
 #include "config/recipe/merge.h"
-#include "config/sections/tower_list.h"
+#include "config/sections/towers.h"
 #include "config/text/key_path.h"
-#include "config/text/setting_text.h"
-#include "config/text/suggest.h"
-#include "config/text/text_file.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "config/diagnostics/diagnostic_list.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {

@@ -1,4 +1,4 @@
-#include "config/recipe/section_preset_merge.h"
+#include "config/recipe/merge.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,10 +11,9 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/presets/presets.h"
-#include "config/recipe/merge.h"
-#include "config/sections/tower_list.h"
+#include "config/sections/towers.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/text/key_path.h"
-#include "config/text/setting_text.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -82,7 +82,7 @@ std::optional<Value> list_of(const std::vector<std::string_view>& pieces) {
     return Value{std::move(list), {}};
 }
 
-std::optional<Value> values_of(std::string_view text) {
+std::optional<Value> swept_values(std::string_view text) {
     const std::vector<std::string_view> listed = split_outside(text, ',');
     const std::vector<std::string_view> ranged = split_outside(text, ':');
     const bool is_range = listed.size() == 1 && ranged.size() > 1;
@@ -99,7 +99,7 @@ std::optional<Entry> varied_entry(const std::string& option) {
     const std::size_t equals = find_equals(text);
     if (equals == std::string_view::npos) return std::nullopt;
     const std::optional<std::string> key = parse_toml_key(trim(text.substr(0, equals)));
-    std::optional<Value> values = values_of(text.substr(equals + 1));
+    std::optional<Value> values = swept_values(text.substr(equals + 1));
     if (!key || !values) return std::nullopt;
     return entry_of(*key, std::move(*values));
 }

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "config/fields/point_tables.h"
 #include "config/sections/particles.h"
 #include "config/text/quantity.h"
 
@@ -35,5 +34,14 @@ struct Atmosphere {
     std::vector<double> ground_albedo;  // one per channel
     std::vector<Layer> layers;          // enabled ones, by name
 };
+
+// The optical depth of a layer straight up, from the ground to the top of the atmosphere: printed
+// by `show`, so that a slip of a unit is seen, and the basis of a warning. Bakers have their own.
+
+// The layer's density integrated over altitude from 0 to `thickness`, in metres; closed forms.
+double density_column(const Layer& layer, Length thickness);
+
+// Extinction times that column, one value per channel.
+std::vector<double> zenith_optical_depth(const Layer& layer, const Atmosphere& atmosphere);
 
 }  // namespace skybake::config

@@ -1,6 +1,6 @@
 // Rows of the recipe as a whole, of [atmosphere] and of its layers.
-#include "config/fields/shared_ranges.h"
-#include "config/sections/section_rows.h"
+#include "config/fields/fields.h"
+#include "config/sections/sections.h"
 
 namespace skybake::config {
 namespace {

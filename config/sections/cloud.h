@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "config/diagnostics/diagnostic.h"
-#include "config/fields/point_tables.h"
+#include "config/sections/noise.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -87,5 +88,14 @@ struct Cloud {
     std::vector<Tower> towers;       // in the order of the recipe
     TowerScatter scatter;
 };
+
+// Which channels of its noises a cloud is made of, and what a cloud volume calls its own.
+
+// Those of the noise that are computed: all of one that packs or of channels = "noise", else the
+// first.
+std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels channels);
+
+// {"Y"} of one channel, else the names of the noise's.
+std::vector<std::string> cloud_channel_names(const Noise& noise, CloudChannels channels);
 
 }  // namespace skybake::config

@@ -1,5 +1,5 @@
-#include "config/fields/shared_ranges.h"
-#include "config/sections/section_rows.h"
+#include "config/fields/fields.h"
+#include "config/sections/sections.h"
 
 namespace skybake::config {
 namespace {

@@ -6,7 +6,10 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "config/fields/section_decoder.h"
 
 namespace skybake::config {
 
@@ -62,5 +65,35 @@ struct Noise {
     bool aliases = false;                // octaves too fine for `size` are meant to be
     std::vector<NoiseChannel> channels;  // in the order R, G, B, A
 };
+
+// From the keys of an octave series (frequency, octaves, lacunarity, gain) to the list that it
+// stands for: one frequency and one gain per octave.
+
+// The keys of one series of a channel's section.
+struct OctaveKeys {
+    std::string_view frequency, octaves, lacunarity, frequencies, gain, gains;
+};
+
+inline constexpr OctaveKeys plain_octave_keys{"frequency",   "octaves", "lacunarity",
+                                              "frequencies", "gain",    "gains"};
+inline constexpr OctaveKeys worley_octave_keys{"worley_frequency",  "worley_octaves",
+                                               "worley_lacunarity", "worley_frequencies",
+                                               "worley_gain",       "worley_gains"};
+
+// Fills in `frequencies` and `gains` of the section, and returns them; nothing where the channel's
+// type has no such octaves, or a key is at fault. Errors: a frequency above its range (E0128), as
+// many gains as octaves are not given (E0108).
+NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder);
+
+// What an octave becomes on a grid of voxels, by integer arithmetic.
+inline constexpr int fewest_voxels_per_cell = 4;
+
+// Whether a cell has fewer voxels than it takes to show it, on an axis of more than one voxel.
+bool is_coarse(const std::array<int, 3>& frequency, const std::array<int, 3>& size);
+
+// Whether every voxel lies on a lattice point, where gradient noise is 0 by definition. Voxel i of
+// N lies at (i + 1/2) f / N cells, or at i f / N on axes that are sampled at corners.
+bool is_zero_everywhere(const std::array<int, 3>& frequency, const std::array<int, 3>& size,
+                        NoiseSampling sampling);
 
 }  // namespace skybake::config

@@ -1,4 +1,4 @@
-#include "config/sections/noise_decoder.h"
+#include "config/sections/sections.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,10 +7,9 @@
 #include <array>
 #include <tuple>
 
-#include "config/sections/noise_octaves.h"
-#include "config/sections/section_rows.h"
+#include "config/sections/noise.h"
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

@@ -7,6 +7,7 @@
 #include <any>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/sections/atmosphere.h"
@@ -55,5 +56,11 @@ struct Parameters {
     std::vector<Cloud> clouds;         // by name
     std::vector<Bake> bakes;           // in the order of the file
 };
+
+// The sections that others of a recipe name: load_recipe has made sure that they are there.
+
+const Noise& noise_named(const Parameters& parameters, std::string_view name);
+const Cloud& cloud_named(const Parameters& parameters, std::string_view name);
+const Bake& bake_named(const Parameters& parameters, std::string_view name);
 
 }  // namespace skybake::config

@@ -7,7 +7,7 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
-#include "config/sweep/sobol.h"
+#include "config/sweep/sweep.h"
 #include "config/sweep/sweep_path.h"
 #include "config/sweep/sweep_range.h"
 #include "config/text/key_path.h"
@@ -107,7 +107,7 @@ struct SweepReader {
         if (as_table(value)) return read_range_of(swept);
         error("E0103", value.place,
               fmt::format("`{}` should vary, but {} is one value", swept.key.path,
-                          shorten(spell_value(value))),
+                          shorten(value_to_string(value))),
               "expected a list [...], or { from = ..., to = ..., count = ... }");
         return false;
     }
@@ -277,7 +277,7 @@ struct SweepReader {
         for (const Entry& entry : table) {
             ResolvedValue value;
             value.path = join_path("sweep", entry.key);
-            value.written = spell_value(entry.value);
+            value.written = value_to_string(entry.value);
             value.canonical = value.written;
             value.origin = origin(entry.value.place);
             value.only_shown = true;

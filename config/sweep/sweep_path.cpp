@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/text/key_path.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

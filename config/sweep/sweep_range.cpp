@@ -9,7 +9,7 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
-#include "config/sweep/sweep_rows.h"
+#include "config/sweep/sweep.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 
@@ -136,7 +136,7 @@ SweepValue spelled(const SweptRange& range, double number) {
         const std::string text = fmt::format("{:.0f}", number);
         return {text, text};
     }
-    const std::string text = spell_number(number);
+    const std::string text = number_to_string(number);
     if (range.unit.empty()) return {text, text};
     const std::string quantity = text + ' ' + range.unit;
     return {toml_string(quantity), quantity};
@@ -156,9 +156,9 @@ struct RangeReader {
         const double largest = std::max(std::fabs(range.from), std::fabs(range.to));
         const double most = range.whole ? largest_whole_end : largest_end;
         if (!std::isfinite(range.from) || !std::isfinite(range.to) || largest > most) {
-            error(
-                to.place, fmt::format("the range of `{}` goes too far", path),
-                fmt::format("at most {} are allowed; list the values instead", spell_number(most)));
+            error(to.place, fmt::format("the range of `{}` goes too far", path),
+                  fmt::format("at most {} are allowed; list the values instead",
+                              number_to_string(most)));
             return false;
         }
         if (range.from == range.to) {
@@ -179,7 +179,7 @@ struct RangeReader {
 
 SweepValue sweep_value(const Value& value) {
     const auto* text = std::get_if<std::string>(&value.data);
-    return {spell_value(value), text ? *text : spell_value(value)};
+    return {value_to_string(value), text ? *text : value_to_string(value)};
 }
 
 bool check_form(const Field& field, const std::string& path, const Value& value, Decoder& decoder) {
@@ -238,7 +238,7 @@ std::optional<std::vector<SweepValue>> range_values(const SweptRange& range,
         if (range.whole && number != std::floor(number)) {
             decoder.diagnostics.error("E0135", entry.value.place,
                                       fmt::format("`{}` takes whole numbers, and {} is not one",
-                                                  path, spell_number(number)),
+                                                  path, number_to_string(number)),
                                       fmt::format("choose a count that divides the range from {} "
                                                   "to {} into whole steps, or list the values",
                                                   range.first.plain, range.last.plain));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "config/text/utf8.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -104,12 +104,12 @@ std::string toml_string(std::string_view text) {
     return result + '"';
 }
 
-std::string spell_key(std::string_view name) {
+std::string key_to_string(std::string_view name) {
     return is_bare_key(name) ? std::string(name) : toml_string(name);
 }
 
 std::string join_path(std::string_view path, std::string_view name) {
-    return path.empty() ? spell_key(name) : std::string(path) + '.' + spell_key(name);
+    return path.empty() ? key_to_string(name) : std::string(path) + '.' + key_to_string(name);
 }
 
 std::optional<std::vector<std::string>> split_path(std::string_view path) {

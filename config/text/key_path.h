@@ -16,7 +16,7 @@ bool is_bare_key(std::string_view name);
 std::string toml_string(std::string_view text);
 
 // The name itself if it is a bare key, else in quotes.
-std::string spell_key(std::string_view name);
+std::string key_to_string(std::string_view name);
 
 std::string join_path(std::string_view path, std::string_view name);
 

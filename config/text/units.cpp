@@ -1,5 +1,5 @@
 #include "config/text/units.h"
-#include "config/text/setting_text.h"
+#include "config/text/text.h"
 
 #include <fmt/format.h>
 
@@ -161,7 +161,7 @@ ShortestDigits shortest_digits(double value) {
 
 // Plain notation where it stays short, else scientific with at least two exponent digits, as
 // std::to_chars spells it.
-std::string spell_digits(const ShortestDigits& number) {
+std::string digits_to_string(const ShortestDigits& number) {
     const int count = static_cast<int>(number.digits.size());
     const int point = number.point;
     if (point > 0 && point <= 9) {
@@ -183,11 +183,11 @@ std::string spell_digits(const ShortestDigits& number) {
 }
 
 // `value` times 10^shift, spelled by moving the point, so without a second rounding.
-std::string spell_shifted(double value, int shift) {
+std::string shifted_to_string(double value, int shift) {
     if (value == 0) return "0";
     ShortestDigits number = shortest_digits(std::fabs(value));
     number.point += shift;
-    return fmt::format("{}{}", value < 0 ? "-" : "", spell_digits(number));
+    return fmt::format("{}{}", value < 0 ? "-" : "", digits_to_string(number));
 }
 
 }  // namespace
@@ -248,18 +248,20 @@ std::vector<std::string_view> unit_spellings(Dimension dimension) {
     return names;
 }
 
-std::string spell_number(double value) { return spell_shifted(value, 0); }
+std::string number_to_string(double value) { return shifted_to_string(value, 0); }
 
-std::string spell_length(double meters) { return spell_number(meters) + " m"; }
+std::string length_to_string(double meters) { return number_to_string(meters) + " m"; }
 
-std::string spell_wavelength(double meters) { return spell_shifted(meters, 9) + " nm"; }
+std::string wavelength_to_string(double meters) { return shifted_to_string(meters, 9) + " nm"; }
 
-std::string spell_inverse_length(double per_meter) { return spell_number(per_meter) + " /m"; }
-
-std::string spell_number_density(double per_cubic_meter) {
-    return spell_number(per_cubic_meter) + " /m3";
+std::string inverse_length_to_string(double per_meter) {
+    return number_to_string(per_meter) + " /m";
 }
 
-std::string spell_angle(double radians) { return spell_number(radians) + " rad"; }
+std::string number_density_to_string(double per_cubic_meter) {
+    return number_to_string(per_cubic_meter) + " /m3";
+}
+
+std::string angle_to_string(double radians) { return number_to_string(radians) + " rad"; }
 
 }  // namespace skybake::config

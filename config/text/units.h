@@ -50,11 +50,11 @@ std::vector<std::string_view> unit_spellings(Dimension dimension);
 
 // Canonical spellings: the shortest decimal that reads back as the same double, in one unit. Equal
 // values have equal spellings. Values must be finite.
-std::string spell_number(double value);                    // "0.8"
-std::string spell_length(double meters);                   // "8000 m"
-std::string spell_wavelength(double meters);               // "680 nm"
-std::string spell_inverse_length(double per_meter);        // "5.802e-06 /m"
-std::string spell_number_density(double per_cubic_meter);  // "1e+08 /m3"
-std::string spell_angle(double radians);                   // "0.925 rad"
+std::string number_to_string(double value);                    // "0.8"
+std::string length_to_string(double meters);                   // "8000 m"
+std::string wavelength_to_string(double meters);               // "680 nm"
+std::string inverse_length_to_string(double per_meter);        // "5.802e-06 /m"
+std::string number_density_to_string(double per_cubic_meter);  // "1e+08 /m3"
+std::string angle_to_string(double radians);                   // "0.925 rad"
 
 }  // namespace skybake::config

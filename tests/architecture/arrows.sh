@@ -78,7 +78,7 @@ forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
 forbid '(OpenEXR|Imf)' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp|$formats/exr/exr_library\.h"
 forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
 forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder)\.cpp|$formats/vdb/vdb_library\.h"
-forbid 'OpenImageIO/' 'config bakers cli' "$formats/png/(map_reader|png_encoder)\.cpp"
+forbid 'OpenImageIO/' 'config bakers cli' "$formats/png/(map_reader|image_codec)\.cpp"
 forbid '(cairo|pango|fontconfig|ft2build)' 'config bakers cli' 'bakers/plot/cairo_drawing\.cpp'
 forbid 'Imath' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
 forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
@@ -88,7 +88,7 @@ forbid '(thread|mutex|OpenEXR)' config "$none"
 makers='bakers/math bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/assets'
 forbid '(iostream|fstream)' "$makers" "$none"
 forbid 'bakers/io/' bakers/assets \
-    'bakers/assets/([a-z_]+_check\.(h|cpp)|occupancy/skipping_check\.(h|cpp)|cloud_volume/cloud_inputs\.cpp)'
+    'bakers/assets/([a-z_]+_check\.(h|cpp)|occupancy/occupancy_check\.(h|cpp)|cloud_volume/cloud_inputs\.cpp)'
 
 # Sources are compiled in batches, where a namespace that one source opens is open in those after it.
 opened=$(grep -rnE '^using namespace ' --include='*.h' --include='*.cpp' config bakers cli |

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bakers/assets/registry.h"
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

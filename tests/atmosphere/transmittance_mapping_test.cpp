@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "config/assets/transmittance.h"
 #include "tests/support/atmospheres.h"
 

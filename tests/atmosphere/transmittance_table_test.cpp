@@ -7,8 +7,8 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/registry.h"
-#include "bakers/field/bilinear.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
+#include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -15,7 +15,6 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "bakers/assets/registry.h"
-#include "bakers/assets/transmittance/transmittance_as_in_paper.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/table_model.h"
 #include "config/assets/multiple_scattering.h"

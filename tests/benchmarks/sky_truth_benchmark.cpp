@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/io/files/read_file.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/report/truth/sky_truth_report.h"
 #include "bakers/report/truth/sky_truth_store.h"
 #include "config/recipe/recipe.h"

@@ -16,7 +16,7 @@ struct Table {
     SkyMedium medium;
     config::BrunetonBake bake;
     ScatteringMapping mapping;
-    HeldVoxels voxels;
+    DenseVolume voxels;
 };
 
 // Single scattering of all layers but `mie_layers`, which are in A.
@@ -32,11 +32,11 @@ Table table_of(const config::Atmosphere& atmosphere, std::array<int, 3> size, in
     const ScatteringContent content(medium, bake);
     const TableParts parts =
         remembered_parts(medium, nullptr, content, mapping, true, false, BakeOptions{.threads = 2});
-    HeldVoxels voxels = scattering_texels(content, mapping, parts);
+    DenseVolume voxels = scattering_texels(content, mapping, parts);
     return {std::move(medium), bake, mapping, std::move(voxels)};
 }
 
-double worst_below_zero(const HeldVoxels& voxels) {
+double worst_below_zero(const DenseVolume& voxels) {
     double worst = 0;
     for (std::size_t c = 0; c < voxels.channels(); ++c) {
         for (const float value : voxels.channel(c)) {

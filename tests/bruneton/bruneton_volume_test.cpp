@@ -7,7 +7,6 @@
 
 #include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_table.h"
-#include "bakers/assets/bruneton/takram_parameters.h"
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/light/sky_light.h"
@@ -173,8 +172,8 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
     const ScatteringContent content(medium, bake);
     const ScatteringContent mie_content(medium, mie_bake);
     const TableParts parts = remembered_parts(medium, light, content, mapping, true, true, options);
-    HeldVoxels air = scattering_texels(content, mapping, parts);
-    HeldVoxels mie = scattering_texels(mie_content, mapping, parts);
+    DenseVolume air = scattering_texels(content, mapping, parts);
+    DenseVolume mie = scattering_texels(mie_content, mapping, parts);
     fit_lookups(mapping, 3, options, air);
     fit_lookups(mapping, 3, options, mie);
     std::vector<double> errors;

@@ -29,7 +29,7 @@ TEST(IteratedScattering, AgreesWithTheSolutionOfTwoOrders) {
             const FeasibleCosines feasible = feasible_cosines(mu, sun);
             const double nu = mapping.nu_of_texel(u);
             if (sun < 0.2 || nu < feasible.low || nu > feasible.high) continue;
-            const Spectrum solved = rows.row(view, SunFan({sun}, {nu})).higher[0];
+            const Spectrum solved = rows.row(view, SunBundle({sun}, {nu})).higher[0];
             const Spectrum& found = iterated[static_cast<std::size_t>(v * 64 + u)];
             for (std::size_t c = 0; c < 3; ++c) ratios.push_back(found[c] / solved[c]);
         }

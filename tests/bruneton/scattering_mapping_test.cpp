@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

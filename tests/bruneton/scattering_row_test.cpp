@@ -40,7 +40,7 @@ double worst_error(const SkyMedium& medium, const ScatteringRows& rows,
         const FeasibleCosines feasible = feasible_cosines(cosine_of(shell, view), sun);
         nu.push_back(std::clamp(feasible.low + share * (feasible.high - feasible.low), -1.0, 1.0));
     }
-    const ScatteringRow row = rows.row(view, SunFan(suns, nu));
+    const ScatteringRow row = rows.row(view, SunBundle(suns, nu));
     double worst = 0;
     for (std::size_t i = 0; i < suns.size(); ++i) {
         const SkyRadiance direct = integrator.radiance(ray_of(shell, view, suns[i], nu[i]));
@@ -101,7 +101,7 @@ TEST(ScatteringRow, GoesOnSmoothlyWhereThereAreNoSuchSuns) {
     const double edge = feasible_cosines(cosine_of(mapping.shell(), view), 0.1).high;
     const double step = 0.01;
     const ScatteringRow row =
-        rows.row(view, SunFan({0.1, 0.1, 0.1}, {edge - step, edge, edge + step}));
+        rows.row(view, SunBundle({0.1, 0.1, 0.1}, {edge - step, edge, edge + step}));
     const double before = row.single[0][1][0] - row.single[0][0][0];
     const double after = row.single[0][2][0] - row.single[0][1][0];
     EXPECT_NE(before, 0);

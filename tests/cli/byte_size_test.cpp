@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/io/files/byte_size_text.h"
+#include "bakers/io/files/to_string.h"
 
 namespace skybake::cli {
 namespace {

@@ -1,8 +1,7 @@
-#include "cli/help.h"
+#include "cli/command.h"
 
 #include <set>
 
-#include "cli/command.h"
 #include "cli/table_printer.h"
 #include "tests/cli/program.h"
 #include "tests/support/odd_words.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/cloud_reference.h"
-#include "bakers/clouds/height_profile.h"
 #include "bakers/math/low_discrepancy.h"
 #include "bakers/noise/noise_bounds.h"
 #include "bakers/noise/noise_reference.h"

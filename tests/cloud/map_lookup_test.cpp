@@ -1,4 +1,4 @@
-#include "bakers/clouds/map_lookup.h"
+#include "bakers/clouds/cloud_plan.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

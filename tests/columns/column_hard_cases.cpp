@@ -1,7 +1,7 @@
 // Columns where they are hard: what each case's exact integral and its lookups reach.
 #include <gtest/gtest.h>
 
-#include "bakers/assets/optical_depth/column_errors.h"
+#include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_volume.h"
 #include "config/assets/optical_depth.h"
 #include "tests/columns/columns.h"
@@ -11,18 +11,17 @@ namespace skybake::test {
 namespace {
 
 // The largest error of the mean density against adaptive quadrature, relative to it, over the paths
-// of random places of all courses and of their corners.
+// of random places of all kinds and of their corners.
 double worst_column(const config::Atmosphere& atmosphere, const std::string& name,
                     std::vector<double> angles, std::vector<double> altitudes) {
     const auto kinds = make_column_kinds(atmosphere, {name});
     const ColumnGeometry geometry = column_geometry(kinds);
     double worst = 0;
-    for (const Course course : {Course::rises, Course::passes, Course::falls}) {
+    for (const RayKind kind : {RayKind::upward, RayKind::limb, RayKind::ground}) {
         for (const double angle : angles) {
             for (const double altitude : altitudes) {
                 for (const double distance : {0.0, 1e-3, 0.5, 1.0}) {
-                    const ColumnPath path =
-                        path_along(geometry, {course, angle, altitude, distance});
+                    const ColumnPath path = path_along(geometry, {kind, angle, altitude, distance});
                     const double exact = mean_density(kinds[0], path);
                     const double reference = reference_mean_density(kinds[0], path);
                     const double floor = 1e-15 / std::max(path.length_km, 1e-3);
@@ -85,11 +84,11 @@ TEST(ColumnHardCases, C3_equal_altitudes_and_no_distance) {
     double worst = 0;
     for (const double high : kSome) {
         for (const double angle : kSome) {
-            const ColumnPath level = path_between(geometry, {Course::rises, angle, high, 1});
+            const ColumnPath level = path_between(geometry, {RayKind::upward, angle, high, 1});
             const double h = altitude_at(geometry.scale, high);
             worst = std::max(
                 worst, std::fabs(mean_density(kinds[0], level) / density_of(kinds[0], h) - 1));
-            const ColumnPath across = path_between(geometry, {Course::passes, angle, high, 1});
+            const ColumnPath across = path_between(geometry, {RayKind::limb, angle, high, 1});
             const double reference = reference_mean_density(kinds[0], across);
             worst = std::max(
                 worst, std::fabs(mean_density(kinds[0], across) - reference) / (reference + 1e-9));

@@ -34,9 +34,9 @@ RC_GTEST_PROP(ColumnKinds, ExactColumnsAreThoseOfAdaptiveQuadrature, ()) {
     const config::Atmosphere atmosphere = random_atmosphere();
     const auto kinds = make_column_kinds(atmosphere, names_of(atmosphere));
     const ColumnGeometry geometry = column_geometry(kinds);
-    const auto course = static_cast<Course>(*rc::gen::inRange(0, 3));
+    const auto kind = static_cast<RayKind>(*rc::gen::inRange(0, 3));
     const ColumnPath path =
-        path_along(geometry, {course, uniform(0, 1), uniform(0, 1), uniform(0, 1)});
+        path_along(geometry, {kind, uniform(0, 1), uniform(0, 1), uniform(0, 1)});
     for (const ColumnKind& kind : kinds) {
         const double exact = mean_density(kind, path);
         const double reference = reference_mean_density(kind, path);

@@ -25,7 +25,7 @@ struct RoundTrip {
 };
 
 // The texture coordinates of texels' paths are those of their centres. Not asked of the end texels
-// of v and w, where ranges may have no width, nor of paths that belong to two courses: level ones,
+// of v and w, where ranges may have no width, nor of paths that belong to two kinds: level ones,
 // and those that fall along the horizon.
 RoundTrip round_trip(const config::OpticalDepthBake& bake, const ColumnGeometry& geometry) {
     const ColumnTable table(bake, geometry);
@@ -86,12 +86,12 @@ RC_GTEST_PROP(ColumnMapping, AltitudesComeBack, ()) {
 RC_GTEST_PROP(ColumnMapping, PathsStayInTheShell, ()) {
     const ColumnGeometry geometry = random_geometry();
     const Shell& shell = geometry.shell;
-    const auto course = static_cast<Course>(*rc::gen::inRange(0, 3));
+    const auto kind = static_cast<RayKind>(*rc::gen::inRange(0, 3));
     const auto corner = [] {
         const int choice = *rc::gen::inRange(0, 4);
         return choice == 0 ? 0.0 : choice == 1 ? 1.0 : uniform(0, 1);
     };
-    const DistanceCoordinates x = {course, corner(), corner(), corner()};
+    const DistanceCoordinates x = {kind, corner(), corner(), corner()};
     const ColumnPath path = path_along(geometry, x);
     const double size = shell.ground_radius_km + shell.thickness_km;
     RC_ASSERT(path.length_km >= 0);
@@ -101,7 +101,7 @@ RC_GTEST_PROP(ColumnMapping, PathsStayInTheShell, ()) {
         RC_ASSERT(h >= -1e-12 * size);
         RC_ASSERT(h <= shell.thickness_km + 1e-12 * size);
     }
-    if (course != Course::falls && x.distance == 1) {
+    if (kind != RayKind::ground && x.distance == 1) {
         const double end = altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km);
         RC_ASSERT(std::fabs(end - shell.thickness_km) <= 1e-11 * size);
     }
@@ -110,14 +110,14 @@ RC_GTEST_PROP(ColumnMapping, PathsStayInTheShell, ()) {
 // A path and the same from its other end are one texel.
 RC_GTEST_PROP(ColumnMapping, PairsAreSymmetric, ()) {
     const ColumnGeometry geometry = random_geometry();
-    const auto course = static_cast<Course>(*rc::gen::inRange(0, 2));
-    const PairCoordinates x = {course, uniform(0.05, 0.95), uniform(0.1, 1), uniform(0.1, 0.95)};
+    const auto kind = static_cast<RayKind>(*rc::gen::inRange(0, 2));
+    const PairCoordinates x = {kind, uniform(0.05, 0.95), uniform(0.1, 1), uniform(0.1, 0.95)};
     const ColumnPath path = path_between(geometry, x);
     const double end_km =
         altitude_along_km(geometry.shell, path.altitude_km, path.s_km, path.length_km);
     const ColumnPath back = {end_km, -(path.s_km + path.length_km), path.length_km};
     const PairCoordinates y = pair_coordinates(geometry, back);
-    RC_ASSERT(y.course == x.course);
+    RC_ASSERT(y.kind == x.kind);
     // From the far end altitudes are differences of lengths: planets lose digits by their size.
     const double loss = 1e-12 * geometry.shell.ground_radius_km / geometry.scale.fine_km;
     RC_ASSERT(std::fabs(y.angle - x.angle) <= 1e-9 + 100 * loss);
@@ -141,17 +141,17 @@ TEST(ColumnMapping, AnglesAtTheCentreMakePaths) {
     EXPECT_EQ(path_of_angle(shell, 7, 7, 0).length_km, 0);
 }
 
-// Next to the border of two courses, from either side, a path is the same.
-TEST(ColumnMapping, CoursesMeet) {
+// Next to the border of two kinds, from either side, a path is the same.
+TEST(ColumnMapping, KindsMeet) {
     const auto kinds = make_column_kinds(earth_with_presets(), earth_kinds());
     const ColumnGeometry geometry = column_geometry(kinds);
     for (const double v : {0.2, 0.5, 0.9}) {
-        const ColumnPath level = path_to_top(geometry, {Course::rises, 1, v});
-        const ColumnPath passing = path_to_top(geometry, {Course::passes, 0, v});
+        const ColumnPath level = path_to_top(geometry, {RayKind::upward, 1, v});
+        const ColumnPath passing = path_to_top(geometry, {RayKind::limb, 0, v});
         EXPECT_NEAR(level.length_km, passing.length_km, 1e-9);
         EXPECT_NEAR(level.s_km, 0, 1e-9);
-        const ColumnPath grazing = path_along(geometry, {Course::passes, 1, v, 0.3});
-        const ColumnPath fallen = path_along(geometry, {Course::falls, 0, v, 0.3});
+        const ColumnPath grazing = path_along(geometry, {RayKind::limb, 1, v, 0.3});
+        const ColumnPath fallen = path_along(geometry, {RayKind::ground, 0, v, 0.3});
         EXPECT_NEAR(grazing.s_km, fallen.s_km, 1e-9);
     }
 }
@@ -166,11 +166,11 @@ TEST(ColumnMapping, APathThatPassesItsNearestPointDoesNotFall) {
         ASSERT_LT(s_km, -rho);
         const DistanceCoordinates passes =
             distance_coordinates(geometry, {altitude_km, s_km, 1.5 * rho});
-        EXPECT_EQ(passes.course, Course::passes) << altitude_km;
+        EXPECT_EQ(passes.kind, RayKind::limb) << altitude_km;
         EXPECT_GT(passes.distance, 0);
         const DistanceCoordinates falls =
             distance_coordinates(geometry, {altitude_km, 1.01 * s_km, 0.5 * rho});
-        EXPECT_EQ(falls.course, Course::falls) << altitude_km;
+        EXPECT_EQ(falls.kind, RayKind::ground) << altitude_km;
     }
 }
 

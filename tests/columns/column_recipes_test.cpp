@@ -32,7 +32,7 @@ TEST(ColumnRecipes, ReportsCompareShellsWithTheExactIntegral) {
     EXPECT_LT(report.value->rows[4].texel.rms, report.value->rows[1].texel.rms);
 }
 
-TEST(ColumnRecipes, RefuseTooFewTexelsForTheCourses) {
+TEST(ColumnRecipes, RefuseTooFewTexelsForTheKinds) {
     for (const char* section :
          {"size = [3, 8, 1]\n", "table = 'between'\nsize = [3, 8, 8]\n",
           "table = 'between'\ncoordinates = 'distance'\nsize = [7, 8, 8]\n"}) {

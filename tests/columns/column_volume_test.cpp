@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "bakers/assets/optical_depth/column_errors.h"
+#include "bakers/assets/optical_depth/column_kinds.h"
 #include "config/assets/optical_depth.h"
 #include "tests/columns/columns.h"
 

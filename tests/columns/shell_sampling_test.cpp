@@ -1,4 +1,4 @@
-#include "bakers/assets/optical_depth/shell_sampling.h"
+#include "bakers/assets/optical_depth/column_kinds.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -43,8 +43,8 @@ TEST(ShellSampling, CountsTheDensityAtTheMiddleOfEachShell) {
 RC_GTEST_PROP(ShellSampling, ManyShellsApproachTheIntegral, ()) {
     const auto kinds = make_column_kinds(earth_with_presets(), {"dust", "rayleigh"});
     const ColumnGeometry geometry = column_geometry(kinds);
-    const auto course = static_cast<Course>(*rc::gen::inRange(0, 2));
-    const ColumnPath path = path_to_top(geometry, {course, uniform(0, 1), uniform(0, 1)});
+    const auto kind = static_cast<RayKind>(*rc::gen::inRange(0, 2));
+    const ColumnPath path = path_to_top(geometry, {kind, uniform(0, 1), uniform(0, 1)});
     const std::vector<double> shells = uniform_shells_km(100, 4096);
     for (const ColumnKind& kind : kinds) {
         const double exact = mean_density(kind, path);

@@ -1,4 +1,4 @@
-#include "config/assets/bake_decoder.h"
+#include "config/assets/asset_kind.h"
 
 #include <gtest/gtest.h>
 

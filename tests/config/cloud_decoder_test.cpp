@@ -1,4 +1,4 @@
-#include "config/sections/cloud_decoder.h"
+#include "config/sections/sections.h"
 
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ TEST(CloudDecoder, ReadsEveryKey) {
         "}\n[[clouds.c.towers]]\ncenter = [0.2, -3]\nsigma = [0.03, 0.06]\nrotation = '180 deg'\n"
         "correlation = -0.5\namplitude = 0.4\n");
     EXPECT_EQ(
-        testing::spell(cloud),
+        testing::to_string(cloud),
         "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0 0\n"
         "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1\n   0 1 0\n"
         "12 3 [0.1, 0.2] [1, 3] [0, 1]\n"
@@ -78,7 +78,7 @@ TEST(CloudDecoder, ReadsEveryKey) {
     EXPECT_EQ(blended.type_map.wrap, MapWrap::repeat);
     EXPECT_EQ(blended.type_map.filter, MapFilter::linear);
     const Cloud scattered = cloud_of("scatter.count = 2");
-    EXPECT_EQ(testing::spell(scattered.scatter), "2 0 [0.02, 0.05] [1, 2] [0.2, 0.5]");
+    EXPECT_EQ(testing::to_string(scattered.scatter), "2 0 [0.02, 0.05] [1, 2] [0.2, 0.5]");
 }
 
 TEST(CloudDecoder, ValuesHaveRanges) {

@@ -13,19 +13,19 @@ namespace {
 using testing::all_parameters;
 using testing::parse;
 
-std::string spell(const Bake& bake) {
+std::string to_string(const Bake& bake) {
     std::string text = "of the sky";
     visit_asset(bake, [&text](const auto& asset) {
-        if constexpr (requires { testing::spell(asset); }) text = testing::spell(asset);
+        if constexpr (requires { testing::to_string(asset); }) text = testing::to_string(asset);
     });
     return bake.name + " " + text;
 }
 
-std::string spell(const Parameters& parameters) {
+std::string to_string(const Parameters& parameters) {
     std::string text;
-    for (const Noise& noise : parameters.noises) text += testing::spell(noise) + "\n";
-    for (const Cloud& cloud : parameters.clouds) text += testing::spell(cloud) + "\n";
-    for (const Bake& bake : parameters.bakes) text += spell(bake) + "\n";
+    for (const Noise& noise : parameters.noises) text += testing::to_string(noise) + "\n";
+    for (const Cloud& cloud : parameters.clouds) text += testing::to_string(cloud) + "\n";
+    for (const Bake& bake : parameters.bakes) text += to_string(bake) + "\n";
     return text;
 }
 
@@ -181,7 +181,7 @@ TEST(CloudRoundTrip, ParametersAreARecipeOfTheSameCloud) {
         const std::string carried = all_parameters(*once.value);
         const Outcome<Recipe> twice = parse(carried);
         RC_ASSERT(twice.value.has_value());
-        RC_ASSERT(spell(twice.value->parameters) == spell(once.value->parameters));
+        RC_ASSERT(to_string(twice.value->parameters) == to_string(once.value->parameters));
         RC_ASSERT(all_parameters(*twice.value) == carried);
     }));
 }
@@ -195,8 +195,8 @@ TEST(CloudRoundTrip, PresetsAreSpelledOut) {
             "'\n[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [512, 512, 256]\n");
         const std::string carried = all_parameters(recipe);
         EXPECT_EQ(carried.find("preset"), std::string::npos);
-        EXPECT_EQ(spell(testing::valid_with_warnings(carried).parameters),
-                  spell(recipe.parameters));
+        EXPECT_EQ(to_string(testing::valid_with_warnings(carried).parameters),
+                  to_string(recipe.parameters));
     }
 }
 

@@ -1,7 +1,6 @@
 
 #include <gtest/gtest.h>
 
-#include "config/assets/cloud_extent.h"
 #include "config/assets/cloud_volume.h"
 #include "tests/config/clouds.h"
 
@@ -31,11 +30,11 @@ Diagnostic fault(const std::string& bake, const std::string& cloud = "") {
 using Size = std::array<int, 3>;
 
 TEST(CloudVolumeDecoder, HasItsDefaults) {
-    EXPECT_EQ(testing::spell(volume("size = [32, 64, 16]")), "c [32, 64, 16] 1 0 0 1 1 2 1");
+    EXPECT_EQ(testing::to_string(volume("size = [32, 64, 16]")), "c [32, 64, 16] 1 0 0 1 1 2 1");
 }
 
 TEST(CloudVolumeDecoder, ReadsEveryKey) {
-    EXPECT_EQ(testing::spell(
+    EXPECT_EQ(testing::to_string(
                   volume("size = [32, 64, 16]\nformats = ['vdb', 'exr']\npixel_type = 'float'\n"
                          "layout = 'atlas'\ncolumns = 4\nmips = 'all'\ncompression = 'piz'\n"
                          "vdb_compression = 'none'")),

@@ -25,7 +25,7 @@ inline Cloud cloud_of(const std::string& keys, const std::vector<std::string>& s
     return recipe.parameters.clouds.size() == 1 ? recipe.parameters.clouds[0] : Cloud{};
 }
 
-inline std::string spell(const HeightProfile& profile) {
+inline std::string to_string(const HeightProfile& profile) {
     std::string text =
         fmt::format("{} {} {} {}", static_cast<int>(profile.type), profile.bottom_sharpness,
                     profile.top_falloff, profile.cloud_type);
@@ -34,24 +34,24 @@ inline std::string spell(const HeightProfile& profile) {
     return text;
 }
 
-inline std::string spell(const CloudMap& map) {
+inline std::string to_string(const CloudMap& map) {
     return fmt::format("{} {} {} {} {} {}", map.file, map.path.string(), map.channel,
                        static_cast<int>(map.wrap), static_cast<int>(map.filter),
                        static_cast<int>(map.color_space));
 }
 
-inline std::string spell(const Tower& tower) {
+inline std::string to_string(const Tower& tower) {
     return fmt::format("{} {} {} {} {} {}", tower.name, tower.center, tower.sigma,
                        tower.rotation.radians, tower.correlation, tower.amplitude);
 }
 
-inline std::string spell(const TowerScatter& scatter) {
+inline std::string to_string(const TowerScatter& scatter) {
     return fmt::format("{} {} {} {} {}", scatter.count, scatter.seed, scatter.sigma, scatter.aspect,
                        scatter.amplitude);
 }
 
 // Every member, so that equal texts mean equal clouds.
-inline std::string spell(const Cloud& cloud) {
+inline std::string to_string(const Cloud& cloud) {
     std::string text = fmt::format(
         "{} {} {} {} {} {} {} | {} {} {} | {} {} {} {} {} {} {} {}", cloud.name, cloud.noise,
         cloud.noise_scale, cloud.detail, cloud.detail_scale, cloud.erosion, cloud.wisp_height,
@@ -59,13 +59,13 @@ inline std::string spell(const Cloud& cloud) {
         cloud.base_altitude.meters, cloud.coverage, cloud.threshold, cloud.edge_softness,
         static_cast<int>(cloud.threshold_at), static_cast<int>(cloud.channels),
         cloud.extinction_scale.per_meter, cloud.full_at.value_or(0));
-    text += "\n" + spell(cloud.height_profile) + "\n" + spell(cloud.coverage_map) + "\n" +
-            spell(cloud.type_map) + "\n" + spell(cloud.scatter);
-    for (const Tower& tower : cloud.towers) text += "\n" + spell(tower);
+    text += "\n" + to_string(cloud.height_profile) + "\n" + to_string(cloud.coverage_map) + "\n" +
+            to_string(cloud.type_map) + "\n" + to_string(cloud.scatter);
+    for (const Tower& tower : cloud.towers) text += "\n" + to_string(tower);
     return text;
 }
 
-inline std::string spell(const AssetFiles& files) {
+inline std::string to_string(const AssetFiles& files) {
     std::string text =
         fmt::format("{} {} {} {} {} {}", static_cast<int>(files.pixel_type),
                     static_cast<int>(files.layout), files.columns, files.mips,
@@ -75,20 +75,20 @@ inline std::string spell(const AssetFiles& files) {
     return text;
 }
 
-inline std::string spell(const CloudVolumeBake& bake) {
+inline std::string to_string(const CloudVolumeBake& bake) {
     return fmt::format("{} {} ", bake.cloud, bake.size) +
            (bake.extent[0].meters > 0 ? fmt::format("{} {} {} m ", bake.extent[0].meters,
                                                     bake.extent[1].meters, bake.extent[2].meters)
                                       : "") +
-           spell(static_cast<const AssetFiles&>(bake));
+           to_string(static_cast<const AssetFiles&>(bake));
 }
 
-inline std::string spell(const OccupancyBake& bake) {
+inline std::string to_string(const OccupancyBake& bake) {
     std::string text = fmt::format("{} {} {} {} {} ", bake.of, bake.channel, bake.cell,
                                    static_cast<int>(bake.filter), static_cast<int>(bake.rule));
     for (const OccupancyContent content : bake.contents)
         text += fmt::format("{} ", static_cast<int>(content));
-    return text + spell(static_cast<const AssetFiles&>(bake));
+    return text + to_string(static_cast<const AssetFiles&>(bake));
 }
 
 }  // namespace skybake::config::testing

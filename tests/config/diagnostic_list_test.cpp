@@ -1,4 +1,4 @@
-#include "config/diagnostics/diagnostic_list.h"
+#include "config/diagnostics/diagnostic.h"
 
 #include <gtest/gtest.h>
 

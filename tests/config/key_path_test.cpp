@@ -13,7 +13,7 @@ TEST(KeyPath, QuotesWhatIsNoBareKey) {
     EXPECT_EQ(join_path("", "bake"), "bake");
     EXPECT_EQ(join_path("a", "sea fog"), "a.\"sea fog\"");
     EXPECT_EQ(join_path("a", "x.y"), "a.\"x.y\"");
-    EXPECT_EQ(spell_key(""), "\"\"");
+    EXPECT_EQ(key_to_string(""), "\"\"");
     EXPECT_EQ(toml_string("a\"b\\c\n\x01"), "\"a\\\"b\\\\c\\n\\u0001\"");
 }
 

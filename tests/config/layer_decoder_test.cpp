@@ -1,4 +1,4 @@
-#include "config/sections/layer_decoder.h"
+#include "config/sections/sections.h"
 
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@ Table table_of(const std::string& text) {
     return table ? std::move(*table) : Table{};
 }
 
-std::string spelled(Table table) { return spell_value(Value{std::move(table), {}}); }
+std::string spelled(Table table) { return value_to_string(Value{std::move(table), {}}); }
 
 std::string merged(const std::string& base, const std::string& over) {
     Table result = table_of(base);
@@ -31,14 +31,14 @@ std::string merged_layer(const std::string& base, const std::string& over) {
     Entry* atmosphere = find_entry(result, "atmosphere");
     Entry* layers = find_entry(std::get<Table>(atmosphere->value.data), "layers");
     Entry* layer = find_entry(std::get<Table>(layers->value.data), "x");
-    return spell_value(layer->value);
+    return value_to_string(layer->value);
 }
 
 std::string merged_bake(const std::string& base, const std::string& over) {
     Table result = table_of("[bake.transmittance]\n" + base);
     merge(result, table_of("[bake.transmittance]\n" + over));
     Entry* bake = find_entry(result, "bake");
-    return spell_value(find_entry(std::get<Table>(bake->value.data), "transmittance")->value);
+    return value_to_string(find_entry(std::get<Table>(bake->value.data), "transmittance")->value);
 }
 
 TEST(Merge, TablesMergeKeyByKeyAndArraysReplace) {
@@ -201,7 +201,8 @@ TEST(Merge, IsAssociativeForTablesAndIdempotent) {
         for (std::size_t i = 1; i < sum.size(); ++i) RC_ASSERT(sum[i - 1].key < sum[i].key);
         for (const Entry& entry : over) {
             if (as_table(entry.value)) continue;
-            RC_ASSERT(spell_value(find_entry(sum, entry.key)->value) == spell_value(entry.value));
+            RC_ASSERT(value_to_string(find_entry(sum, entry.key)->value) ==
+                      value_to_string(entry.value));
         }
     }));
 }

@@ -1,4 +1,4 @@
-#include "config/text/nesting.h"
+#include "config/text/text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/sections/noise_decoder.h"
+#include "config/sections/sections.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(NoiseDecoder, ReadsStepsAndClamps) {
     EXPECT_EQ(channel("clamp = true").clamp, (std::array<double, 2>{0, 1}));
     EXPECT_EQ(channel("clamp = [-0.5, 2]").clamp, (std::array<double, 2>{-0.5, 2}));
     EXPECT_EQ(channel("clamp = [1, 1]").clamp, (std::array<double, 2>{1, 1}));
-    EXPECT_EQ(testing::spell(channel("clamp = false")), testing::spell(channel("")));
+    EXPECT_EQ(testing::to_string(channel("clamp = false")), testing::to_string(channel("")));
     const auto code = [](const std::string& keys) {
         return only_diagnostic(channel_recipe("type = 'worley'\n" + keys)).code;
     };
@@ -74,7 +74,7 @@ TEST(NoiseDecoder, ReadsEveryKey) {
         "smoothstep = [0.2, 0.7]\ninvert = true\nbias = 0.25\nclamp = [0.1, 0.5]\nfrequencies = "
         "[3]\nworley_frequencies = [5, 6]\n"
         "worley_gains = [2, 1]");
-    EXPECT_EQ(testing::spell(channel),
+    EXPECT_EQ(testing::to_string(channel),
               "Y 3 0 | [[3, 3, 3]] [1] | [[5, 5, 5], [6, 6, 6]] [2, 1] | 3 2 2 0 3 "
               "[0.1, 0.9, 1, 0] [0.2, 0.7] true 0.25 [0.1, 0.5]");
     EXPECT_EQ(channel_of("type = 'curl'\ncomponent = 'z'").component, CurlComponent::z);

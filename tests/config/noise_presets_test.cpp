@@ -3,7 +3,7 @@
 
 #include "config/assets/noise_volume.h"
 #include "config/presets/presets.h"
-#include "config/sections/octave_sampling.h"
+#include "config/sections/noise.h"
 #include "tests/config/noises.h"
 
 namespace skybake::config {
@@ -21,7 +21,7 @@ NoiseOctaves octaves(std::vector<int> frequencies, std::vector<double> gains) {
 }
 
 void expect_octaves(const NoiseOctaves& found, const NoiseOctaves& expected) {
-    EXPECT_EQ(testing::spell(found), testing::spell(expected));
+    EXPECT_EQ(testing::to_string(found), testing::to_string(expected));
 }
 
 void expect_worley(const NoiseChannel& channel, const NoiseOctaves& expected, WorleyValue form) {
@@ -113,8 +113,8 @@ TEST(NoisePresets, TheExampleIsWithoutFault) {
     ASSERT_EQ(parameters.bakes.size(), 2u);
     const auto& shape = parameters.bakes[0].as<NoiseVolumeBake>();
     const auto& detail = parameters.bakes[1].as<NoiseVolumeBake>();
-    EXPECT_EQ(testing::spell(shape), "shape [128, 128, 128] 1 0 0 1 1 2 0");
-    EXPECT_EQ(testing::spell(detail), "detail [32, 32, 32] 1 0 0 1 1 2 0");
+    EXPECT_EQ(testing::to_string(shape), "shape [128, 128, 128] 1 0 0 1 1 2 0");
+    EXPECT_EQ(testing::to_string(detail), "detail [32, 32, 32] 1 0 0 1 1 2 0");
 }
 
 // Those that copy a source which aliases say so in their keys, not in a warning.

@@ -18,11 +18,11 @@ std::string parameters_of(const Recipe& recipe) {
     return parameters_toml(recipe, patterns);
 }
 
-std::string spell(const Parameters& parameters) {
+std::string to_string(const Parameters& parameters) {
     std::string text;
-    for (const Noise& noise : parameters.noises) text += testing::spell(noise) + "\n";
+    for (const Noise& noise : parameters.noises) text += testing::to_string(noise) + "\n";
     for (const Bake& bake : parameters.bakes) {
-        text += bake.name + " " + testing::spell(bake.as<NoiseVolumeBake>()) + "\n";
+        text += bake.name + " " + testing::to_string(bake.as<NoiseVolumeBake>()) + "\n";
     }
     return text;
 }
@@ -137,7 +137,7 @@ TEST(NoiseRoundTrip, ParametersAreARecipeOfTheSameNoise) {
         const std::string carried = parameters_of(*once.value);
         const Outcome<Recipe> twice = parse(carried);
         RC_ASSERT(twice.value.has_value());
-        RC_ASSERT(spell(twice.value->parameters) == spell(once.value->parameters));
+        RC_ASSERT(to_string(twice.value->parameters) == to_string(once.value->parameters));
         RC_ASSERT(parameters_of(*twice.value) == carried);
     }));
     EXPECT_GT(whole, 60);
@@ -150,8 +150,8 @@ TEST(NoiseRoundTrip, PresetsAreSpelledOut) {
             "'\n[bake.shape]\nasset = 'noise_volume'\nnoise = 'shape'\n");
         const std::string carried = parameters_of(recipe);
         EXPECT_EQ(carried.find("preset"), std::string::npos);
-        EXPECT_EQ(spell(testing::valid_with_warnings(carried).parameters),
-                  spell(recipe.parameters));
+        EXPECT_EQ(to_string(testing::valid_with_warnings(carried).parameters),
+                  to_string(recipe.parameters));
     }
 }
 

@@ -43,7 +43,7 @@ TEST(NoiseVolumeDecoder, ReadsEveryKey) {
     const NoiseVolumeBake bake = volume(
         "size = [64, 32, 16]\nformats = ['vdb', 'exr']\npixel_type = 'float'\nlayout = 'atlas'\n"
         "columns = 4\nmips = 3\ncompression = 'piz'\nvdb_compression = 'none'");
-    EXPECT_EQ(testing::spell(bake), "n [64, 32, 16] 0 1 4 3 3 0 1 0");
+    EXPECT_EQ(testing::to_string(bake), "n [64, 32, 16] 0 1 4 3 3 0 1 0");
     EXPECT_EQ(volume("formats = 'bin'\npixel_type = 'unorm8'").formats, Formats{FileFormat::bin});
     EXPECT_EQ(volume("formats = ['bin']\npixel_type = 'unorm16'").pixel_type, PixelType::unorm16);
 }

@@ -36,29 +36,29 @@ inline NoiseChannel channel_of(const std::string& keys) {
     return recipe.parameters.noises[0].channels.at(0);
 }
 
-inline std::string spell(const NoiseOctaves& octaves) {
+inline std::string to_string(const NoiseOctaves& octaves) {
     return fmt::format("{} {}", octaves.frequencies, octaves.gains);
 }
 
 // Every member, so that equal texts mean equal noises.
-inline std::string spell(const NoiseChannel& channel) {
+inline std::string to_string(const NoiseChannel& channel) {
     return fmt::format("{} {} {} | {} | {} | {} {} {} {} {} {} {} {} {} {}", channel.name,
-                       static_cast<int>(channel.type), channel.value, spell(channel.octaves),
-                       spell(channel.worley_octaves), static_cast<int>(channel.fractal),
+                       static_cast<int>(channel.type), channel.value, to_string(channel.octaves),
+                       to_string(channel.worley_octaves), static_cast<int>(channel.fractal),
                        static_cast<int>(channel.feature), static_cast<int>(channel.value_form),
                        static_cast<int>(channel.component), channel.seed, channel.remap,
                        channel.smoothstep.value_or(std::array<double, 2>{}), channel.invert,
                        channel.bias, channel.clamp);
 }
 
-inline std::string spell(const Noise& noise) {
+inline std::string to_string(const Noise& noise) {
     std::string text = fmt::format("{} {} {} {} {}", noise.name, noise.seed, noise.size,
                                    static_cast<int>(noise.sampling), static_cast<int>(noise.pack));
-    for (const NoiseChannel& channel : noise.channels) text += "\n" + spell(channel);
+    for (const NoiseChannel& channel : noise.channels) text += "\n" + to_string(channel);
     return text;
 }
 
-inline std::string spell(const NoiseVolumeBake& bake) {
+inline std::string to_string(const NoiseVolumeBake& bake) {
     std::string text = fmt::format("{} {} {} {} {} {} {} {}", bake.noise, bake.size,
                                    static_cast<int>(bake.pixel_type), static_cast<int>(bake.layout),
                                    bake.columns, bake.mips, static_cast<int>(bake.compression),

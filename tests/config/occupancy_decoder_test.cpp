@@ -33,11 +33,11 @@ Diagnostic fault(const std::string& keys, const std::string& cloud = "") {
 }
 
 TEST(OccupancyDecoder, HasItsDefaults) {
-    EXPECT_EQ(testing::spell(occupancy("")), "v  4 1 0 0 1 2 3 1 0 0 1 1 2 0");
+    EXPECT_EQ(testing::to_string(occupancy("")), "v  4 1 0 0 1 2 3 1 0 0 1 1 2 0");
 }
 
 TEST(OccupancyDecoder, ReadsEveryKey) {
-    EXPECT_EQ(testing::spell(
+    EXPECT_EQ(testing::to_string(
                   occupancy("channel = 'Y'\ncell = 8\nfilter = 'tricubic'\nrule = 'thesis'\n"
                             "contents = ['leap', 'occupied', 'maximum']\nformats = ['bin', 'vdb']\n"
                             "pixel_type = 'float'\nlayout = 'atlas'\ncolumns = 1\nmips = 3\n"

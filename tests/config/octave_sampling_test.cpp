@@ -1,4 +1,4 @@
-#include "config/sections/octave_sampling.h"
+#include "config/sections/noise.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

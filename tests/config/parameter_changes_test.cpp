@@ -1,4 +1,4 @@
-#include "config/recipe/parameter_changes.h"
+#include "config/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 

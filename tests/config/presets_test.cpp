@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "config/assets/multiple_scattering.h"
-#include "config/sections/zenith_optical_depth.h"
+#include "config/sections/atmosphere.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {

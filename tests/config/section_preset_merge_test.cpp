@@ -1,4 +1,4 @@
-#include "config/recipe/section_preset_merge.h"
+#include "config/recipe/merge.h"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ TEST(SectionPresetMerge, TheSectionOverridesItsPreset) {
         "[noise.n.channels.G]\noctaves = 1\ngain = 1\n[noise.n.channels.A]\ntype = "
         "'constant'\nvalue = 1\n");
     ASSERT_EQ(changed.channels.size(), 4u);
-    EXPECT_EQ(testing::spell(changed.channels[0]), testing::spell(plain.channels[0]));
-    EXPECT_EQ(testing::spell(changed.channels[2]), testing::spell(plain.channels[2]));
+    EXPECT_EQ(testing::to_string(changed.channels[0]), testing::to_string(plain.channels[0]));
+    EXPECT_EQ(testing::to_string(changed.channels[2]), testing::to_string(plain.channels[2]));
     EXPECT_EQ(changed.size[0], 64);
     EXPECT_EQ(changed.channels[1].octaves.frequencies.size(), 1u);
     EXPECT_EQ(changed.channels[1].value_form, WorleyValue::one_minus_distance_squared);
@@ -105,8 +105,8 @@ TEST(SectionPresetMerge, PresetsOfCloudsBringTheirNoises) {
         plain_cloud + bake_of_it);
     ASSERT_EQ(alone.parameters.noises.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {
-        EXPECT_EQ(testing::spell(alone.parameters.noises[i]),
-                  testing::spell(written.parameters.noises[i]));
+        EXPECT_EQ(testing::to_string(alone.parameters.noises[i]),
+                  testing::to_string(written.parameters.noises[i]));
     }
     const Recipe thesis = valid("[clouds.c]\npreset = 'thesis'\n");
     EXPECT_EQ(thesis.parameters.noises.at(0).channels.size(), 4u);

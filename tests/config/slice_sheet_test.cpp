@@ -1,4 +1,4 @@
-#include "config/assets/slice_sheet.h"
+#include "config/sections/files.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "config/sweep/sobol.h"
+#include "config/sweep/sweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "config/text/text_layout.h"
+#include "config/text/text.h"
 
 #include <gtest/gtest.h>
 

@@ -119,7 +119,7 @@ TEST(TomlSource, RefusesRecursionBombs) {
 TEST(TomlSource, ReadsValuesOfSettings) {
     const auto spelled = [](std::string_view text) {
         const std::optional<Value> value = parse_toml_value(text);
-        return value ? spell_value(*value) : "none";
+        return value ? value_to_string(*value) : "none";
     };
     EXPECT_EQ(spelled("1"), "1");
     EXPECT_EQ(spelled("0.5"), "0.5");
@@ -145,7 +145,7 @@ TEST(TomlSource, ReadsKeysOfSettings) {
 TEST(TomlSource, SpellsStringsSoThatTheyReadBack) {
     EXPECT_TRUE(rc::check("strings round trip", [] {
         const auto text = *rc::gen::container<std::string>(rc::gen::inRange<char>(0, 127));
-        const std::string spelled = spell_value(Value{text, {}});
+        const std::string spelled = value_to_string(Value{text, {}});
         if (text.find('\0') != std::string::npos) return;
         const std::optional<Value> value = parse_toml_value(spelled);
         RC_ASSERT(value.has_value());

@@ -1,4 +1,4 @@
-#include "config/sections/tower_list.h"
+#include "config/sections/towers.h"
 
 #include <gtest/gtest.h>
 

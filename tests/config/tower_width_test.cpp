@@ -1,4 +1,4 @@
-#include "config/sections/tower_width.h"
+#include "config/sections/towers.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

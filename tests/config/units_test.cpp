@@ -108,18 +108,18 @@ TEST(Units, ZeroHasNoSign) {
 }
 
 TEST(Units, SpellsCanonically) {
-    EXPECT_EQ(spell_length(8000), "8000 m");
-    EXPECT_EQ(spell_length(6360000), "6360000 m");
-    EXPECT_EQ(spell_length(1e12), "1e+12 m");
-    EXPECT_EQ(spell_length(-0.5), "-0.5 m");
-    EXPECT_EQ(spell_wavelength(6.8e-7), "680 nm");
-    EXPECT_EQ(spell_wavelength(5.325e-7), "532.5 nm");
-    EXPECT_EQ(spell_inverse_length(5.802e-6), "5.802e-06 /m");
-    EXPECT_EQ(spell_inverse_length(0), "0 /m");
-    EXPECT_EQ(spell_number(0.002), "0.002");
-    EXPECT_EQ(spell_number(0.1 + 0.2), "0.30000000000000004");
-    EXPECT_EQ(spell_number(1e-300), "1e-300");
-    EXPECT_EQ(spell_angle(1.5), "1.5 rad");
+    EXPECT_EQ(length_to_string(8000), "8000 m");
+    EXPECT_EQ(length_to_string(6360000), "6360000 m");
+    EXPECT_EQ(length_to_string(1e12), "1e+12 m");
+    EXPECT_EQ(length_to_string(-0.5), "-0.5 m");
+    EXPECT_EQ(wavelength_to_string(6.8e-7), "680 nm");
+    EXPECT_EQ(wavelength_to_string(5.325e-7), "532.5 nm");
+    EXPECT_EQ(inverse_length_to_string(5.802e-6), "5.802e-06 /m");
+    EXPECT_EQ(inverse_length_to_string(0), "0 /m");
+    EXPECT_EQ(number_to_string(0.002), "0.002");
+    EXPECT_EQ(number_to_string(0.1 + 0.2), "0.30000000000000004");
+    EXPECT_EQ(number_to_string(1e-300), "1e-300");
+    EXPECT_EQ(angle_to_string(1.5), "1.5 rad");
 }
 
 TEST(Units, NamesUnitsOfADimension) {
@@ -146,11 +146,12 @@ double any_double() {
 TEST(Units, CanonicalSpellingReadsBackToTheSameDouble) {
     EXPECT_TRUE(rc::check("canonical spellings round trip", [] {
         const double value = any_double() + 0.0;
-        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_number(value))).value == value);
-        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_length(value))).value == value);
-        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_wavelength(value))).value == value);
-        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_inverse_length(value))).value == value);
-        RC_ASSERT(std::get<Quantity>(parse_quantity(spell_angle(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(number_to_string(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(length_to_string(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(wavelength_to_string(value))).value == value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(inverse_length_to_string(value))).value ==
+                  value);
+        RC_ASSERT(std::get<Quantity>(parse_quantity(angle_to_string(value))).value == value);
     }));
 }
 
@@ -162,10 +163,10 @@ TEST(Units, CanonicalSpellingIsStable) {
         const std::string text =
             std::to_string(mantissa) + "e" + std::to_string(exponent) + " " + std::string(unit);
         const double once = std::get<Quantity>(parse_quantity(text)).value;
-        const std::string canonical = spell_length(once);
+        const std::string canonical = length_to_string(once);
         const double twice = std::get<Quantity>(parse_quantity(canonical)).value;
         RC_ASSERT(once == twice);
-        RC_ASSERT(spell_length(twice) == canonical);
+        RC_ASSERT(length_to_string(twice) == canonical);
     }));
 }
 
@@ -177,7 +178,7 @@ TEST(Units, DoesNotDependOnTheLocale) {
         if (!std::setlocale(LC_ALL, name)) continue;
         found = true;
         EXPECT_EQ(value_of("1.5 km"), 1500.0) << name;
-        EXPECT_EQ(spell_length(1.5), "1.5 m") << name;
+        EXPECT_EQ(length_to_string(1.5), "1.5 m") << name;
         EXPECT_TRUE(is_error("1,5 km")) << name;
     }
     std::setlocale(LC_ALL, before.c_str());

@@ -1,4 +1,4 @@
-#include "config/text/utf8.h"
+#include "config/text/text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "config/sections/zenith_optical_depth.h"
+#include "config/sections/atmosphere.h"
 
 #include <gtest/gtest.h>
 

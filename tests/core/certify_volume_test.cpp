@@ -1,4 +1,4 @@
-#include "bakers/field/certify_volume.h"
+#include "bakers/field/certify.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/field/make_volume_probes.h"
+#include "bakers/field/finish_volume.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/field/mip_source.h"
+#include "bakers/field/stored_voxels.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include "bakers/field/stored_source.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {

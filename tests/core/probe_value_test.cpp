@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/field/stored_source.h"
+#include "bakers/field/stored_voxels.h"
 
 #include <gtest/gtest.h>
 

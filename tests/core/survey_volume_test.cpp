@@ -6,9 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/voxel_boxes.h"
-#include "bakers/field/voxel_bytes.h"
 #include "bakers/math/hash.h"
 #include "tests/support/volumes.h"
 

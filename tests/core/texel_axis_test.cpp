@@ -1,8 +1,8 @@
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 
 #include <gtest/gtest.h>
 
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/field/trilinear.h"
+#include "bakers/field/interpolation.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "bakers/field/voxel_boxes.h"
+#include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

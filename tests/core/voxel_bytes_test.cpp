@@ -1,4 +1,4 @@
-#include "bakers/field/voxel_bytes.h"
+#include "bakers/field/pixel_type.h"
 
 #include <Imath/half.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 #include <limits>
 #include <string>
 
-#include "bakers/field/pixel_type.h"
 #include "bakers/math/half_conversion.h"
 
 namespace skybake {

@@ -13,16 +13,16 @@ namespace {
 using namespace skybake::config;
 using fuzzing::require;
 
-std::string spell(const Quantity& quantity) {
+std::string to_string(const Quantity& quantity) {
     switch (quantity.dimension) {
         case Dimension::length:
-            return spell_length(quantity.value);
+            return length_to_string(quantity.value);
         case Dimension::inverse_length:
-            return spell_inverse_length(quantity.value);
+            return inverse_length_to_string(quantity.value);
         case Dimension::angle:
-            return spell_angle(quantity.value);
+            return angle_to_string(quantity.value);
         default:
-            return spell_number(quantity.value);
+            return number_to_string(quantity.value);
     }
 }
 
@@ -31,7 +31,7 @@ void check_reads_back(const std::string& text, double value) {
     const auto* quantity = std::get_if<Quantity>(&parsed);
     require(quantity != nullptr, "a canonical spelling is a quantity");
     require(quantity->value == value, "and reads back to the same value");
-    require(spell(*quantity) == text || text.ends_with(" nm"), "and is stable");
+    require(to_string(*quantity) == text || text.ends_with(" nm"), "and is stable");
 }
 
 }  // namespace
@@ -42,9 +42,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!quantity) return 0;
     require(std::isfinite(quantity->value), "finite");
     require(quantity->value != 0 || !std::signbit(quantity->value), "no negative zero");
-    check_reads_back(spell(*quantity), quantity->value);
+    check_reads_back(to_string(*quantity), quantity->value);
     if (quantity->dimension == Dimension::length) {
-        check_reads_back(spell_wavelength(quantity->value), quantity->value);
+        check_reads_back(wavelength_to_string(quantity->value), quantity->value);
     }
     return 0;
 }

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bakers/assets/occupancy/skipping_check.h"
+#include "bakers/assets/occupancy/occupancy_check.h"
 #include "bakers/assets/probe_check.h"
-#include "bakers/io/manifest/manifest_hash.h"
+#include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/verify.h"
 #include "tests/incremental/bakes.h"
 

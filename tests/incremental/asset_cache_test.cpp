@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "bakers/io/files/file_descriptor.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/manifest/verify.h"
 #include "tests/incremental/bakes.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/workspace/asset_identity.h"
+#include "bakers/workspace/folder_plan.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <thread>
 
-#include "bakers/io/files/folder_lock.h"
+#include "bakers/io/files/output_folder.h"
 #include "bakers/workspace/asset_cache.h"
 #include "tests/incremental/bakes.h"
 
@@ -67,9 +67,8 @@ TEST(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
     write_bytes(table, damaged);
     fs::remove(folder / "out/shape.bin");
     EXPECT_EQ(bake.states(), (States{baked, up_to_date, baked}));
-    EXPECT_EQ(
-        bake.observer.reasons[0],
-        (std::vector<std::string>{"transmittance.exr does not match manifest.json"}));
+    EXPECT_EQ(bake.observer.reasons[0],
+              (std::vector<std::string>{"transmittance.exr does not match manifest.json"}));
     EXPECT_EQ(bake.observer.reasons[2], (std::vector<std::string>{"shape.bin cannot be read"}));
     EXPECT_EQ(read_bytes(table), whole);
 }

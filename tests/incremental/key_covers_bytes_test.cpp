@@ -10,9 +10,9 @@
 #include <set>
 
 #include "bakers/assets/registry.h"
-#include "bakers/field/voxel_bytes.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/hash.h"
-#include "bakers/workspace/asset_identity.h"
+#include "bakers/workspace/folder_plan.h"
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"
 #include "tests/incremental/bakes.h"

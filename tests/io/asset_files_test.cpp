@@ -13,8 +13,8 @@
 #include <csignal>
 #include <functional>
 
-#include "bakers/io/files/file_names.h"
-#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/files/output_folder.h"
+#include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/hash.h"
 #include "config/assets/noise_volume.h"

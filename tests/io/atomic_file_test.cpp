@@ -16,8 +16,7 @@
 #include <functional>
 #include <thread>
 
-#include "bakers/io/files/file_descriptor.h"
-#include "bakers/io/files/file_output.h"
+#include "bakers/io/files/file_io.h"
 #include "tests/io/files.h"
 
 namespace skybake {

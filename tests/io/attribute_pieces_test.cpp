@@ -5,9 +5,9 @@
 #include <cstring>
 #include <set>
 
-#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/manifest/metadata.h"
-#include "config/text/utf8.h"
+#include "config/text/text.h"
 #include "tests/io/files.h"
 
 namespace skybake {

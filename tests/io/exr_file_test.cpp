@@ -10,7 +10,7 @@
 #include <cmath>
 #include <csignal>
 
-#include "bakers/field/voxel_boxes.h"
+#include "bakers/field/baked.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "bakers/io/formats/exr/exr_rows.h"
+#include "bakers/io/formats/exr/exr_file.h"
 #include "tests/io/files.h"
 
 namespace skybake {

@@ -13,10 +13,9 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/survey_volume.h"
-#include "bakers/field/trilinear.h"
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"

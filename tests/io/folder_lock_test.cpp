@@ -1,4 +1,4 @@
-#include "bakers/io/files/folder_lock.h"
+#include "bakers/io/files/output_folder.h"
 
 #include <atomic>
 #include <thread>

@@ -4,7 +4,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/manifest/manifest_hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {

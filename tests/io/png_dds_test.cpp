@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "bakers/field/mip_source.h"
+#include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/io/files/read_file.h"
+#include "bakers/io/files/file_io.h"
 
 #include <sys/stat.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/io/manifest/recorded_recipe.h"
+#include "bakers/io/manifest/metadata.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

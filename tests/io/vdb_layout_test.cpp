@@ -1,4 +1,4 @@
-#include "bakers/io/formats/vdb/vdb_layout.h"
+#include "bakers/io/formats/vdb/vdb_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 

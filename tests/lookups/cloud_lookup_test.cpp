@@ -1,7 +1,7 @@
 // Noise, clouds, and the march that leaps over what is empty.
 #include <set>
 
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -1,5 +1,5 @@
-#include "bakers/assets/phase/phase_axis.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/assets/phase/phase_fit.h"
+#include "bakers/field/image.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -1,7 +1,7 @@
 // Multiple scattering, moments and irradiance: tables over the sun's cosine and altitude.
 #include <set>
 
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/solver/light_moments.h"
 #include "bakers/light/sun_columns.h"

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bakers/assets/registry.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/trilinear.h"
 
 namespace skybake {
 

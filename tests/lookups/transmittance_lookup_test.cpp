@@ -1,5 +1,5 @@
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-// Small parts: positions on lattices, the functions of gradient_basis.h, values of distances.
+// Small parts: positions on lattices, the functions of noise_plan.h, values of distances.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -6,9 +6,7 @@
 #include <limits>
 
 #include "bakers/noise/cell_value.h"
-#include "bakers/noise/gradient_basis.h"
 #include "bakers/noise/noise_plan.h"
-#include "bakers/noise/tile_axis.h"
 #include "tests/noise/noises.h"
 
 namespace skybake::noise {

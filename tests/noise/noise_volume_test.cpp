@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bakers/field/certify_volume.h"
+#include "bakers/field/certify.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/noise/noise_reference.h"
 #include "config/assets/noise_volume.h"

@@ -9,7 +9,7 @@
 
 #include "bakers/math/low_discrepancy.h"
 #include "bakers/occupancy/cell_row_kernel.h"
-#include "bakers/occupancy/outward_rounding.h"
+#include "bakers/occupancy/exact_extremes.h"
 #include "config/assets/occupancy.h"
 #include "tests/noise/every_target.h"
 #include "tests/occupancy/exact_range.h"

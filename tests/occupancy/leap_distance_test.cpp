@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/occupancy/pyramid.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy.h"
 #include "tests/noise/every_target.h"
 #include "tests/occupancy/volumes_in_memory.h"

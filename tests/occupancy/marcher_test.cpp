@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "bakers/field/trilinear.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "config/assets/occupancy.h"

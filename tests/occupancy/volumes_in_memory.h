@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/field/voxel_bytes.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "bakers/occupancy/filter_taps.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/files.h"
 

@@ -10,11 +10,10 @@
 
 #include "bakers/air/particles/legendre_moments.h"
 #include "bakers/air/particles/phase_source.h"
-#include "bakers/assets/phase/phase_axis.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/registry.h"
-#include "bakers/field/bilinear.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
+#include "bakers/field/interpolation.h"
 #include "config/assets/phase.h"
 #include "tests/support/atmospheres.h"
 

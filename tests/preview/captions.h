@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-#include "bakers/plot/picture.h"
+#include "bakers/plot/drawing.h"
 
 namespace skybake::test {
 

@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "bakers/preview/pictures/noise_spectrum.h"
-#include "bakers/preview/pictures/volume_slices.h"
 
 namespace skybake {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "bakers/render/sky_difference.h"
+#include "bakers/render/sky_rays.h"
 #include "tests/preview/closure_sky.h"
 #include "tests/preview/skies.h"
 

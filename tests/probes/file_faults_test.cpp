@@ -5,7 +5,7 @@
 #include <map>
 
 #include "bakers/assets/probe_check.h"
-#include "bakers/field/voxel_bytes.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/hash.h"
 #include "tests/incremental/bakes.h"

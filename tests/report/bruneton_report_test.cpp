@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "bakers/report/report.h"
-#include "bakers/report/report_plot.h"
+#include "bakers/report/report_files.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

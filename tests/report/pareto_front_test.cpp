@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/fronts.h"
+#include "bakers/report/sweeps/sweep.h"
 
 #include <gtest/gtest.h>
 

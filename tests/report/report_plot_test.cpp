@@ -1,4 +1,4 @@
-#include "bakers/report/report_plot.h"
+#include "bakers/report/report_files.h"
 
 #include <gtest/gtest.h>
 

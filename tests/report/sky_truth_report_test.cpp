@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "bakers/light/isotropic_orders.h"
-#include "bakers/report/report_plot.h"
+#include "bakers/report/report_files.h"
 #include "bakers/report/truth/bruneton_sky.h"
 #include "bakers/report/truth/sky_truth_store.h"
 

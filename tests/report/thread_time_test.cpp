@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/costs.h"
+#include "bakers/report/sweeps/sweep.h"
 
 #include <gtest/gtest.h>
 

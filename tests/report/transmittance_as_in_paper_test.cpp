@@ -1,4 +1,4 @@
-#include "bakers/assets/transmittance/transmittance_as_in_paper.h"
+#include "bakers/assets/transmittance/transmittance_table.h"
 
 #include <gtest/gtest.h>
 

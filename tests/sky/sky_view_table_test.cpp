@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bakers/assets/registry.h"
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 #include "config/assets/sky_view.h"
 #include "tests/sky/sky_media.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "bakers/occupancy/filter_taps.h"
-#include "bakers/occupancy/outward_rounding.h"
+#include "bakers/occupancy/cell_grid.h"
+#include "bakers/occupancy/exact_extremes.h"
 #include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {

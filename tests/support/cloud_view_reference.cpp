@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/occupancy/filter_taps.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "bakers/render/cloud_camera.h"
 #include "config/assets/occupancy.h"
 

@@ -2,8 +2,8 @@
 // against. No leaps, no light that two samples share, samples in the middle of their steps.
 #pragma once
 
+#include "bakers/render/cloud_camera.h"
 #include "bakers/render/cloud_view.h"
-#include "bakers/render/view_direction.h"
 
 namespace skybake {
 

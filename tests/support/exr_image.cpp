@@ -15,8 +15,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/read_file.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/exr/exr_library.h"
 
 namespace skybake {

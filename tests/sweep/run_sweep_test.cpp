@@ -6,7 +6,7 @@
 
 #include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/sweep/index_files.h"
-#include "bakers/workspace/sweep/variant_failure.h"
+#include "bakers/workspace/sweep/variants.h"
 #include "tests/sweep/sweeps.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/workspace/sweep/variant_names.h"
+#include "bakers/workspace/sweep/variants.h"
 
 #include <gtest/gtest.h>
 

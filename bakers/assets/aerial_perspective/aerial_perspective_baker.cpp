@@ -32,7 +32,7 @@ Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& a
 Estimate estimate(const Parameters&, const AerialPerspectiveBake& asset) {
     Estimate result = estimate_volume(asset, asset.size, 4, 1e-5);
     result.seconds += seconds_to_solve(asset.orders);
-    // All are held, and their parts (bruneton/parts_memory.h).
+    // All are held, and their parts (bruneton/scattering_table.h).
     constexpr double kBytesPerVoxel = (4 + 9) * sizeof(float);
     result.memory_mib += voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
     return result;

@@ -6,8 +6,8 @@
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/baker.h"
 #include "bakers/assets/bruneton/bruneton_volume.h"
-#include "bakers/assets/bruneton/scattering_probe.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/assets/bruneton/scattering_volume.h"
+#include "bakers/field/image.h"
 #include "config/assets/bruneton.h"
 
 namespace skybake {

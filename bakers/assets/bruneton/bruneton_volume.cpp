@@ -1,22 +1,24 @@
 #include "bakers/assets/bruneton/bruneton_volume.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <utility>
+#include <vector>
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/bruneton/flat_tables.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
-#include "bakers/assets/bruneton/takram_parameters.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/check_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solved_orders.h"
 #include "bakers/light/solver/solved_light_memory.h"
-#include "config/assets/bruneton.h"
+#include "config/assets/takram_layers.h"
 
 namespace skybake {
 
@@ -114,6 +116,85 @@ Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere, const Bruneto
         return bake_irradiance(std::move(medium), light.get(), bake, options, std::move(volume));
     }
     return bake_scattering(medium, light, bake, options, std::move(volume));
+}
+
+using config::Layer;
+
+namespace {
+
+constexpr double kMetresPerKm = 1000;
+
+// density = expTerm exp(expScale h) + linearTerm h + constantTerm, up to `width`.
+struct ProfileLayer {
+    double width = 0;
+    double exp_term = 0;
+    double exp_scale = 0;
+    double linear_term = 0;
+    double constant_term = 0;
+};
+
+std::string to_string(const ProfileLayer& layer) {
+    return fmt::format(
+        R"({{"width": {}, "expTerm": {}, "expScale": {}, "linearTerm": {}, "constantTerm": {}}})",
+        layer.width, layer.exp_term, layer.exp_scale, layer.linear_term, layer.constant_term);
+}
+
+// Always two layers, the lower one first.
+std::string to_string(const ProfileLayer& lower, const ProfileLayer& upper) {
+    return fmt::format("[{}, {}]", to_string(lower), to_string(upper));
+}
+
+std::string exponential_profile(const Layer* layer) {
+    if (layer == nullptr) return to_string({}, {});
+    return to_string({}, {0, 1, -1 / layer->scale_height.kilometers(), 0, 0});
+}
+
+std::string tent_profile(const Layer* layer) {
+    if (layer == nullptr) return to_string({}, {});
+    const double centre = layer->center_altitude.kilometers();
+    const double slope = 1 / layer->half_width.kilometers();
+    return to_string({centre, 0, 0, slope, 1 - centre * slope},
+                     {0, 0, 0, -slope, 1 + centre * slope});
+}
+
+std::string vector(const std::vector<double>& values) {
+    // 15 digits: those of the recipe, whatever the change of units did to the last one.
+    return fmt::format("[{:.15g}]", fmt::join(values, ", "));
+}
+
+std::string per_km(const Layer* layer, std::vector<config::InverseLength> Layer::*coefficients) {
+    std::vector<double> values(3, 0.0);
+    for (std::size_t c = 0; layer != nullptr && c < values.size(); ++c) {
+        values[c] = (layer->*coefficients)[c].per_meter * kMetresPerKm;
+    }
+    return vector(values);
+}
+
+}  // namespace
+
+std::string takram_parameters(const config::Atmosphere& atmosphere,
+                              const config::BrunetonBake& bake) {
+    const config::TakramLayers layers = config::takram_layers(atmosphere);
+    const std::vector<std::pair<const char*, std::string>> members = {
+        {"solarIrradiance", vector(bake.solar_irradiance)},
+        {"bottomRadius", fmt::format("{}", atmosphere.ground_radius.meters)},
+        {"topRadius", fmt::format("{}", atmosphere.top_radius.meters)},
+        {"rayleighDensity", exponential_profile(layers.rayleigh)},
+        {"rayleighScattering", per_km(layers.rayleigh, &Layer::scattering)},
+        {"mieDensity", exponential_profile(layers.mie)},
+        {"mieScattering", per_km(layers.mie, &Layer::scattering)},
+        {"mieExtinction", per_km(layers.mie, &Layer::extinction)},
+        {"miePhaseFunctionG", fmt::format("{}", layers.mie == nullptr ? 0.0 : layers.mie->g)},
+        {"absorptionDensity", tent_profile(layers.absorption)},
+        {"absorptionExtinction", per_km(layers.absorption, &Layer::extinction)},
+        {"groundAlbedo", vector(atmosphere.ground_albedo)},
+        {"muSMin", fmt::format("{}", bake.sun_cos_zenith_min)},
+    };
+    std::string text;
+    for (const auto& [name, value] : members) {
+        text += fmt::format("{}  \"{}\": {}", text.empty() ? "" : ",\n", name, value);
+    }
+    return "{\n" + text + "\n}\n";
 }
 
 }  // namespace skybake

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "bakers/field/baked.h"
 #include "bakers/light/solver/solve_light.h"
@@ -21,5 +22,13 @@ config::Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere,
 // How the light is solved for that is scattered once more to make orders 2 and up; none where a
 // table has none of these.
 std::optional<SolverSettings> light_settings(const config::BrunetonBake& bake);
+
+// The parameters of @takram/three-atmosphere that go with its tables.
+
+// A JSON object with those members of its AtmosphereParameters that tables depend on, under their
+// names and in their units: radii in metres, coefficients per km, profiles over altitude in km,
+// vectors as arrays. The atmosphere has no problem (config/assets/takram_layers.h).
+std::string takram_parameters(const config::Atmosphere& atmosphere,
+                              const config::BrunetonBake& bake);
 
 }  // namespace skybake

@@ -10,11 +10,11 @@
 
 #include "bakers/air/shell_constants.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/bruneton/held_voxels.h"
+#include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/light/solver/sun_axis.h"
 #include "bakers/math/tiles.h"
@@ -65,12 +65,12 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
     const auto start = std::chrono::steady_clock::now();
     const std::size_t channels = volume.channel_names.size();
     const auto texels =
-        std::make_shared<HeldVoxels>(flat_texels(table, bake.size, channels, options));
+        std::make_shared<DenseVolume>(flat_texels(table, bake.size, channels, options));
     volume.bake_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     VolumeFinish finish;
     finish.reference_name = volume.certificate.reference;
-    finish.dear = bake.table == config::BrunetonTable::irradiance;
+    finish.expensive = bake.table == config::BrunetonTable::irradiance;
     finish.reference = flat_reference(table, bake.size, channels);
     finish.probe_place = [&place, &bake](const std::array<double, 3>& uvw, int) {
         return probe_place_of(place, bake.size, uvw);
@@ -90,9 +90,9 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
 
 }  // namespace
 
-HeldVoxels flat_texels(const FlatTable& table, const std::array<int, 3>& size, std::size_t channels,
-                       const BakeOptions& options) {
-    HeldVoxels texels(size, channels);
+DenseVolume flat_texels(const FlatTable& table, const std::array<int, 3>& size,
+                        std::size_t channels, const BakeOptions& options) {
+    DenseVolume texels(size, channels);
     std::vector<double> x;
     for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kFlatConvention, u, size[0]));
     for_each_tile(size[1], options, "texels", [&](int v) {

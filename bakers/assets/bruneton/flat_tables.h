@@ -7,9 +7,9 @@
 #include <functional>
 #include <vector>
 
-#include "bakers/assets/bruneton/held_voxels.h"
+#include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/field/baked.h"
-#include "bakers/field/certify_volume.h"
+#include "bakers/field/certify.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/bruneton.h"
@@ -32,8 +32,8 @@ FlatTable flat_transmittance(const Medium& medium);
 FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& solar_irradiance);
 
 // Channels after the colours hold 1.
-HeldVoxels flat_texels(const FlatTable& table, const std::array<int, 3>& size, std::size_t channels,
-                       const BakeOptions& options);
+DenseVolume flat_texels(const FlatTable& table, const std::array<int, 3>& size,
+                        std::size_t channels, const BakeOptions& options);
 // The same by texture coordinates of a table of that size. The table must outlive it.
 VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>& size,
                                std::size_t channels);

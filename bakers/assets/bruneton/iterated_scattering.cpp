@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/assets/bruneton/axis_taps.h"
+#include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/tiles.h"
@@ -101,7 +101,7 @@ class Iteration {
                 suns.push_back(mapping_.sun_of_texel(u));
                 nu.push_back(nu_of(u, cosine(view)));
             }
-            const ScatteringRow row = rows.row(view, SunFan(suns, nu));
+            const ScatteringRow row = rows.row(view, SunBundle(suns, nu));
             for (std::size_t k = 0; k < single_.size(); ++k) {
                 std::copy(row.single[k].begin(), row.single[k].end(),
                           single_[k].begin() + static_cast<std::ptrdiff_t>(first_of(v, w)));

@@ -12,8 +12,8 @@
 
 #include <vector>
 
-#include "bakers/assets/bruneton/held_voxels.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
+#include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {
@@ -24,6 +24,6 @@ std::vector<double> lookup_scales(const std::vector<double>& line);
 
 // Scales the first `channels` of a table of scattering.
 void fit_lookups(const ScatteringMapping& mapping, std::size_t channels, const BakeOptions& options,
-                 HeldVoxels& table);
+                 DenseVolume& table);
 
 }  // namespace skybake

@@ -6,12 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "bakers/assets/bruneton/scattering_table.h"
-#include "bakers/field/error_statistics.h"
+#include "bakers/field/certify.h"
+#include "bakers/field/image.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/texel_axis.h"
 #include "bakers/math/low_discrepancy.h"
 #include "bakers/math/relative_error.h"
 #include "bakers/math/tiles.h"
@@ -39,7 +38,7 @@ double view_cosine(const Shell& shell, const ScatteringView& view) {
 
 class ScatteringErrors {
   public:
-    ScatteringErrors(const HeldVoxels& table, const ScatteringMapping& mapping,
+    ScatteringErrors(const DenseVolume& table, const ScatteringMapping& mapping,
                      const ExactTexel& exact, const std::vector<double>& largest,
                      config::PixelType type)
         : table_(table), mapping_(mapping), exact_(exact), largest_(largest), type_(type) {}
@@ -106,7 +105,7 @@ class ScatteringErrors {
         return result;
     }
 
-    const HeldVoxels& table_;
+    const DenseVolume& table_;
     const ScatteringMapping& mapping_;
     const ExactTexel& exact_;
     const std::vector<double>& largest_;
@@ -121,7 +120,7 @@ ExactTexel exact_texel(const ScatteringContent& content, const ScatteringReferen
     };
 }
 
-std::vector<double> largest_values(const HeldVoxels& table) {
+std::vector<double> largest_values(const DenseVolume& table) {
     std::vector<double> largest;
     for (std::size_t c = 0; c < table.channels(); ++c) largest.push_back(table.largest(c));
     return largest;
@@ -131,7 +130,7 @@ int scattering_points(Certification certification) {
     return certification == Certification::full ? kFullPoints : kQuickPoints;
 }
 
-Certificate measure_scattering(const HeldVoxels& table, const ScatteringMapping& mapping,
+Certificate measure_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
                                const ExactTexel& exact, const std::vector<double>& largest,
                                config::PixelType type, int count, const BakeOptions& options) {
     const ScatteringErrors errors(table, mapping, exact, largest, type);
@@ -163,6 +162,53 @@ Certificate measure_scattering(const HeldVoxels& table, const ScatteringMapping&
         "quadrature along each view ray, exact sunlight and transmittance, solved light";
     certificate.scale = kRelativeErrorScale;
     return certificate;
+}
+
+namespace {
+
+SkyMedium scattering_where(SkyMedium medium, const std::vector<bool>& is_mie, bool wanted) {
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        if (is_mie[k] != wanted) medium.layers[k].scatters = false;
+    }
+    return medium;
+}
+
+}  // namespace
+
+ScatteringReference::ScatteringReference(const SkyMedium& medium, const ScatteringContent& content,
+                                         const HigherOrders* higher)
+    : content_(content),
+      air_(scattering_where(medium, content.is_mie(), false)),
+      mie_(scattering_where(medium, content.is_mie(), true)),
+      all_(medium, higher),
+      air_alone_(air_, nullptr),
+      mie_alone_(mie_, nullptr) {}
+
+ScatteringParts ScatteringReference::parts(const ScatteringView& view, double sun_cos_zenith,
+                                           double nu) const {
+    const Shell shell = shell_of(air_.air);
+    SkyRay ray;
+    ray.altitude_km = view.altitude_km;
+    ray.s_km = view.s_km;
+    ray.length_km = view.length_km;
+    ray.meets_ground = view.meets_ground;
+    ray.sun_s_km = (shell.ground_radius_km + view.altitude_km) * sun_cos_zenith;
+    ray.cosine_to_sun = nu;
+    ray.one_minus_cosine = 1 - nu;
+    ray.one_plus_cosine = 1 + nu;
+    ScatteringParts parts;
+    const Spectrum mie_phase = content_.mie_phase(nu);
+    if (content_.wants_single()) {
+        parts.air = air_alone_.up_to(ray, {ray.length_km}).front().single;
+        parts.mie = mie_alone_.up_to(ray, {ray.length_km}).front().single;
+    }
+    if (content_.wants_higher()) parts.higher = all_.up_to(ray, {ray.length_km}).front().multiple;
+    parts.air /= rayleigh_phase(nu);
+    parts.higher /= rayleigh_phase(nu);
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        if (parts.mie[c] > 0) parts.mie[c] /= mie_phase[c];
+    }
+    return parts;
 }
 
 }  // namespace skybake

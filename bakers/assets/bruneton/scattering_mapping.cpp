@@ -1,10 +1,9 @@
 #include "bakers/assets/bruneton/scattering_mapping.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 
 namespace skybake {
 

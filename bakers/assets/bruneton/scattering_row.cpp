@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/assets/bruneton/planet_shadow.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/ray_pieces.h"
 
@@ -57,7 +56,7 @@ Spectrum ScatteringRows::sunlight(double altitude_km, double s_km) const {
 }
 
 // The lit part of a piece through which the shadow's edge runs.
-void ScatteringRows::add_cut_piece(const ScatteringView& view, const FanPiece& piece,
+void ScatteringRows::add_cut_piece(const ScatteringView& view, const BundlePiece& piece,
                                    double from_km, double to_km, double sun_cos_zenith, double nu,
                                    std::vector<Spectrum>& sums) const {
     const QuadratureRule& rule = ray_pieces::gauss_rule();
@@ -80,7 +79,7 @@ void ScatteringRows::add_cut_piece(const ScatteringView& view, const FanPiece& p
     }
 }
 
-ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunFan& suns) const {
+ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunBundle& suns) const {
     const auto count = static_cast<std::size_t>(suns.count);
     const auto wanted = static_cast<std::size_t>(suns.wanted);
     const std::size_t layers = medium_.layers.size();
@@ -92,7 +91,7 @@ ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunFan& suns
     std::vector<double> single(layers * kMaxChannels * count);
     std::vector<double> scattered(light_ == nullptr ? 0 : count * kChannelSlots);
     std::vector<std::vector<Spectrum>> cut(wanted, std::vector<Spectrum>(layers));
-    for (const FanPiece& piece : make_fan_ray(medium_, break_altitudes_km_, view)) {
+    for (const BundlePiece& piece : make_bundle_ray(medium_, break_altitudes_km_, view)) {
         for (std::size_t i = 0; i < count && wants_single_; ++i) {
             const double begin = std::max(dark[i].begin_km, piece.from_km);
             const double end = std::min(dark[i].end_km, piece.to_km);
@@ -128,6 +127,28 @@ ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunFan& suns
         }
     }
     return result;
+}
+
+// The sun's ray through P grazes the ground where |P|^2 - (P . sun)^2 = R^2; along the view ray
+// that is a x^2 + 2 b x + c = 0. Between the roots P is within the cylinder, on the night's side
+// where P . sun < 0; as the ray is above the ground, that part of it is on one side only.
+DarkStretch dark_stretch(const Shell& shell, const ScatteringView& view, double sun_cos_zenith,
+                         double nu) {
+    const double h = view.altitude_km;
+    const double sun_s = (shell.ground_radius_km + h) * sun_cos_zenith;
+    const double a = (1 - nu) * (1 + nu);
+    const double b = view.s_km - sun_s * nu;
+    const double c = h * (2 * shell.ground_radius_km + h) - sun_s * sun_s;
+    const double discriminant = b * b - a * c;
+    if (!(discriminant > 0)) return {};
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    // A ray along the sun's has a root at infinity.
+    const double first = c / q;
+    const double second = a > 0 ? q / a : std::copysign(HUGE_VAL, q);
+    const double begin = std::max(std::min(first, second), 0.0);
+    const double end = std::min(std::max(first, second), view.length_km);
+    if (!(begin < end) || 2 * sun_s + nu * (begin + end) >= 0) return {};
+    return {begin, end};
 }
 
 }  // namespace skybake

@@ -7,7 +7,7 @@
 #include "bakers/air/sky_medium.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
-#include "bakers/assets/bruneton/sun_fan.h"
+#include "bakers/assets/bruneton/sun_bundle.h"
 #include "bakers/light/solver/solved_light.h"
 
 namespace skybake {
@@ -27,11 +27,11 @@ class ScatteringRows {
     ScatteringRows(const SkyMedium& medium, const SolvedLight* light, bool wants_single,
                    int threads);
 
-    // `suns` may hold more than there are (sun_fan.h).
-    ScatteringRow row(const ScatteringView& view, const SunFan& suns) const;
+    // `suns` may hold more than there are (sun_bundle.h).
+    ScatteringRow row(const ScatteringView& view, const SunBundle& suns) const;
 
   private:
-    void add_cut_piece(const ScatteringView& view, const FanPiece& piece, double from_km,
+    void add_cut_piece(const ScatteringView& view, const BundlePiece& piece, double from_km,
                        double to_km, double sun_cos_zenith, double nu,
                        std::vector<Spectrum>& sums) const;
     Spectrum sunlight(double altitude_km, double s_km) const;
@@ -44,5 +44,19 @@ class ScatteringRows {
     std::vector<std::vector<Spectrum>> phase_moments_;
     TransmittanceField sunlight_;
 };
+
+// Where a view ray is in the planet's shadow.
+
+// Distances along the ray; none where begin is not below end. The shadow, half a cylinder, is
+// convex.
+struct DarkStretch {
+    double begin_km = 0;
+    double end_km = 0;
+};
+
+// In terms of three cosines that need not belong to directions: between sun and zenith where the
+// ray begins, and between sun and ray.
+DarkStretch dark_stretch(const Shell& shell, const ScatteringView& view, double sun_cos_zenith,
+                         double nu);
 
 }  // namespace skybake

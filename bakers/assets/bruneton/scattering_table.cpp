@@ -1,12 +1,14 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
+#include <mutex>
+#include <utility>
 
-#include "bakers/assets/bruneton/axis_taps.h"
+#include "bakers/assets/bruneton/scattering_mapping.h"
+#include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/math/tiles.h"
 
 namespace skybake {
 
@@ -31,15 +33,15 @@ std::vector<ScatteringParts> parts_of_row(const ScatteringRows& rows,
         nu[u] =
             continued_nu(view, mapping.shell(), suns[u], mapping.nu_of_texel(static_cast<int>(u)));
     }
-    const ScatteringRow row = rows.row(view, SunFan(suns, nu));
+    const ScatteringRow row = rows.row(view, SunBundle(suns, nu));
     std::vector<ScatteringParts> parts(width);
     for (std::size_t u = 0; u < width; ++u) parts[u] = content.parts(row, u, nu[u]);
     return parts;
 }
 
-HeldVoxels scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
-                             const TableParts& parts) {
-    HeldVoxels table(mapping.size(), content.channels());
+DenseVolume scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
+                              const TableParts& parts) {
+    DenseVolume table(mapping.size(), content.channels());
     for (std::size_t i = 0; i < table.channel(0).size(); ++i) {
         ScatteringParts at;
         for (std::size_t c = 0; c < kMaxChannels; ++c) {
@@ -55,7 +57,7 @@ HeldVoxels scattering_texels(const ScatteringContent& content, const ScatteringM
     return table;
 }
 
-Texel look_up(const HeldVoxels& table, const ScatteringMapping& mapping,
+Texel look_up(const DenseVolume& table, const ScatteringMapping& mapping,
               const ScatteringCoordinates& x, config::PixelType type) {
     Texel sum{};
     for_each_tap(mapping, x, [&](int u, int v, int w, double weight) {
@@ -65,6 +67,149 @@ Texel look_up(const HeldVoxels& table, const ScatteringMapping& mapping,
         }
     });
     return sum;
+}
+
+DenseVolume::DenseVolume(const std::array<int, 3>& size, std::size_t channels)
+    : size_(size),
+      values_(channels, std::vector<float>(static_cast<std::size_t>(VoxelBox{{}, size}.count()))) {}
+
+std::size_t DenseVolume::offset(int x, int y, int z) const {
+    const auto width = static_cast<std::size_t>(size_[0]);
+    const auto height = static_cast<std::size_t>(size_[1]);
+    return (static_cast<std::size_t>(z) * height + static_cast<std::size_t>(y)) * width +
+           static_cast<std::size_t>(x);
+}
+
+void DenseVolume::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        float* target = channels[c];
+        if (target == nullptr) continue;
+        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                target = std::copy_n(values_[c].data() + offset(box.origin[0], y, z), box.size[0],
+                                     target);
+            }
+        }
+    }
+}
+
+double DenseVolume::largest(std::size_t channel) const {
+    return *std::max_element(values_[channel].begin(), values_[channel].end());
+}
+
+namespace {
+
+struct Remembered {
+    SkyMedium medium;
+    std::vector<bool> is_mie;
+    std::array<int, 3> size{};
+    int nu_size = 0;
+    double sun_cos_zenith_min = 0;
+    std::shared_ptr<const SolvedLight> light;  // of the higher orders
+    TableParts parts;
+
+    bool is_of(const SkyMedium& other, const ScatteringContent& content,
+               const ScatteringMapping& mapping) const {
+        return size == mapping.size() && nu_size == mapping.nu_size() &&
+               sun_cos_zenith_min == mapping.sun_cos_zenith_min() && is_mie == content.is_mie() &&
+               medium == other;
+    }
+};
+
+StoredSpectrum stored(const Spectrum& value) {
+    return {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
+}
+
+}  // namespace
+
+TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wants_first,
+                      const ScatteringContent& content, const ScatteringMapping& mapping,
+                      const BakeOptions& options) {
+    const std::array<int, 3>& size = mapping.size();
+    const auto width = static_cast<std::size_t>(size[0]);
+    const std::size_t texels =
+        width * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
+    auto first = std::make_shared<FirstOrderParts>();
+    auto higher = std::make_shared<HigherOrderParts>();
+    if (wants_first) {
+        first->air.resize(texels);
+        first->mie.resize(texels);
+    }
+    if (light != nullptr) higher->resize(texels);
+    const ScatteringRows rows(medium, light, wants_first, options.threads);
+    for_each_tile(size[1] * size[2], options, "scattering", [&](int tile) {
+        const std::vector<ScatteringParts> parts = parts_of_row(
+            rows, content, mapping, mapping.view_of_texel(tile % size[1], tile / size[1]));
+        const std::size_t from = static_cast<std::size_t>(tile) * width;
+        for (std::size_t u = 0; u < width; ++u) {
+            if (wants_first) {
+                first->air[from + u] = stored(parts[u].air);
+                first->mie[from + u] = stored(parts[u].mie);
+            }
+            if (light != nullptr) (*higher)[from + u] = stored(parts[u].higher);
+        }
+    });
+    TableParts result;
+    if (wants_first) result.first = std::move(first);
+    if (light != nullptr) result.higher = std::move(higher);
+    return result;
+}
+
+TableParts remembered_parts(const SkyMedium& medium,
+                            const std::shared_ptr<const SolvedLight>& light,
+                            const ScatteringContent& content, const ScatteringMapping& mapping,
+                            bool wants_first, bool wants_higher, const BakeOptions& options) {
+    static std::mutex mutex;
+    static Remembered last;
+    TableParts known;
+    {
+        const std::lock_guard lock(mutex);
+        if (last.is_of(medium, content, mapping)) {
+            known.first = last.parts.first;
+            if (last.light == light) known.higher = last.parts.higher;
+        }
+    }
+    const bool makes_first = wants_first && !known.first;
+    const bool makes_higher = wants_higher && light && !known.higher;
+    if (makes_first || makes_higher) {
+        // Not under the lock: threads of the loop may be given other tasks.
+        TableParts made = make_parts(medium, makes_higher ? light.get() : nullptr, makes_first,
+                                     content, mapping, options);
+        if (makes_first) known.first = std::move(made.first);
+        if (makes_higher) known.higher = std::move(made.higher);
+        if (options.cancelled()) return known;
+        const std::lock_guard lock(mutex);
+        last = {medium,
+                content.is_mie(),
+                mapping.size(),
+                mapping.nu_size(),
+                mapping.sun_cos_zenith_min(),
+                known.higher ? light : nullptr,
+                known};
+    }
+    if (!wants_first) known.first = nullptr;
+    if (!wants_higher) known.higher = nullptr;
+    return known;
+}
+
+HigherOrderParts over_rayleigh(const std::vector<Spectrum>& light,
+                               const ScatteringMapping& mapping) {
+    HigherOrderParts parts(light.size());
+    const auto width = static_cast<std::size_t>(mapping.size()[0]);
+    const auto height = static_cast<std::size_t>(mapping.size()[1]);
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const auto u = static_cast<int>(i % width);
+        const ScatteringView view = mapping.view_of_texel(static_cast<int>(i / width % height),
+                                                          static_cast<int>(i / width / height));
+        const double mu = std::clamp(
+            view.s_km / (mapping.shell().ground_radius_km + view.altitude_km), -1.0, 1.0);
+        const FeasibleCosines feasible = feasible_cosines(mu, mapping.sun_of_texel(u));
+        const double nu = std::clamp(mapping.nu_of_texel(u), feasible.low, feasible.high);
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            parts[i][c] = static_cast<float>(light[i][c] / rayleigh_phase(nu));
+        }
+    }
+    return parts;
 }
 
 }  // namespace skybake

@@ -6,7 +6,7 @@
 
 #include "bakers/io/formats/png/map_image.h"
 #include "config/assets/cloud_volume.h"
-#include "config/sections/named_sections.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

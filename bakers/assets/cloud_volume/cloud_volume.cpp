@@ -14,9 +14,6 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/low_discrepancy.h"
 #include "bakers/noise/noise_plan.h"
-#include "config/assets/cloud_extent.h"
-#include "config/assets/cloud_volume.h"
-#include "config/sections/cloud_channels.h"
 
 namespace skybake {
 
@@ -121,7 +118,7 @@ std::shared_ptr<const CloudField> make_field(const Cloud& cloud, const CloudVolu
         make_cloud_plan(cloud, *inputs.base, inputs.detail, bake.size, inputs.maps));
 }
 
-std::string spell_extent(const std::array<config::Length, 3>& extent) {
+std::string extent_to_string(const std::array<config::Length, 3>& extent) {
     return fmt::format("{} x {} x {} m", extent[0].meters, extent[1].meters, extent[2].meters);
 }
 
@@ -145,8 +142,9 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
     add_details(cloud, field->plan(), volume);
     if (bake.extent[0].meters > 0) {
         volume.details.emplace_back(
-            "extent", fmt::format("{}, to which the cloud's {} are stretched",
-                                  spell_extent(cloud.extent), spell_extent(recipe_cloud.extent)));
+            "extent",
+            fmt::format("{}, to which the cloud's {} are stretched", extent_to_string(cloud.extent),
+                        extent_to_string(recipe_cloud.extent)));
     }
     Level level;
     level.size = bake.size;
@@ -185,7 +183,7 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
          .reference =
              [reference](const std::array<double, 3>& place) { return (*reference)(place); },
          .reference_name = "the cloud's definition in double precision, point by point",
-         .dear = reference->is_dear(),
+         .expensive = reference->is_expensive(),
          .comparison = {},
          .measure = {},
          .probe_place = [&cloud](const std::array<double, 3>& uvw,

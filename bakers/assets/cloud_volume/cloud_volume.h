@@ -1,6 +1,9 @@
 // The asset cloud_volume: a cloud over its extent.
 #pragma once
 
+#include <vector>
+
+#include "bakers/assets/baker.h"
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
@@ -32,5 +35,20 @@ config::Outcome<Baked> bake_cloud_volume(const config::Cloud& cloud,
                                          const config::CloudVolumeBake& bake,
                                          const CloudInputs& inputs, const BakeOptions& options,
                                          Baked volume);
+
+// What the baker of a cloud's volume shares with those of assets that are made of it.
+
+// As if the cloud filled its box: what of it is empty takes less.
+Estimate estimate_cloud_volume(const config::Parameters& parameters,
+                               const config::CloudVolumeBake& asset);
+
+// The pictures laid over it.
+std::vector<InputFile> cloud_volume_inputs(const config::Parameters& parameters,
+                                           const config::CloudVolumeBake& asset);
+
+// Of a volume of this extent over the cloud's base.
+AssetPlaces cloud_places(const config::Cloud& cloud, const Uvw& extent_m);
+
+Uvw extent_m_of(const config::Cloud& cloud);
 
 }  // namespace skybake

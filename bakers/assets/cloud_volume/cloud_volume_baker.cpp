@@ -1,12 +1,11 @@
 // The baker of asset = "cloud_volume".
 #include <utility>
 
-#include "bakers/assets/cloud_volume/cloud_baker.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/draft_size.h"
-#include "config/sections/cloud_channels.h"
-#include "config/sections/named_sections.h"
+#include "config/sections/cloud.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -5,7 +5,7 @@
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/irradiance/irradiance_table.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_light.h"
 #include "config/assets/irradiance.h"

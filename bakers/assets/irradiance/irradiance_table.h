@@ -8,7 +8,7 @@
 #include "bakers/math/bake_options.h"
 #include "config/assets/irradiance.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/sky_choices.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 

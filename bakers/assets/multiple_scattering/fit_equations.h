@@ -13,10 +13,56 @@
 #include <vector>
 
 #include "bakers/air/sky_medium.h"
-#include "bakers/assets/multiple_scattering/fit_sample.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/light/solver/solved_light.h"
+#include "bakers/light/solver/sun_axis.h"
 
 namespace skybake {
+
+// The cameras, suns and view rays of a scene by which a table is fitted.
+
+// Cameras in the air or in space, and the sun's zenith angle there in radians, up to pi.
+struct FitScene {
+    double lowest_camera_km = 0;
+    double highest_camera_km = 3;
+    double smallest_sun_zenith = 0;
+    double largest_sun_zenith = 1.7453292519943295;  // 100 degrees
+};
+
+// How densely a scene is sampled. Finer does not change the sky by 0.1 % of its mean on Earth;
+// fewer cameras are 1 % worse on small planets, fewer suns at sunset.
+struct FitDensity {
+    int cameras = 6;
+    int sky_views = 7;     // zenith angles from the horizon up, Gauss' nodes
+    int ground_views = 2;  // from the horizon down, where only the air before the ground counts
+    int azimuths = 4;
+    int suns_per_column = 2;  // of the solution's axis
+};
+
+// Rays of one zenith angle at a camera, for all suns and azimuths.
+struct FitView {
+    int camera = 0;
+    double mu = 0;
+    double sine = 0;
+    bool meets_ground = false;
+    double share = 0;  // of the sky's or the ground's solid angle
+};
+
+struct FitSample {
+    std::vector<double> cameras_km;
+    std::vector<SunZenith> suns;
+    std::vector<double> azimuth_cosines;
+    std::vector<FitView> views;
+
+    std::size_t rays_per_view() const { return suns.size() * azimuth_cosines.size(); }
+    // Where the air begins for a ray of a view: the same place and inclination for all its rays.
+    SkyRay ray(const Shell& shell, const FitView& view, std::size_t index) const;
+};
+
+// Cameras closest at the lowest; suns evenly between the axis' columns within the scene's range
+// and at its ends; nodes of views closest at the horizon.
+FitSample sample_scene(const Shell& shell, const SunAxis& axis, const FitScene& scene,
+                       const FitDensity& density);
 
 // The places of a table's texels.
 struct FitAxes {

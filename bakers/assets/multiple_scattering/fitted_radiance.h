@@ -17,8 +17,13 @@
 // receives (isotropic_orders.h), too bright with E0 / 4pi already, becomes brighter.
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "bakers/assets/multiple_scattering/fit_equations.h"
 #include "bakers/field/image.h"
+#include "bakers/field/table_model.h"
+#include "bakers/light/sun_columns.h"
 
 namespace skybake {
 
@@ -40,5 +45,16 @@ struct FitSettings {
 Image2<double> fit_mean_radiance(const SkyMedium& medium, const SolvedLight& light,
                                  const FitScene& scene, const FitAxes& axes,
                                  const FitSettings& settings, int threads);
+
+// The table of content = "fitted" as bakers see it.
+
+// Fitted to the cameras and suns of the scene; without one to FitScene's.
+Image2<double> fitted_texels(const SkyMedium& medium, const SolvedLight& light,
+                             const std::optional<config::Scene>& scene, const SunColumns& columns,
+                             std::array<int, 2> size, int threads);
+
+// A table whose texels are given: there is nothing between them but what lookups make of them.
+// `texels` must outlive it.
+TableModel fitted_model(const Image2<double>& texels);
 
 }  // namespace skybake

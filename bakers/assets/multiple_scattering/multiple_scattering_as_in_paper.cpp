@@ -10,8 +10,8 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/field/bilinear.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental-inl.h"
 

@@ -9,7 +9,7 @@
 #include "bakers/assets/draft_size.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/solver/light_moments.h"
 #include "bakers/light/sun_columns.h"

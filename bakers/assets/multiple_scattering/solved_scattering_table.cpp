@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bakers/air/shell_constants.h"
-#include "bakers/assets/multiple_scattering/fitted_table.h"
+#include "bakers/assets/multiple_scattering/fitted_radiance.h"
 #include "bakers/assets/multiple_scattering/sky_error.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/check_light.h"

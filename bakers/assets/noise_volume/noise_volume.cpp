@@ -164,7 +164,7 @@ Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake
         {.histogram_ranges = histogram_ranges(noise),
          .reference = reference_of(noise, bake.size),
          .reference_name = "the noise's definition in double precision, point by point",
-         .dear = false,
+         .expensive = false,
          .comparison = {},
          .measure = {},
          .probe_place = [&noise, &bake](const std::array<double, 3>& uvw,

@@ -7,7 +7,7 @@
 #include "bakers/assets/draft_size.h"
 #include "bakers/assets/noise_volume/noise_volume.h"
 #include "config/assets/noise_volume.h"
-#include "config/sections/named_sections.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "bakers/assets/baker.h"
-#include "bakers/assets/cloud_volume/cloud_baker.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
-#include "config/sections/named_sections.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "bakers/io/manifest/verify.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "bakers/occupancy/filter_taps.h"
 #include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
@@ -59,3 +59,14 @@ class OccupancyCheck {
 };
 
 }  // namespace skybake::occupancy
+
+namespace skybake {
+
+// Whether the occupancy grids of a folder lose anything of the volumes that they are of.
+
+// For each occupancy grid of a manifest that also has its volume: draws 10^6 filtered samples from
+// the stored voxels; one that is something in a cell which the stored grid says is empty is a
+// failure. A grid without the channels that say so (occupied, leap or maximum) is not checked.
+FolderCheck skipping_check();
+
+}  // namespace skybake

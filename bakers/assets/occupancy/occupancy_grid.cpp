@@ -14,8 +14,7 @@
 
 #include "bakers/assets/occupancy/occupancy_proof.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/occupancy/cell_source.h"
-#include "bakers/occupancy/pyramid.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy.h"
 #include "config/fields/fields.h"
 

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "bakers/occupancy/cell_blocks.h"
-#include "bakers/occupancy/filter_taps.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {

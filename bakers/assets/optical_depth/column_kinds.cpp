@@ -1,10 +1,16 @@
 #include "bakers/assets/optical_depth/column_kinds.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/optical_depth_reference.h"
 #include "bakers/air/particles/layer_phase.h"
+#include "bakers/air/ray_breaks.h"
+#include "bakers/field/certify.h"
+#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake {
 
@@ -84,6 +90,147 @@ double reference_mean_density(const ColumnKind& kind, const ColumnPath& path) {
     return reference_optical_depth_along(kind.unit, path.altitude_km, path.s_km, path.length_km,
                                          kRelative)[0] /
            path.length_km;
+}
+
+namespace {
+
+template <class AltitudeOf>
+std::vector<double> boundaries_km(double max_altitude_km, int count, const AltitudeOf& altitude) {
+    std::vector<double> shells;
+    for (int i = 0; i < count; ++i) shells.push_back(altitude(static_cast<double>(i) / count));
+    shells.push_back(max_altitude_km);
+    return shells;
+}
+
+}  // namespace
+
+double mean_scale_height_km(const std::vector<ColumnKind>& kinds) {
+    double weighted = 0;
+    double weights = 0;
+    for (const ColumnKind& kind : kinds) {
+        const Spectrum& of = kind.extinction_per_km;
+        const double extinction = of.x + of.y + of.z;
+        weighted += extinction * kind.mean_height_km;
+        weights += extinction;
+    }
+    return weights > 0 ? weighted / weights : kinds.front().mean_height_km;
+}
+
+std::vector<double> equal_attenuation_shells_km(double mean_scale_height_km, double max_altitude_km,
+                                                int count) {
+    const double whole = 1 - exponential(-max_altitude_km / mean_scale_height_km);
+    return boundaries_km(max_altitude_km, count, [&](double part) {
+        return part > 0 ? -mean_scale_height_km * logarithm(1 - part * whole) : 0.0;
+    });
+}
+
+std::vector<double> uniform_shells_km(double max_altitude_km, int count) {
+    return boundaries_km(max_altitude_km, count,
+                         [&](double part) { return part * max_altitude_km; });
+}
+
+double sampled_mean_density(const ColumnKind& kind, const std::vector<double>& shells_km,
+                            const ColumnPath& path) {
+    if (path.length_km <= 0) return density_of(kind, path.altitude_km);
+    const Shell shell = shell_of(kind.unit);
+    const std::vector<RayBreak> breaks =
+        ray_breaks(shell, path.altitude_km, path.s_km, path.length_km, shells_km);
+    double column = 0;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+        const double from = breaks[i].distance_km;
+        const double to = breaks[i + 1].distance_km;
+        const double altitude =
+            altitude_along_km(shell, path.altitude_km, path.s_km, 0.5 * (from + to));
+        if (altitude < shells_km.back()) column += (to - from) * density_of(kind, altitude);
+    }
+    return column / path.length_km;
+}
+
+namespace {
+
+// The rest of a path after `length_km`.
+ColumnPath rest_of(const Shell& shell, const ColumnPath& path, double length_km) {
+    const double altitude = altitude_along_km(shell, path.altitude_km, path.s_km, length_km);
+    return {std::clamp(altitude, 0.0, shell.thickness_km), path.s_km + length_km,
+            path.length_km - length_km};
+}
+
+ColumnPath reversed(const Shell& shell, const ColumnPath& path) {
+    const ColumnPath end = rest_of(shell, path, path.length_km);
+    return {end.altitude_km, -end.s_km, path.length_km};
+}
+
+void add_differences(const std::vector<double>& a, const std::vector<double>& b,
+                     ErrorStatistics& statistics) {
+    for (std::size_t i = 0; i < a.size(); ++i) statistics.add(a[i] - b[i]);
+}
+
+}  // namespace
+
+std::vector<double> transmittances(const std::vector<ColumnKind>& kinds, int channels,
+                                   double length_km, const std::vector<double>& mean_densities) {
+    const auto colours = static_cast<std::size_t>(channels);
+    std::vector<double> depths((kinds.size() + 1) * colours);
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        for (std::size_t c = 0; c < colours; ++c) {
+            const double depth = kinds[k].extinction_per_km[c] * mean_densities[k] * length_km;
+            depths[c] += depth;
+            depths[(k + 1) * colours + c] = depth;
+        }
+    }
+    for (double& depth : depths) depth = exponential(-depth);
+    return depths;
+}
+
+StoredColumns::StoredColumns(const std::vector<ColumnKind>& kinds, int channels,
+                             const ColumnTable& table, const Level& level, config::PixelType type)
+    : kinds_(kinds), channels_(channels), table_(table), level_(level), type_(type) {}
+
+std::vector<double> StoredColumns::transmittances_of(const ColumnPath& path) const {
+    std::vector<double> means = look_up(level_, type_, table_.texture_coordinates(path));
+    for (double& mean : means) mean = mean_density_of_stored(mean);
+    return transmittances(kinds_, channels_, path.length_km, means);
+}
+
+std::vector<double> StoredColumns::exact_transmittances_of(const ColumnPath& path) const {
+    std::vector<double> means;
+    for (const ColumnKind& kind : kinds_) means.push_back(mean_density(kind, path));
+    return transmittances(kinds_, channels_, path.length_km, means);
+}
+
+ColumnErrors measure_columns(const std::vector<ColumnKind>& kinds, int channels,
+                             const ColumnTable& table, bool to_top, const Level& level,
+                             config::PixelType type, int points) {
+    const Shell& shell = table.geometry().shell;
+    const StoredColumns stored(kinds, channels, table, level, type);
+    const auto colours = static_cast<std::ptrdiff_t>(channels);
+    ErrorStatistics together, additivity, symmetry;
+    std::vector<ErrorStatistics> alone(kinds.size());
+    for (int i = 0; i < points; ++i) {
+        const ColumnPath path = table.path_at(table.lookup_place(low_discrepancy_point(i)));
+        const std::vector<double> found = stored.transmittances_of(path);
+        const std::vector<double> exact = stored.exact_transmittances_of(path);
+        for (std::size_t j = 0; j < found.size(); ++j) {
+            const std::size_t group = j / static_cast<std::size_t>(colours);
+            (group == 0 ? together : alone[group - 1]).add(found[j] - exact[j]);
+        }
+        // Shares of the length, spread evenly and unlike the places: the golden section's
+        // multiples.
+        const double turn = (i + 1) * 0.61803398874989485;
+        const double length = path.length_km * (turn - std::floor(turn));
+        const ColumnPath first = {path.altitude_km, path.s_km, length};
+        std::vector<double> product =
+            to_top ? stored.exact_transmittances_of(first) : stored.transmittances_of(first);
+        const std::vector<double> second = stored.transmittances_of(rest_of(shell, path, length));
+        for (std::size_t j = 0; j < product.size(); ++j) product[j] *= second[j];
+        add_differences(found, product, additivity);
+        if (!to_top) {
+            add_differences(found, stored.transmittances_of(reversed(shell, path)), symmetry);
+        }
+    }
+    ColumnErrors errors{together.figures(), {}, additivity.figures(), symmetry.figures(), points};
+    for (const ErrorStatistics& of_kind : alone) errors.alone.push_back(of_kind.figures());
+    return errors;
 }
 
 }  // namespace skybake

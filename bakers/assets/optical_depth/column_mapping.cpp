@@ -127,7 +127,7 @@ double altitude_at(const AltitudeScale& scale, double scaled) {
 ColumnPath path_to_top(const ColumnGeometry& geometry, const TopCoordinates& x) {
     const Shell& shell = geometry.shell;
     const double altitude = altitude_at(geometry.scale, x.altitude);
-    if (x.course == Course::rises) {
+    if (x.kind == RayKind::upward) {
         const Rise way = rise(shell, altitude, shell.thickness_km - altitude, x.angle);
         return {altitude, way.s_km, way.distance_km};
     }
@@ -142,10 +142,10 @@ TopCoordinates top_coordinates(const ColumnGeometry& geometry, double altitude_k
     const double altitude = scaled_altitude(geometry.scale, altitude_km);
     if (s_km < 0) {
         const double nearest = nearest_altitude_km(shell, altitude_km, s_km);
-        return {Course::passes, pass_angle(geometry.scale, altitude, nearest), altitude};
+        return {RayKind::limb, pass_angle(geometry.scale, altitude, nearest), altitude};
     }
     const double distance = distance_to_top_km(shell, altitude_km, s_km);
-    return {Course::rises,
+    return {RayKind::upward,
             rise_angle(shell, altitude_km, shell.thickness_km - altitude_km, distance), altitude};
 }
 
@@ -154,7 +154,7 @@ ColumnPath path_between(const ColumnGeometry& geometry, const PairCoordinates& x
     const double scaled_low = x.low * x.high;
     const double low = altitude_at(geometry.scale, scaled_low);
     const double high = altitude_at(geometry.scale, x.high);
-    if (x.course == Course::rises) {
+    if (x.kind == RayKind::upward) {
         const Rise way = rise(shell, low, high - low, x.angle);
         return {low, way.s_km, way.distance_km};
     }
@@ -173,10 +173,10 @@ PairCoordinates pair_coordinates(const ColumnGeometry& geometry, const ColumnPat
     const double high = std::max(path.altitude_km, end_km);
     const double scaled_low = scaled_altitude(geometry.scale, low);
     const double scaled_high = scaled_altitude(geometry.scale, high);
-    PairCoordinates x{Course::rises, 0, scaled_high, share(scaled_low, scaled_high)};
+    PairCoordinates x{RayKind::upward, 0, scaled_high, share(scaled_low, scaled_high)};
     if (path.s_km < 0 && end_s > 0) {
         const double nearest = nearest_altitude_km(shell, path.altitude_km, path.s_km);
-        x.course = Course::passes;
+        x.kind = RayKind::limb;
         x.angle = pass_angle(geometry.scale, scaled_low, nearest);
     } else {
         x.angle = rise_angle(shell, low, high - low, path.length_km);
@@ -198,8 +198,8 @@ ColumnPath path_of_angle(const Shell& shell, double altitude_km, double other_al
 ColumnPath path_along(const ColumnGeometry& geometry, const DistanceCoordinates& x) {
     const Shell& shell = geometry.shell;
     const double altitude = altitude_at(geometry.scale, x.altitude);
-    if (x.course == Course::passes) return pass(geometry, x, altitude);
-    if (x.course == Course::falls) return fall(geometry, x, altitude);
+    if (x.kind == RayKind::limb) return pass(geometry, x, altitude);
+    if (x.kind == RayKind::ground) return fall(geometry, x, altitude);
     const Rise way = rise(shell, altitude, shell.thickness_km - altitude, x.angle);
     const double end_km =
         altitude_at(geometry.scale, x.altitude + x.distance * x.distance * (1 - x.altitude));
@@ -218,19 +218,19 @@ DistanceCoordinates distance_coordinates(const ColumnGeometry& geometry, const C
     if (falls_to_ground(shell, path)) {
         const double rho = horizon_distance_km(shell, path.altitude_km);
         const double d = distance_to_ground_km(shell, path.altitude_km, path.s_km);
-        return {Course::falls, share(rho - d, rho - path.altitude_km), altitude,
+        return {RayKind::ground, share(rho - d, rho - path.altitude_km), altitude,
                 altitude > 0 ? 1 - std::sqrt(share(end, altitude)) : 0};
     }
     const TopCoordinates ray = top_coordinates(geometry, path.altitude_km, path.s_km);
-    if (ray.course == Course::rises) {
-        return {ray.course, ray.angle, altitude, std::sqrt(share(end - altitude, 1 - altitude))};
+    if (ray.kind == RayKind::upward) {
+        return {ray.kind, ray.angle, altitude, std::sqrt(share(end - altitude, 1 - altitude))};
     }
     const double nearest =
         scaled_altitude(scale, nearest_altitude_km(shell, path.altitude_km, path.s_km));
     const double from = -std::sqrt(std::max(altitude - nearest, 0.0));
     const double to =
         std::copysign(std::sqrt(std::max(end - nearest, 0.0)), path.s_km + path.length_km);
-    return {ray.course, ray.angle, altitude, share(to - from, std::sqrt(1 - nearest) - from)};
+    return {ray.kind, ray.angle, altitude, share(to - from, std::sqrt(1 - nearest) - from)};
 }
 
 }  // namespace skybake

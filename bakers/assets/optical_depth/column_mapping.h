@@ -1,39 +1,42 @@
 // Where the column of a path stands in its table.
 //
-// A path is a straight line in the shell that does not enter the ground: it *rises* all along,
-// *passes* its point nearest to the planet's centre, at the altitude h_p, or *falls* to the ground.
-// The courses have their own texels along u. What tables must tell apart are altitudes, of the ends
-// and of h_p: thin fog is a few scale heights of 64 km. They are told by
+// A path is a straight line in the shell that does not enter the ground. It is an *upward* ray,
+// which rises all along; a *limb* ray, which passes its point nearest to the planet's centre at the
+// altitude h_p; or a *ground* ray, which falls to the ground. Each kind has its own texels along u.
+// What tables must tell apart are altitudes, of the ends and of h_p: thin fog is a few scale
+// heights of 64 km. Altitudes are scaled by
 //
 //   g(h) = sqrt(ln(1 + h / f) / ln(1 + D / f)),   D the shell's thickness, f `fine_km`,
 //
 // which is as sqrt(h), smooth along grazing rays, up to f and as sqrt(ln h) above. With R the
-// ground's radius, r = R + h, s = r mu and mu the cosine of the zenith angle, coordinates in [0,
-// 1]:
+// ground's radius, r = R + h, s = r mu and mu the cosine of the zenith angle, the coordinates in
+// [0, 1] are:
 //
 //   to the top, from h
 //     altitude  g(h)
-//     rises     angle = (d - d_0) / (d_h - d_0),   d the distance to the top, d_0 = D - h of the
-//     ray
-//               straight up, d_h of the level one (Bruneton & Neyret 2008, above the horizontal)
-//     passes    angle = sqrt(1 - g(h_p) / g(h)):   0 is level, 1 grazes the ground
+//     upward    angle = (d - d_0) / (d_h - d_0), d the distance to the top, d_0 = D - h that of the
+//               vertical ray, d_h that of the level one (Bruneton & Neyret 2008, above the
+//               horizontal)
+//     limb      angle = sqrt(1 - g(h_p) / g(h)), 0 for a level ray and 1 for one that grazes the
+//               ground
 //   between two points at altitudes low <= high, so that exchanging them changes nothing
 //     high      g(high)
 //     low       g(low) / g(high)
-//     rises     angle = (d - d_0) / (d_h - d_0),   d their distance, d_0 = high - low, d_h where
-//     the
-//               path is level at the lower point
-//     passes    angle = sqrt(1 - g(h_p) / g(low))
+//     upward    angle = (d - d_0) / (d_h - d_0), d their distance, d_0 = high - low, d_h that of a
+//               path which is level at the lower point
+//     limb      angle = sqrt(1 - g(h_p) / g(low))
 //   from h along a ray
 //     altitude  g(h)
-//     rises     angle as to the top;   distance = sqrt((g(h') - g(h)) / (1 - g(h))), h' where it
-//     ends passes    angle as to the top;   distance = (b(end) - b(start)) / (b(top) - b(start)),
+//     upward    angle as to the top
+//               distance = sqrt((g(h') - g(h)) / (1 - g(h))), h' the altitude where the path ends
+//     limb      angle as to the top
+//               distance = (b(end) - b(start)) / (b(top) - b(start)),
 //               b = sqrt(g(altitude) - g(h_p)), negative before the nearest point
-//     falls     angle = (rho - d) / (rho - h),   d the distance to the ground, rho to the horizon;
+//     ground    angle = (rho - d) / (rho - h), d the distance to the ground, rho to the horizon
 //               distance = 1 - sqrt(g(h') / g(h))
 //
-// All are continuous from course to course. Hard cases: h = 0 and D, where ranges have no width
-// (the coordinate is 0); paths of no length; h_p = 0; level rays.
+// All are continuous from kind to kind. Hard cases: h = 0 and D, where ranges have no width (the
+// coordinate is 0); paths of no length; h_p = 0; level rays.
 #pragma once
 
 #include "bakers/air/ray.h"
@@ -61,10 +64,10 @@ struct ColumnPath {
     double length_km = 0;
 };
 
-enum class Course { rises, passes, falls };
+enum class RayKind { upward, limb, ground };
 
 struct TopCoordinates {
-    Course course = Course::rises;
+    RayKind kind = RayKind::upward;
     double angle = 0;
     double altitude = 0;
 };
@@ -72,7 +75,7 @@ ColumnPath path_to_top(const ColumnGeometry& geometry, const TopCoordinates& x);
 TopCoordinates top_coordinates(const ColumnGeometry& geometry, double altitude_km, double s_km);
 
 struct PairCoordinates {
-    Course course = Course::rises;
+    RayKind kind = RayKind::upward;
     double angle = 0;
     double high = 0;
     double low = 0;
@@ -88,7 +91,7 @@ ColumnPath path_of_angle(const Shell& shell, double altitude_km, double other_al
                          double angle);
 
 struct DistanceCoordinates {
-    Course course = Course::rises;
+    RayKind kind = RayKind::upward;
     double angle = 0;
     double altitude = 0;
     double distance = 0;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "bakers/field/texel_axis.h"
-#include "config/assets/optical_depth.h"
+#include "bakers/air/horizon_margin.h"
+#include "bakers/field/image.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake {
 
@@ -19,7 +21,7 @@ double coordinate_of(double position, int count) {
     return count == 1 ? 0 : std::clamp(position / (count - 1), 0.0, 1.0);
 }
 
-double texture_coordinate_of(const CourseTexels& texels, double x, int size) {
+double texture_coordinate_of(const RayTexels& texels, double x, int size) {
     return (texels.first + 0.5 + x * (texels.count - 1)) / size;
 }
 
@@ -40,14 +42,14 @@ ColumnTable::ColumnTable(const config::OpticalDepthBake& bake, const ColumnGeome
       size_(bake.size),
       geometry_(geometry) {
     const int width = size_[0];
-    const int passes = width / 2;
+    const int limb = width / 2;
     if (!to_top_ && coordinates_ == BetweenCoordinates::distance) {
-        const int rises = width / 4;
-        courses_ = {{Course::rises, 0, rises},
-                    {Course::passes, rises, passes},
-                    {Course::falls, rises + passes, width - rises - passes}};
+        const int upward = width / 4;
+        kinds_ = {{RayKind::upward, 0, upward},
+                  {RayKind::limb, upward, limb},
+                  {RayKind::ground, upward + limb, width - upward - limb}};
     } else {
-        courses_ = {{Course::rises, 0, width - passes}, {Course::passes, width - passes, passes}};
+        kinds_ = {{RayKind::upward, 0, width - limb}, {RayKind::limb, width - limb, limb}};
     }
 }
 
@@ -57,27 +59,27 @@ ColumnTableKind ColumnTable::kind() const {
                                                          : ColumnTableKind::along_distance;
 }
 
-ColumnPath ColumnTable::path(Course course, double u, double v, double w) const {
-    if (to_top_) return path_to_top(geometry_, {course, u, v});
+ColumnPath ColumnTable::path(RayKind kind, double u, double v, double w) const {
+    if (to_top_) return path_to_top(geometry_, {kind, u, v});
     if (coordinates_ == BetweenCoordinates::altitudes) {
-        return path_between(geometry_, {course, u, v, w});
+        return path_between(geometry_, {kind, u, v, w});
     }
-    return path_along(geometry_, {course, u, v, w});
+    return path_along(geometry_, {kind, u, v, w});
 }
 
-const CourseTexels& ColumnTable::texels_of(Course course) const {
-    return *std::find_if(courses_.begin(), courses_.end(),
-                         [&](const CourseTexels& texels) { return texels.course == course; });
+const RayTexels& ColumnTable::texels_of(RayKind kind) const {
+    return *std::find_if(kinds_.begin(), kinds_.end(),
+                         [&](const RayTexels& texels) { return texels.kind == kind; });
 }
 
 ColumnPath ColumnTable::path_of_texel(const std::array<int, 3>& texel) const {
     const auto along = [&](std::size_t axis) {
         return texel_coordinate(kColumnConvention, texel[axis], size_[axis]);
     };
-    for (const CourseTexels& texels : courses_) {
+    for (const RayTexels& texels : kinds_) {
         const int i = texel[0] - texels.first;
         if (i >= texels.count) continue;
-        return path(texels.course, coordinate_of(i, texels.count), along(1), along(2));
+        return path(texels.kind, coordinate_of(i, texels.count), along(1), along(2));
     }
     return {};
 }
@@ -90,7 +92,7 @@ std::array<double, 3> ColumnTable::lookup_place(const std::array<double, 3>& uvw
     }
     double nearest = place[0];
     double distance = 1;
-    for (const CourseTexels& texels : courses_) {
+    for (const RayTexels& texels : kinds_) {
         const double inside = std::clamp(place[0], texture_coordinate_of(texels, 0, size_[0]),
                                          texture_coordinate_of(texels, 1, size_[0]));
         if (std::fabs(inside - place[0]) >= distance) continue;
@@ -106,34 +108,119 @@ ColumnPath ColumnTable::path_at(const std::array<double, 3>& uvw) const {
         return coordinate_of(uvw[axis] * size_[axis] - 0.5, size_[axis]);
     };
     const double position = uvw[0] * size_[0] - 0.5;
-    for (const CourseTexels& texels : courses_) {
-        // Half a texel beyond the last centre another course's first half begins.
-        if (texels.course != courses_.back().course &&
-            position > texels.first + texels.count - 0.5) {
+    for (const RayTexels& texels : kinds_) {
+        // Half a texel beyond the last centre another kind's first half begins.
+        if (texels.kind != kinds_.back().kind && position > texels.first + texels.count - 0.5) {
             continue;
         }
-        return path(texels.course, coordinate_of(position - texels.first, texels.count), along(1),
+        return path(texels.kind, coordinate_of(position - texels.first, texels.count), along(1),
                     along(2));
     }
     return {};
 }
 
 std::array<double, 3> ColumnTable::texture_coordinates(const ColumnPath& path) const {
-    const auto place = [&](Course course, double u, double v, double w) {
-        return std::array<double, 3>{texture_coordinate_of(texels_of(course), u, size_[0]),
+    const auto place = [&](RayKind kind, double u, double v, double w) {
+        return std::array<double, 3>{texture_coordinate_of(texels_of(kind), u, size_[0]),
                                      texture_coordinate(kColumnConvention, v, size_[1]),
                                      texture_coordinate(kColumnConvention, w, size_[2])};
     };
     if (to_top_) {
         const TopCoordinates x = top_coordinates(geometry_, path.altitude_km, path.s_km);
-        return place(x.course, x.angle, x.altitude, 0);
+        return place(x.kind, x.angle, x.altitude, 0);
     }
     if (coordinates_ == BetweenCoordinates::altitudes) {
         const PairCoordinates x = pair_coordinates(geometry_, path);
-        return place(x.course, x.angle, x.high, x.low);
+        return place(x.kind, x.angle, x.high, x.low);
     }
     const DistanceCoordinates x = distance_coordinates(geometry_, path);
-    return place(x.course, x.angle, x.altitude, x.distance);
+    return place(x.kind, x.angle, x.altitude, x.distance);
+}
+
+namespace {
+
+constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
+
+double end_altitude_km(const Shell& shell, const ColumnPath& path) {
+    return std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
+                      shell.thickness_km);
+}
+
+// The distance along a ray to where it climbs by `gain_km` for good.
+double climb_km(const Shell& shell, double altitude_km, double s_km, double gain_km) {
+    const double q = gain_km * (2 * (shell.ground_radius_km + altitude_km) + gain_km);
+    const double root = std::sqrt(s_km * s_km + q);
+    return s_km > 0 ? q / (root + s_km) : root - s_km;
+}
+
+// Of a path that stays above the ground and ends where it climbs, the end keeps its altitude.
+ColumnPath path_off_the_horizon(const Shell& shell, ColumnPath path, bool ends_above) {
+    const double lowest_s = lowest_s_of_sky_km(shell, path.altitude_km);
+    if (path.s_km >= lowest_s) return path;
+    const double ground_s = highest_s_of_ground_km(shell, path.altitude_km);
+    const bool meets_ground = path.s_km + path.length_km <= 0 &&
+                              path.s_km < -horizon_distance_km(shell, path.altitude_km);
+    if (meets_ground && !ends_above) {
+        const double r = shell.ground_radius_km + path.altitude_km;
+        path.s_km = std::max(std::min(path.s_km, ground_s), -r);
+        path.length_km =
+            std::min(path.length_km, distance_to_ground_km(shell, path.altitude_km, path.s_km));
+        return path;
+    }
+    const double end_km = end_altitude_km(shell, path);
+    path.s_km = lowest_s;
+    const double length_km =
+        climb_km(shell, path.altitude_km, lowest_s, std::max(end_km - path.altitude_km, 0.0));
+    path.length_km = ends_above ? length_km : std::min(path.length_km, length_km);
+    return path;
+}
+
+// Between the ends of a path at the planet's centre: length^2 = gain^2 + 4 low high sin^2.
+double angle_at_centre_deg(const Shell& shell, double low_km, double high_km, double length_km) {
+    const double gain = high_km - low_km;
+    const double square = std::max((length_km - gain) * (length_km + gain), 0.0);
+    const double radii = 4 * (shell.ground_radius_km + low_km) * (shell.ground_radius_km + high_km);
+    const double half_sine = std::min(std::sqrt(square / radii), 1.0);
+    return (std::numbers::pi - 2 * arc_cosine(half_sine)) * kDegreesOfRadian;
+}
+
+}  // namespace
+
+ProbePlace column_probe_place(const ColumnTable& table, const std::array<double, 3>& uvw) {
+    const Shell& shell = table.geometry().shell;
+    const bool along = table.kind() == ColumnTableKind::along_distance;
+    const ColumnPath path =
+        path_off_the_horizon(shell, table.path_at(table.lookup_place(uvw)), !along);
+    ProbePlace place;
+    if (table.kind() == ColumnTableKind::between_altitudes) {
+        const double end_km = end_altitude_km(shell, path);
+        const double low_km = std::min(path.altitude_km, end_km);
+        const double high_km = std::max(path.altitude_km, end_km);
+        place.at = {
+            {"low_altitude_km", low_km},
+            {"high_altitude_km", high_km},
+            {"angle_at_centre_deg", angle_at_centre_deg(shell, low_km, high_km, path.length_km)}};
+    } else {
+        place.at = {{"altitude_km", path.altitude_km},
+                    {"cos_zenith", path.s_km / (shell.ground_radius_km + path.altitude_km)}};
+        if (along) place.at.emplace_back("length_km", path.length_km);
+    }
+    place.lookups = {{column_texture_coordinates(table, place.at)}};
+    return place;
+}
+
+std::array<double, 3> column_texture_coordinates(
+    const ColumnTable& table, const std::vector<std::pair<std::string, double>>& at) {
+    const Shell& shell = table.geometry().shell;
+    if (table.kind() == ColumnTableKind::between_altitudes) {
+        return table.texture_coordinates(
+            path_of_angle(shell, at[0].second, at[1].second, at[2].second / kDegreesOfRadian));
+    }
+    ColumnPath path{at[0].second, (shell.ground_radius_km + at[0].second) * at[1].second, 0};
+    path.length_km = table.kind() == ColumnTableKind::to_top
+                         ? distance_to_top_km(shell, path.altitude_km, path.s_km)
+                         : at[2].second;
+    return table.texture_coordinates(path);
 }
 
 }  // namespace skybake

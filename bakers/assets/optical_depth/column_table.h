@@ -7,18 +7,19 @@
 //
 //   column = t^8 length,   transmittance = exp(-sum over kinds of extinction * column).
 //
-// Texels along u belong to courses (column_mapping.h), in this order, of N in all:
+// Texels along u belong to kinds (column_mapping.h), in this order, of N in all:
 //
-//   to_top, between by altitudes   rises N - N/2, passes N/2
-//   between by distance            rises N/4, passes N/2, falls the rest
+//   to_top, between by altitudes   upward N - N/2, limb N/2
+//   between by distance            upward N/4, limb N/2, ground the rest
 //
-// Coordinates 0 and 1 fall on the centres of the first and last texel of a course, and of v and w.
+// Coordinates 0 and 1 fall on the centres of the first and last texel of a kind, and of v and w.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "bakers/assets/optical_depth/column_mapping.h"
+#include "bakers/field/choose_probes.h"
 #include "config/assets/optical_depth.h"
 
 namespace skybake {
@@ -28,9 +29,9 @@ double mean_density_of_stored(double stored);
 
 enum class ColumnTableKind { to_top, between_altitudes, along_distance };
 
-// Texels of a course along u.
-struct CourseTexels {
-    Course course = Course::rises;
+// Texels of a kind along u.
+struct RayTexels {
+    RayKind kind = RayKind::upward;
     int first = 0;
     int count = 0;
 };
@@ -41,7 +42,7 @@ class ColumnTable {
 
     ColumnTableKind kind() const;
     const std::array<int, 3>& size() const { return size_; }
-    const std::vector<CourseTexels>& courses() const { return courses_; }
+    const std::vector<RayTexels>& kinds() const { return kinds_; }
     const ColumnGeometry& geometry() const { return geometry_; }
 
     // The path of a texel.
@@ -51,21 +52,35 @@ class ColumnTable {
     ColumnPath path_at(const std::array<double, 3>& uvw) const;
 
     // The nearest texture coordinates that a lookup may have: none come beyond the outer centres,
-    // nor between the texels of two courses.
+    // nor between the texels of two kinds.
     std::array<double, 3> lookup_place(const std::array<double, 3>& uvw) const;
 
     // Where a path is looked up.
     std::array<double, 3> texture_coordinates(const ColumnPath& path) const;
 
   private:
-    ColumnPath path(Course course, double u, double v, double w) const;
-    const CourseTexels& texels_of(Course course) const;
+    ColumnPath path(RayKind kind, double u, double v, double w) const;
+    const RayTexels& texels_of(RayKind kind) const;
 
     bool to_top_;
     config::BetweenCoordinates coordinates_;
     std::array<int, 3> size_;
     ColumnGeometry geometry_;
-    std::vector<CourseTexels> courses_;
+    std::vector<RayTexels> kinds_;
 };
+
+// Where the probes of a table of columns may lie.
+
+// The path of texture coordinates, kept off the horizon by kHorizonMargin, by what a runtime knows
+// of it:
+//
+//   to_top                    altitude_km, cos_zenith
+//   between by altitudes      low_altitude_km, high_altitude_km, angle_at_centre_deg
+//   between by distance       altitude_km, cos_zenith, length_km
+ProbePlace column_probe_place(const ColumnTable& table, const std::array<double, 3>& uvw);
+
+// The texture coordinates of the place that a probe names.
+std::array<double, 3> column_texture_coordinates(
+    const ColumnTable& table, const std::vector<std::pair<std::string, double>>& at);
 
 }  // namespace skybake

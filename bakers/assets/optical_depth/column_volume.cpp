@@ -13,14 +13,11 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/air/shell_constants.h"
-#include "bakers/assets/optical_depth/column_errors.h"
 #include "bakers/assets/optical_depth/column_kinds.h"
-#include "bakers/assets/optical_depth/column_probe.h"
 #include "bakers/assets/optical_depth/column_table.h"
-#include "bakers/assets/optical_depth/shell_sampling.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/stored_source.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
+#include "bakers/field/stored_voxels.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/optical_depth.h"
 
@@ -243,7 +240,7 @@ std::string angle_formula(const OpticalDepthBake& bake, const ColumnTable& table
             "the horizon";
     }
     text += "; u = (first + 1/2 + x (count - 1)) / size with (first, count)";
-    for (const CourseTexels& texels : table.courses()) {
+    for (const RayTexels& texels : table.kinds()) {
         text += fmt::format(" ({}, {})", texels.first, texels.count);
     }
     return text;
@@ -305,7 +302,7 @@ void describe_axis(const OpticalDepthBake& bake, const ColumnGeometry& geometry,
         volume.axes[axis] = {"none", "one texel", kCentres, 0, 0};
 }
 
-// F of g(h) is fine_km. `first` and `count` are those of the texels of each course along u: of
+// F of g(h) is fine_km. `first` and `count` are those of the texels of each kind along u: of
 // paths that rise, that pass their lowest point and, by distance, that fall to the ground.
 void describe_constants(const OpticalDepthBake& bake, const ColumnTable& table, Baked& volume) {
     if (bake.table == OpticalDepthTable::phase) {
@@ -323,7 +320,7 @@ void describe_constants(const OpticalDepthBake& bake, const ColumnTable& table, 
     volume.details.emplace_back("mean_density_exponent", 8.0);
     std::vector<double> first;
     std::vector<double> count;
-    for (const CourseTexels& texels : table.courses()) {
+    for (const RayTexels& texels : table.kinds()) {
         first.push_back(texels.first);
         count.push_back(texels.count);
     }

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/certify_volume.h"
+#include "bakers/field/certify.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/optical_depth.h"
 #include "config/diagnostics/diagnostic.h"

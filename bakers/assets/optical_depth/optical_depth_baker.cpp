@@ -7,9 +7,9 @@
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/optical_depth/column_kinds.h"
-#include "bakers/assets/optical_depth/column_probe.h"
+#include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/assets/optical_depth/column_volume.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "config/assets/optical_depth.h"
 
 namespace skybake {

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "bakers/assets/baker.h"
-#include "bakers/assets/phase/phase_axis.h"
+#include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/phase/phase_table.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/phase.h"
 

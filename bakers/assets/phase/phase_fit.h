@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "bakers/air/particles/phase_function.h"
+#include "bakers/air/particles/tabulated_phase.h"
+#include "config/assets/phase.h"
 
 namespace skybake {
 
@@ -33,5 +35,20 @@ std::vector<std::string_view> parameter_names(std::string_view form);
 // p of a form at an angle, 1/sr.
 double fitted_value(std::string_view form, const std::vector<double>& parameters,
                     double one_minus_cosine, double one_plus_cosine);
+
+// Which scattering angle a texel of a phase table stands for: x in [0, 1] from straight on to
+// straight back.
+//
+//   angle    theta = pi x
+//   cosine   cos theta = 1 - 2 x
+//   peaks    1 - cos theta = (2 x)^4 up to 90 degrees, 1 + cos theta = (2 - 2 x)^4 beyond: about
+//            uniform in the square root of the angle from either pole
+
+// For any spacing but `best`.
+ScatteringAngle scattering_angle(config::PhaseSpacing spacing, double x);
+double phase_coordinate(config::PhaseSpacing spacing, const ScatteringAngle& angle);
+
+// The angle itself, in [0, pi].
+double radians(const ScatteringAngle& angle);
 
 }  // namespace skybake

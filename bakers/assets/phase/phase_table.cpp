@@ -15,7 +15,6 @@
 
 #include "bakers/air/particles/legendre_moments.h"
 #include "bakers/air/particles/phase_source.h"
-#include "bakers/assets/phase/phase_axis.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/field/smallest_table.h"

@@ -8,7 +8,7 @@
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/light/strip_orders.h"

@@ -7,7 +7,7 @@
 #include "bakers/assets/baker.h"
 #include "bakers/assets/draft_size.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "config/assets/transmittance.h"
 
 namespace skybake {

@@ -22,4 +22,24 @@ config::Outcome<Baked> bake_transmittance(const Medium& medium,
                                           const config::TransmittanceBake& bake,
                                           const BakeOptions& options, Baked table);
 
+// Optical depth by equal steps along the ray, as the papers and their samples compute it: the
+// baselines that the exact kernel (optical_depth.h) is a ratio to.
+
+// Where a step of length L / n, L the distance to the top, takes its extinction.
+enum class StepRule {
+    // At its end, step i ending at (i + 0.3) L / n: the sample of Hillaire 2020, n = 40. Density
+    // falls
+    // along most rays, so it finds too little air. First order.
+    end_point,
+    // In its middle. Second order.
+    midpoint,
+    // The mean of its two ends: Bruneton & Neyret 2008, n = 500. Second order.
+    trapezoid,
+};
+
+// From an altitude with s = r mu to the top of the atmosphere; the ray must not hit the ground.
+// One sample after the other, without vectors; steps >= 1.
+Spectrum optical_depth_by_steps(const Medium& medium, double altitude_km, double s_km, int steps,
+                                StepRule rule);
+
 }  // namespace skybake

@@ -12,8 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "bakers/io/files/file_descriptor.h"
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/files/temporary_file.h"
 
 namespace skybake {

@@ -1,12 +1,19 @@
 #include "bakers/io/files/output_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
 #include <utility>
 
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
 namespace {
@@ -116,6 +123,98 @@ void remove_empty_folders(std::span<const fs::path> folders) {
     for (const fs::path& folder : folders) {
         std::error_code not_empty;
         if (!fs::remove(folder, not_empty)) return;
+    }
+}
+
+std::string file_name(const std::string& name, config::FileFormat format, int level) {
+    const std::string_view extension = config::facts_of(format).name;
+    if (level == 0) return fmt::format("{}.{}", name, extension);
+    return fmt::format("{}.mip{}.{}", name, level, extension);
+}
+
+std::string companion_file_name(const std::string& name, const std::string& format) {
+    return fmt::format("{}.{}", name, format);
+}
+
+std::vector<std::string> file_names(const config::Bake& bake) {
+    const config::AssetFiles& files = config::files_of(bake);
+    std::vector<std::string> names;
+    for (const config::FileFormat format : files.formats) {
+        const int count = config::facts_of(format).has_all_levels ? 1 : files.mips;
+        for (int level = 0; level < count; ++level) {
+            names.push_back(file_name(bake.name, format, level));
+        }
+    }
+    const auto* bruneton = bake.find<config::BrunetonBake>();
+    if (bruneton && config::has_companion(*bruneton)) {
+        names.push_back(companion_file_name(bake.name, "json"));
+    }
+    return names;
+}
+
+namespace {
+
+enum class Attempt { taken, busy, impossible };
+
+Attempt try_lock(int descriptor) {
+    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        if (errno == EINTR) continue;
+        return errno == EWOULDBLOCK ? Attempt::busy : Attempt::impossible;
+    }
+    return Attempt::taken;
+}
+
+// Whether the folder of that name is still the one that was opened: a process that gave up may have
+// removed the one it had made.
+bool is_still(const fs::path& folder, int descriptor) {
+    struct stat named {};
+    struct stat opened {};
+    return ::stat(folder.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 &&
+           named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
+}
+
+// Linux closes the descriptors of a dying process in ascending order. The lock's is a high one, so
+// that whoever gets it from a process that was killed finds the temporaries of that one unlocked.
+// Where there are not as many descriptors it stays as it is.
+FileDescriptor closed_last(FileDescriptor descriptor) {
+    if (!descriptor.valid()) return descriptor;
+    constexpr int high = 512;  // of the 1024 that processes have by default
+    FileDescriptor last(::fcntl(descriptor.get(), F_DUPFD_CLOEXEC, high));
+    return last.valid() ? std::move(last) : std::move(descriptor);
+}
+
+}  // namespace
+
+config::Outcome<FolderLock> FolderLock::acquire(const fs::path& folder,
+                                                const std::function<void()>& waits,
+                                                const std::function<bool()>& cancelled) {
+    constexpr auto pause = std::chrono::milliseconds(20);
+    FileDescriptor open;
+    for (bool waited = false;;) {
+        if (!open.valid()) {
+            open = closed_last(
+                FileDescriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+        }
+        if (!open.valid()) {
+            return {{},
+                    {file_error("E0302", folder.string(),
+                                fmt::format("cannot open the folder `{}`: {}", folder.string(),
+                                            system_reason(errno)))}};
+        }
+        const Attempt attempt = try_lock(open.get());
+        if (attempt != Attempt::busy && is_still(folder, open.get())) {
+            return {FolderLock(std::move(open)), {}};
+        }
+        if (attempt != Attempt::busy) {
+            // Gone, or another one: E0302 if it is gone.
+            FileDescriptor gone;
+            std::swap(open, gone);
+            continue;
+        }
+        if (!waited) waits();
+        waited = true;
+        if (cancelled()) return {};
+        std::this_thread::sleep_for(pause);
     }
 }
 

@@ -2,13 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/sections/files.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 
@@ -37,5 +41,37 @@ config::Outcome<std::vector<std::filesystem::path>> create_output_folder(
 
 // Takes back what create_output_folder made, as far as nothing is in there.
 void remove_empty_folders(std::span<const std::filesystem::path> folders);
+
+// The names of the files that a bake makes, relative to the output folder. They follow from the
+// recipe alone.
+
+// "NAME.exr", "NAME.vdb"; "NAME.mip1.exr" and so on for further levels of detail.
+std::string file_name(const std::string& name, config::FileFormat format, int level);
+
+// "NAME.json": a text beside the files of an asset.
+std::string companion_file_name(const std::string& name, const std::string& format);
+
+// All files of a [bake.NAME].
+std::vector<std::string> file_names(const config::Bake& bake);
+
+// One process at a time in a folder.
+
+// Holds an advisory lock (flock) on the folder itself, so that nothing is left behind: the lock
+// ends with this object or with the process, however it ends. File systems without such locks (NFS
+// gives none on folders) are used without: two processes then may do the same work, but atomic
+// renames still leave whole files.
+class FolderLock {
+  public:
+    // Waits as long as another process has it: then calls `waits` once, and gives up once
+    // `cancelled` is true, with neither value nor diagnostics. E0302: there is no such folder.
+    static config::Outcome<FolderLock> acquire(const std::filesystem::path& folder,
+                                               const std::function<void()>& waits,
+                                               const std::function<bool()>& cancelled);
+
+  private:
+    explicit FolderLock(FileDescriptor folder) : folder_(std::move(folder)) {}
+
+    FileDescriptor folder_;
+};
 
 }  // namespace skybake

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "bakers/io/files/file_descriptor.h"
+#include "bakers/io/files/file_io.h"
 
 namespace skybake {
 

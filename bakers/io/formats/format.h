@@ -1,7 +1,8 @@
-// What the program can do with files of a format: one row a format, in formats.cpp.
+// What the program can do with files of a format: one row a format, in format.cpp.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/sheet.h"
 #include "bakers/math/progress.h"
 #include "config/diagnostics/diagnostic.h"
@@ -87,5 +89,34 @@ config::Diagnostic other_size(const std::filesystem::path& path);
 
 // E0500.
 config::Diagnostic contradiction(const std::filesystem::path& path, const std::string& what);
+
+// Under which name files carry what they say of themselves: an attribute of EXR and VDB files, a
+// text of PNG files.
+inline constexpr const char* metadata_name = "skybake/asset";
+
+// Texels as they lie in memory, one after the other: what files without compression hold.
+enum class TexelPadding {
+    none,
+    three_to_four,  // three channels are stored as four, the fourth of which is 1
+};
+
+// Appends the texels of a level in the order x, y, z, channels interleaved, made in parallel. False
+// once progress->cancelled(); errors are the output's.
+bool write_texels(const FileContent& content, int level, TexelPadding padding, FileOutput& output);
+
+// Where the texels of a level stand in a file.
+struct StoredTexelRange {
+    std::uint64_t offset = 0;
+    std::array<int, 3> size{};
+    std::size_t channels = 0;         // that are asked for, the first
+    std::size_t stored_channels = 0;  // in the file
+    config::PixelType type = config::PixelType::float32;
+
+    std::uint64_t bytes() const;
+};
+
+// As Format::read. E0300 where the file ends early.
+config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range,
+                                  const VoxelVisitor& visit);
 
 }  // namespace skybake

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/voxel_bytes.h"
 #include "bakers/math/parallel.h"
-#include "config/assets/slice_sheet.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/voxel_boxes.h"
 #include "bakers/math/aligned_floats.h"
 #include "bakers/math/progress.h"
 #include "config/diagnostics/diagnostic.h"
@@ -28,7 +27,7 @@ struct SheetGrid {
 };
 
 // For a volume of `size` voxels. `columns` is an atlas' own, or 0: chosen as
-// config/assets/slice_sheet.h says.
+// config/sections/files.h says.
 SheetGrid sheet_grid(const std::array<int, 3>& size, const config::AssetFiles& files);
 
 // Width and height of the image.

@@ -4,10 +4,8 @@
 
 #include <utility>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/files/file_names.h"
-#include "bakers/io/files/file_output.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/stopwatch.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/metadata.h"

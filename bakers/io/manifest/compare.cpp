@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bakers/io/files/spelling.h"
-#include "bakers/io/formats/metadata_name.h"
+#include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/format.h"
 
 namespace skybake {
 namespace {
@@ -79,8 +79,8 @@ config::Outcome<std::vector<ChannelDifference>> compare_channels(const ComparedI
 
 std::map<std::string, std::string> facts_of(const ComparedImage& image) {
     std::map<std::string, std::string> facts(image.attributes.begin(), image.attributes.end());
-    facts["pixel type"] = spell(image.pixel_type);
-    facts["compression"] = spell(image.compression);
+    facts["pixel type"] = to_string(image.pixel_type);
+    facts["compression"] = to_string(image.compression);
     return facts;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,7 +76,7 @@ struct ManifestAsset {
     std::string content_hash;  // of level 0
     std::string release;       // the release that baked it
 
-    // What it was made of (bakers/workspace/asset_identity.h). Empty in manifests of releases
+    // What it was made of (bakers/workspace/folder_plan.h). Empty in manifests of releases
     // that did not bake incrementally.
     std::string key;
     std::string certification;  // "quick", "full", "off"
@@ -125,7 +126,7 @@ config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std
 // Reads a manifest's text; `name` stands for it in diagnostics. E0304 with the field's place where
 // it is damaged, of another tool or format, or names a file outside of its folder. Where it can be
 // read and has been changed since it was written, `alterations` say so: each asset has a hash of
-// its entry, and the manifest one of the rest (manifest_hash.h).
+// its entry, and the manifest one of the rest (manifest.h).
 config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name);
 
 // The files that a manifest of an earlier format claims, as retired ones, and nothing else. None
@@ -168,5 +169,28 @@ std::string_view manifest_schema();
 // Resolved values as one JSON object, nested by path: {"atmosphere": {"ground_radius": "6360000
 // m"}}.
 std::string parameters_json(std::span<const config::ResolvedValue> values);
+
+// What the writer and the reader of manifests agree on.
+
+// The version of the manifest's form. A reader refuses another one. What changed from one to the
+// next stands in the description of manifest_schema.json.
+inline constexpr int manifest_format = 3;
+
+// By what a manifest tells that it has been changed since it was written.
+//
+// Each asset's entry has a `hash` of all else in it, and the manifest has one of all else in it, in
+// which entries are represented by their hashes: so a change is told once, at its place. Hashes are
+// xxh3_hex of compact JSON text in the order of the file, so that spaces and line breaks do not
+// matter and all else does: wall times too.
+
+// Of an asset's entry, with or without a `hash`.
+std::string entry_hash(const nlohmann::ordered_json& entry);
+
+// Of a whole manifest, with or without a `hash`, whose entries have theirs.
+std::string manifest_hash(const nlohmann::ordered_json& manifest);
+
+// One sentence for each hash that is not that of its content. The manifest has been read: every
+// entry has its hash.
+std::vector<std::string> manifest_alterations(const nlohmann::ordered_json& manifest);
 
 }  // namespace skybake

@@ -8,11 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/io/manifest/manifest_format.h"
-#include "bakers/io/manifest/manifest_hash.h"
 #include "bakers/io/manifest/release.h"
 
 namespace skybake {

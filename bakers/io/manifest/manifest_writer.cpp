@@ -5,10 +5,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/io/manifest/manifest_format.h"
-#include "bakers/io/manifest/manifest_hash.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/text/key_path.h"
 
@@ -19,12 +17,12 @@ using Json = nlohmann::ordered_json;  // keys stay in the order of the schema
 
 Json to_json(const ManifestFile& file) {
     Json json = {
-        {"path", file.path},   {"format", file.format}, {"pixel_type", spell(file.pixel_type)},
+        {"path", file.path},   {"format", file.format}, {"pixel_type", to_string(file.pixel_type)},
         {"bytes", file.bytes}, {"xxh3", file.xxh3},     {"level", file.level}};
     if (file.levels > 1) json["levels"] = file.levels;
     json["compression"] = file.compression;
     if (file.layout) {
-        json["layout"] = {{"kind", spell(file.layout->kind)},
+        json["layout"] = {{"kind", to_string(file.layout->kind)},
                           {"columns", file.layout->columns},
                           {"rows", file.layout->rows}};
         if (file.layout->flipped) json["layout"]["flipped"] = true;
@@ -67,9 +65,9 @@ Json to_json(const AxisMapping& axis) {
             {"convention", axis.convention},
             {"first", axis.first},
             {"last", axis.last},
-            {"end_points", spell(axis.end_points)},
-            {"wrap", spell(axis.wrap)},
-            {"filter", spell(axis.filter)},
+            {"end_points", to_string(axis.end_points)},
+            {"wrap", to_string(axis.wrap)},
+            {"filter", to_string(axis.filter)},
             {"constants", to_json(axis.constants)}};
 }
 

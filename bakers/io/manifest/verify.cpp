@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/voxel_bytes.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/compare.h"
@@ -158,8 +157,8 @@ class VoxelCheck {
 // What the file says of itself.
 void check_facts(Examination& examination, const FileFacts& facts, const ManifestAsset& asset,
                  const ManifestFile& file) {
-    examination.expect_equal(spell(facts.pixel_type.value_or(file.pixel_type)),
-                             spell(file.pixel_type), "pixel_type", "the pixel type");
+    examination.expect_equal(to_string(facts.pixel_type.value_or(file.pixel_type)),
+                             to_string(file.pixel_type), "pixel_type", "the pixel type");
     if (!facts.names.empty()) {
         const std::vector<std::string>& wanted = file.grids.empty() ? asset.channels : file.grids;
         examination.expect_equal(facts.names, wanted, "channels", "the list of channels");

@@ -1,11 +1,13 @@
 // Which pictures show an asset by itself, and the words that their captions have in common.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
-#include "bakers/plot/picture.h"
-#include "bakers/render/preview_asset.h"
+#include "bakers/field/image.h"
+#include "bakers/plot/drawing.h"
+#include "bakers/render/sky_tables.h"
 
 namespace skybake {
 
@@ -64,5 +66,22 @@ std::string sun_text(double elevation_degrees);
 
 // For file names: "sun_20", "sun_minus_4", "sun_0_5".
 std::string sun_stem(double elevation_degrees);
+
+// Planes of a volume in memory.
+
+// A volume's voxels: x fastest, then y, then z, channels interleaved.
+struct VoxelView {
+    std::array<int, 3> size{};
+    int channels = 0;
+    const std::vector<float>* voxels = nullptr;
+};
+
+// One channel of the plane where `axis` (0 x, 1 y, 2 z) has the index `at`. Of x the picture is y
+// across and z up, of y it is x across and z up, of z it is x across and y up; row 0 is the lowest
+// index.
+Image2<float> slice(const VoxelView& volume, int channel, int axis, int at);
+
+// Two by two copies side by side, as a repeating sampler shows them.
+Image2<float> tiled_twice(const Image2<float>& tile);
 
 }  // namespace skybake

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/volume_slices.h"
 #include "bakers/render/tone_curve.h"
 
 namespace skybake {

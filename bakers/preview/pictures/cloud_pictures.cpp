@@ -15,7 +15,7 @@
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/render/stage_progress.h"
 #include "bakers/render/tone_curve.h"
-#include "config/assets/cloud_extent.h"
+#include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/recipe/recipe.h"
 
@@ -181,7 +181,7 @@ void add_lit_pictures(const CloudPreviewInput& input, const CloudMedium& medium,
 }
 
 void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
-               const std::array<int, 3>& telling, std::vector<PreviewPicture>& pictures) {
+               const std::array<int, 3>& slices, std::vector<PreviewPicture>& pictures) {
     if (input.occupancy == nullptr || input.occupancy_bake == nullptr) return;
     const config::OccupancyBake& bake = *input.occupancy_bake;
     const auto leaps = leaps_of_grid(*input.occupancy, bake, filtered_threshold(*input.cloud));
@@ -190,7 +190,7 @@ void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
     for (const int axis : {1, 2}) {
         pictures.push_back(cells_picture(medium, *input.volume, input.occupancy->entry.name,
                                          bake.cell, *leaps, axis,
-                                         telling[static_cast<std::size_t>(axis)]));
+                                         slices[static_cast<std::size_t>(axis)]));
         if (input.draft) return;
     }
 }
@@ -233,13 +233,13 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
     }
     const Image2<float> depth = column_optical_depth(medium, threads);
     pictures.push_back(optical_depth_picture(medium, entry.name, depth));
-    const std::array<int, 3> telling = telling_voxel(medium, depth);
+    const std::array<int, 3> slices = slice_voxel(medium, depth);
     for (const int axis : {1, 0, 2}) {
         pictures.push_back(
-            slice_picture(medium, *input.volume, axis, telling[static_cast<std::size_t>(axis)]));
+            slice_picture(medium, *input.volume, axis, slices[static_cast<std::size_t>(axis)]));
         if (input.draft) break;
     }
-    if (has_grid) add_cells(input, medium, telling, pictures);
+    if (has_grid) add_cells(input, medium, slices, pictures);
     return pictures;
 }
 

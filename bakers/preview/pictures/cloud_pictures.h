@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "bakers/plot/picture.h"
+#include "bakers/plot/drawing.h"
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/cloud_medium.h"
 #include "bakers/render/cloud_view.h"
-#include "bakers/render/preview_asset.h"
+#include "bakers/render/sky_tables.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/atmosphere.h"
@@ -61,7 +61,7 @@ Image2<float> column_optical_depth(const CloudMedium& medium, int threads);
 
 // Where there is most to see: x and y of the column of the greatest optical depth, and the height
 // at which most voxels are something (the middle of an empty volume).
-std::array<int, 3> telling_voxel(const CloudMedium& medium, const Image2<float>& optical_depth);
+std::array<int, 3> slice_voxel(const CloudMedium& medium, const Image2<float>& optical_depth);
 
 PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::string& name,
                                      const Image2<float>& optical_depth);

@@ -8,7 +8,7 @@
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/volume_slices.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "config/assets/occupancy.h"
 #include "config/fields/fields.h"
 
@@ -195,22 +195,22 @@ Image2<float> column_optical_depth(const CloudMedium& medium, int threads) {
     return columns;
 }
 
-std::array<int, 3> telling_voxel(const CloudMedium& medium, const Image2<float>& optical_depth) {
+std::array<int, 3> slice_voxel(const CloudMedium& medium, const Image2<float>& optical_depth) {
     const std::array<int, 3>& size = medium.volume.size;
     const auto deepest = std::max_element(optical_depth.texels.begin(), optical_depth.texels.end());
     if (*deepest == 0) return {size[0] / 2, size[1] / 2, size[2] / 2};
     const auto column = static_cast<int>(deepest - optical_depth.texels.begin());
-    std::array<int, 3> telling = {column % size[0], column / size[0], 0};
+    std::array<int, 3> slices = {column % size[0], column / size[0], 0};
     std::int64_t most = -1;
     for (int z = 0; z < size[2]; ++z) {
         const float* plane = medium.volume.values.data() + (z + 1) * medium.volume.plane();
         const auto filled = std::count_if(plane, plane + medium.volume.plane(), [&](float value) {
             return density(medium.optics, value) > 0;
         });
-        if (filled > most) telling[2] = z;
+        if (filled > most) slices[2] = z;
         most = std::max<std::int64_t>(most, filled);
     }
-    return telling;
+    return slices;
 }
 
 PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::string& name,

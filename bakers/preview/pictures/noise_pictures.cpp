@@ -11,7 +11,6 @@
 
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/noise_spectrum.h"
-#include "bakers/preview/pictures/volume_slices.h"
 
 namespace skybake {
 namespace {

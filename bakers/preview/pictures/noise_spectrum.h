@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/preview/pictures/volume_slices.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 
 namespace skybake {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "bakers/assets/phase/phase_axis.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/assets/phase/phase_fit.h"
+#include "bakers/field/image.h"
 #include "bakers/plot/chart.h"
 #include "config/assets/phase.h"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/sky_reference.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bakers/math/progress.h"
-#include "bakers/plot/picture.h"
-#include "bakers/render/preview_asset.h"
+#include "bakers/plot/drawing.h"
+#include "bakers/render/sky_tables.h"
 #include "config/sections/atmosphere.h"
 
 namespace skybake {

@@ -5,10 +5,9 @@
 // (sky/sky_light.h). It is what the asset `sky_view` bakes.
 #pragma once
 
-#include "bakers/field/error_statistics.h"
+#include "bakers/field/certify.h"
 #include "bakers/field/image.h"
 #include "bakers/light/sky_light.h"
-#include "bakers/render/sky_difference.h"
 #include "bakers/render/sky_rays.h"
 #include "bakers/render/sky_tables.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/light/sun_columns.h"
 

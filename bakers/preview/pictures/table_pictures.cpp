@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "bakers/field/bilinear.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/table_geometry.h"
 #include "bakers/render/tone_curve.h"

@@ -11,10 +11,9 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/flat_tables.h"
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/light/solved_orders.h"
 #include "bakers/light/solver/solve_light.h"
-#include "bakers/report/sweeps/costs.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/bruneton.h"
 
@@ -102,9 +101,9 @@ std::optional<BrunetonSweep> bruneton_flat_sweep(const config::Atmosphere& atmos
         subject->table.colours + (asked.convention == BrunetonConvention::takram ? 1 : 0);
     const std::vector<std::array<int, 3>> sizes = flat_sizes(asked, options.quick);
     for (const std::array<int, 3>& size : sizes) {
-        std::shared_ptr<const HeldVoxels> texels;
+        std::shared_ptr<const DenseVolume> texels;
         const auto make = [&] {
-            texels = std::make_shared<const HeldVoxels>(
+            texels = std::make_shared<const DenseVolume>(
                 flat_texels(subject->table, size, channels, BakeOptions{.threads = 1}));
         };
         const std::vector<double> seconds =
@@ -113,7 +112,7 @@ std::optional<BrunetonSweep> bruneton_flat_sweep(const config::Atmosphere& atmos
         if (seconds.empty()) return std::nullopt;
         for (const PixelType type : {PixelType::float32, PixelType::half}) {
             VolumeVariant& variant =
-                add_variant(made.sweep, std::string("quadrature, ") + std::string(spell(type)),
+                add_variant(made.sweep, std::string("quadrature, ") + std::string(to_string(type)),
                             size_text(size), texels, size, type);
             variant.seconds = light_seconds + seconds.front();
             variant.of_recipe = size == asked.size && type == asked.pixel_type;

@@ -18,14 +18,11 @@
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/lookup_fit.h"
-#include "bakers/assets/bruneton/over_rayleigh.h"
-#include "bakers/assets/bruneton/parts_memory.h"
 #include "bakers/assets/bruneton/scattering_error.h"
 #include "bakers/assets/bruneton/scattering_table.h"
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/light/solved_orders.h"
 #include "bakers/light/solver/solve_light.h"
-#include "bakers/report/sweeps/costs.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/bruneton.h"
 
@@ -180,17 +177,17 @@ class ScatteringSweep {
     bool add_solved(const Size& size) {
         const ScatteringMapping mapping = subject_->mapping(size);
         const ScatteringContent& content = subject_->content;
-        std::shared_ptr<HeldVoxels> exact;
-        std::shared_ptr<HeldVoxels> fitted;
+        std::shared_ptr<DenseVolume> exact;
+        std::shared_ptr<DenseVolume> fitted;
         const auto exact_seconds = seconds_of([&] {
-            exact = std::make_shared<HeldVoxels>(scattering_texels(
+            exact = std::make_shared<DenseVolume>(scattering_texels(
                 content, mapping,
                 make_parts(subject_->medium, subject_->light.get(), content.wants_single(), content,
                            mapping, one_thread_)));
         });
         if (!exact_seconds) return false;
         const auto fit_seconds = seconds_of([&] {
-            fitted = std::make_shared<HeldVoxels>(*exact);
+            fitted = std::make_shared<DenseVolume>(*exact);
             fit_lookups(mapping, content.measured_channels(), one_thread_, *fitted);
         });
         if (!fit_seconds) return false;
@@ -198,13 +195,14 @@ class ScatteringSweep {
         const double seconds = light_seconds_ + *exact_seconds;
         const bool is_own = size == asked_.size && asked_.method == BrunetonMethod::solved;
         for (const PixelType type : {PixelType::float32, PixelType::half}) {
-            VolumeVariant& variant = add(fmt::format("solved, fitted, {}", spell(type)),
+            VolumeVariant& variant = add(fmt::format("solved, fitted, {}", to_string(type)),
                                          size_text(size), size, type, fitted);
             variant.seconds = seconds + *fit_seconds;
             variant.of_recipe = is_own && type == asked_.pixel_type;
         }
         for (const PixelType type : {PixelType::float32, PixelType::half}) {
-            add(fmt::format("solved, exact, {}", spell(type)), size_text(size), size, type, exact)
+            add(fmt::format("solved, exact, {}", to_string(type)), size_text(size), size, type,
+                exact)
                 .seconds = seconds;
         }
         return true;
@@ -214,14 +212,14 @@ class ScatteringSweep {
         const ScatteringMapping mapping = subject_->mapping(iterated_size_);
         const int most = asked_.orders == 0 ? kIteratedOrders : asked_.orders;
         for (int orders = 2; orders <= std::min(most, kIteratedOrders); ++orders) {
-            std::shared_ptr<HeldVoxels> table;
+            std::shared_ptr<DenseVolume> table;
             const auto seconds = seconds_of(
-                [&] { table = std::make_shared<HeldVoxels>(iterated_texels(mapping, orders)); });
+                [&] { table = std::make_shared<DenseVolume>(iterated_texels(mapping, orders)); });
             if (!seconds) return false;
             for (const PixelType type : {PixelType::float32, PixelType::half}) {
                 VolumeVariant& variant =
-                    add(fmt::format("iterated, {}", spell(type)), fmt::format("{} orders", orders),
-                        iterated_size_, type, table);
+                    add(fmt::format("iterated, {}", to_string(type)),
+                        fmt::format("{} orders", orders), iterated_size_, type, table);
                 variant.seconds = seconds;
                 if (orders == kIteratedOrders) variant.baseline = "as published (Bruneton 2017)";
                 variant.of_recipe = asked_.method == BrunetonMethod::iterated &&
@@ -236,7 +234,7 @@ class ScatteringSweep {
         return true;
     }
 
-    HeldVoxels iterated_texels(const ScatteringMapping& mapping, int orders) const {
+    DenseVolume iterated_texels(const ScatteringMapping& mapping, int orders) const {
         const ScatteringContent& content = subject_->content;
         TableParts parts;
         if (content.wants_single()) {
@@ -248,7 +246,7 @@ class ScatteringSweep {
     }
 
     VolumeVariant& add(std::string family, std::string name, const Size& size, PixelType type,
-                       const std::shared_ptr<const HeldVoxels>& table) {
+                       const std::shared_ptr<const DenseVolume>& table) {
         VolumeVariant& variant =
             add_variant(made_.sweep, std::move(family), std::move(name), table, size, type);
         variant.in_quadrature_sweep = size == iterated_size_ && type == PixelType::float32;

@@ -10,14 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/field/certify_volume.h"
-#include "bakers/field/stored_source.h"
+#include "bakers/field/baked.h"
+#include "bakers/field/certify.h"
+#include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
-#include "bakers/field/voxel_boxes.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/aligned_floats.h"
-#include "bakers/report/sweeps/costs.h"
-#include "bakers/report/sweeps/fronts.h"
+#include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/certify_volume.h"
+#include "bakers/field/certify.h"
 #include "bakers/report/report.h"
-#include "bakers/report/sweeps/measure_sweep.h"
+#include "bakers/report/sweeps/table_sweeps.h"
 #include "bakers/report/sweeps/volume_sweep.h"
 
 namespace skybake {

@@ -18,7 +18,7 @@
 #include "bakers/noise/pointwise_kernel.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/noise_volume.h"
-#include "config/sections/octave_sampling.h"
+#include "config/sections/noise.h"
 
 namespace skybake {
 

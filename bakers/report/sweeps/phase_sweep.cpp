@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "bakers/assets/phase/phase_axis.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/phase/phase_table.h"
 #include "config/assets/phase.h"

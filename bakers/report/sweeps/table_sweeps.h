@@ -6,6 +6,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/air/particles/phase_source.h"
 #include "bakers/field/baked.h"
+#include "bakers/report/report.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/phase.h"
@@ -30,5 +31,16 @@ Sweep multiple_scattering_sweep(const Medium& medium, const config::MultipleScat
 // own table. The source must outlive the sweep.
 Sweep phase_sweep(const PhaseSource& source, const config::PhaseBake& bake, const Baked& baked,
                   bool quick);
+
+// Time, error and bytes of each variant of a sweep.
+
+// The rows of a sweep, fronts marked, and notes on variants that were left out. `baked` is the
+// recipe's own table, whose metadata the variants' files carry too. None: the user has interrupted.
+struct MeasuredSweep {
+    std::vector<ReportRow> rows;
+    std::vector<std::string> notes;
+};
+std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const Baked& baked, int repetitions,
+                                           const ReportOptions& options);
 
 }  // namespace skybake

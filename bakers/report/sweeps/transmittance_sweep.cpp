@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/transmittance/transmittance_as_in_paper.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/transmittance.h"

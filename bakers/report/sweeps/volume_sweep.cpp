@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {
@@ -42,18 +42,18 @@ class StorageSweep {
         const PixelType type = has_unorm ? PixelType::half : files_.pixel_type;
         for (const Compression compression :
              {Compression::none, Compression::zip, Compression::zips, Compression::piz}) {
-            VolumeVariant& variant =
-                add_variant(sweep_, fmt::format("exr, {}", spell(type)),
-                            fmt::format("exr {}", spell(compression)), own_, subject_.size, type);
+            VolumeVariant& variant = add_variant(sweep_, fmt::format("exr, {}", to_string(type)),
+                                                 fmt::format("exr {}", to_string(compression)),
+                                                 own_, subject_.size, type);
             variant.format = FileFormat::exr;
             variant.compression = compression;
             variant.of_recipe = is_asked_for(FileFormat::exr) && compression == files_.compression;
         }
         for (const VdbCompression compression :
              {VdbCompression::none, VdbCompression::zip, VdbCompression::blosc}) {
-            VolumeVariant& variant =
-                add_variant(sweep_, fmt::format("vdb, {}", spell(type)),
-                            fmt::format("vdb {}", spell(compression)), own_, subject_.size, type);
+            VolumeVariant& variant = add_variant(sweep_, fmt::format("vdb, {}", to_string(type)),
+                                                 fmt::format("vdb {}", to_string(compression)),
+                                                 own_, subject_.size, type);
             variant.format = FileFormat::vdb;
             variant.vdb_compression = compression;
             variant.of_recipe =
@@ -87,8 +87,9 @@ class StorageSweep {
         for (const PixelType type :
              {PixelType::float32, PixelType::half, PixelType::unorm16, PixelType::unorm8}) {
             for (const auto& [size, voxels] : volumes) {
-                VolumeVariant& variant = add_variant(sweep_, fmt::format("bin, {}", spell(type)),
-                                                     size_text(size), voxels, size, type);
+                VolumeVariant& variant =
+                    add_variant(sweep_, fmt::format("bin, {}", to_string(type)), size_text(size),
+                                voxels, size, type);
                 const bool own_size = size == subject_.size;
                 variant.in_quadrature_sweep = own_size && type == PixelType::float32;
                 variant.of_recipe =

@@ -11,7 +11,6 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/lookup_fit.h"
-#include "bakers/assets/bruneton/parts_memory.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/light/solver/solve_light.h"
@@ -102,9 +101,9 @@ class BrunetonSky {
     }
 
   private:
-    std::optional<HeldVoxels> make_table(const ScatteringContent& content, const TableParts& parts,
-                                         const BakeOptions& options) const {
-        HeldVoxels table = scattering_texels(content, mapping_, parts);
+    std::optional<DenseVolume> make_table(const ScatteringContent& content, const TableParts& parts,
+                                          const BakeOptions& options) const {
+        DenseVolume table = scattering_texels(content, mapping_, parts);
         fit_lookups(mapping_, content.measured_channels(), options, table);
         return table;
     }
@@ -124,9 +123,9 @@ class BrunetonSky {
     ScatteringMapping mapping_;
     ScatteringContent content_;
     ScatteringContent mie_content_;
-    std::optional<HeldVoxels> scattering_;
-    std::optional<HeldVoxels> mie_;  // none: combined
-    Spectrum guess_{};               // (rayleigh_red / mie_red) (mie_colour / rayleigh_colour)
+    std::optional<DenseVolume> scattering_;
+    std::optional<DenseVolume> mie_;  // none: combined
+    Spectrum guess_{};                // (rayleigh_red / mie_red) (mie_colour / rayleigh_colour)
 };
 
 }  // namespace

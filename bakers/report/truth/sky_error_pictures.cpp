@@ -12,7 +12,6 @@
 
 #include "bakers/math/parallel.h"
 #include "bakers/plot/chart.h"
-#include "bakers/render/sky_difference.h"
 #include "bakers/render/sky_rays.h"
 
 namespace skybake {

@@ -8,8 +8,8 @@
 
 #include "bakers/assets/multiple_scattering/fitted_radiance.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
-#include "bakers/field/bilinear.h"
-#include "bakers/field/texel_axis.h"
+#include "bakers/field/image.h"
+#include "bakers/field/interpolation.h"
 #include "bakers/light/isotropic_orders.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/solved_orders.h"

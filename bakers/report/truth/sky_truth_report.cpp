@@ -10,8 +10,7 @@
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
-#include "bakers/report/sweeps/costs.h"
-#include "bakers/report/sweeps/fronts.h"
+#include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {
 

@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <string_view>
 
-#include "bakers/io/files/read_file.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/math/hash.h"
-#include "config/assets/reads.h"
+#include "config/assets/asset_kind.h"
 
 namespace skybake {
 

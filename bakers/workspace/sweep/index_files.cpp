@@ -7,9 +7,8 @@
 #include <system_error>
 
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
-#include "bakers/io/files/read_file.h"
 #include "bakers/io/manifest/release.h"
 #include "config/diagnostics/toml_source.h"
 
@@ -83,7 +82,7 @@ Json variant_json(const config::Sweep& sweep, const VariantResult& variant) {
     Json json = {{"index", variant.index},
                  {"name", variant.name},
                  {"values", values_json(sweep, variant.index)},
-                 {"status", spell(variant.status)}};
+                 {"status", to_string(variant.status)}};
     if (variant.status == VariantStatus::done) {
         Json assets = Json::array();
         for (const VariantAsset& asset : variant.assets) {
@@ -118,7 +117,7 @@ std::string csv_line(const std::vector<std::string>& fields) {
 }
 
 // The shortest decimal that reads back as the same number.
-std::string spell_figure(double value) { return Json(value).dump(); }
+std::string figure_to_string(double value) { return Json(value).dump(); }
 
 // All assets that any variant has, in the order of their first one.
 std::vector<std::string> asset_names(std::span<const VariantResult> variants) {
@@ -149,8 +148,8 @@ std::vector<std::string> csv_header(const config::Sweep& sweep,
 }
 
 void add_figures(const std::optional<ErrorFigures>& figures, std::vector<std::string>& fields) {
-    fields.push_back(figures ? spell_figure(figures->max) : "");
-    fields.push_back(figures ? spell_figure(figures->rms) : "");
+    fields.push_back(figures ? figure_to_string(figures->max) : "");
+    fields.push_back(figures ? figure_to_string(figures->rms) : "");
 }
 
 void add_asset(const VariantResult& variant, const std::string& name,
@@ -209,7 +208,7 @@ std::string index_csv(const config::Sweep& sweep, std::span<const VariantResult>
         for (config::SweepValue& value : variant_values(sweep, variant.index)) {
             fields.push_back(std::move(value.plain));
         }
-        fields.emplace_back(spell(variant.status));
+        fields.emplace_back(to_string(variant.status));
         fields.push_back(first_error(variant));
         for (const std::string& asset : assets) add_asset(variant, asset, fields);
         text += csv_line(fields);

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/workspace/sweep/variant_result.h"
+#include "bakers/workspace/sweep/variants.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sweep/sweep.h"
 

@@ -11,14 +11,14 @@
 #include <thread>
 #include <utility>
 
-#include "bakers/io/files/folder_lock.h"
+#include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/asset_cache.h"
-#include "bakers/workspace/asset_identity.h"
 #include "bakers/workspace/bake_folder.h"
-#include "bakers/workspace/sweep/ready_assets.h"
-#include "bakers/workspace/sweep/variant_failure.h"
+#include "bakers/workspace/folder_plan.h"
+#include "bakers/workspace/sweep/sweep_plan.h"
+#include "bakers/workspace/sweep/variants.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/workspace/sweep/sweep_plan.h"
-#include "bakers/workspace/sweep/variant_result.h"
+#include "bakers/workspace/sweep/variants.h"
 
 namespace skybake {
 

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/files/file_output.h"
-#include "bakers/io/formats/texel_stream.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 
 namespace skybake {
 namespace {

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "bakers/field/mip_source.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/formats/texel_stream.h"
+#include "bakers/field/stored_voxels.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 
 namespace skybake {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <ImfFrameBuffer.h>
 #include <ImfIO.h>
+#include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfThreading.h>
 #include <fmt/format.h>
@@ -13,10 +14,9 @@
 #include <utility>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/io/files/file_output.h"
-#include "bakers/io/files/spelling.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/exr/exr_library.h"
-#include "bakers/io/formats/metadata_name.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
@@ -119,7 +119,7 @@ Outcome<FileFacts> inspect_exr(const fs::path& path) {
     facts.pixel_type = image.value->pixel_type();
     facts.names = image.value->channel_names();
     facts.channels = facts.names.size();
-    facts.compression = spell(image.value->compression());
+    facts.compression = to_string(image.value->compression());
     facts.image_size = {image.value->width(), image.value->height()};
     for (const auto& [name, text] : image.value->attributes()) {
         if (name == metadata_name) facts.metadata = text;
@@ -142,18 +142,126 @@ Outcome<bool> read_exr_file(const fs::path& path, const FileShape& shape, int,
 }  // namespace
 
 Format exr_format() {
-    return {
-        .format = config::FileFormat::exr,
-        .write = write_exr_file,
-        .inspect = inspect_exr,
-        .read = read_exr_file,
-        .compression = [](const config::AssetFiles& files) { return spell(files.compression); }};
+    return {.format = config::FileFormat::exr,
+            .write = write_exr_file,
+            .inspect = inspect_exr,
+            .read = read_exr_file,
+            .compression = [](const config::AssetFiles& files) {
+                return to_string(files.compression);
+            }};
 }
 
 RowSource rows_of(ExrRows& file) {
     return {
         file.width(), file.height(), file.channel_names().size(), file.rows_per_piece(),
         [&file](int first, int count, float* texels) { return file.read(first, count, texels); }};
+}
+
+namespace {
+
+class InputStream : public Imf::IStream {
+  public:
+    InputStream(const std::string& name, FileInput file)
+        : Imf::IStream(name.c_str()), file_(std::move(file)) {}
+    bool read(char out[], int count) override {
+        const auto wanted = static_cast<std::size_t>(std::max(count, 0));
+        const auto done = file_.read(position_, out, wanted);
+        if (!done) {
+            failed_ = true;
+            throw std::runtime_error("it cannot be read");
+        }
+        if (*done < wanted) throw std::runtime_error("it ends early");
+        position_ += wanted;
+        return position_ < file_.size();
+    }
+    uint64_t tellg() override { return position_; }
+    void seekg(uint64_t position) override { position_ = position; }
+    std::uint64_t size() const { return file_.size(); }
+    // Why the file could not be read, where the system had a reason.
+    std::optional<config::Diagnostic> failure() const {
+        return failed_ ? std::optional(file_.diagnostic()) : std::nullopt;
+    }
+
+  private:
+    FileInput file_;
+    std::uint64_t position_ = 0;
+    bool failed_ = false;
+};
+
+}  // namespace
+
+struct ExrRows::File {
+    File(std::string name_, FileInput input)
+        : name(std::move(name_)), stream(name, std::move(input)) {}
+
+    config::Diagnostic diagnostic(const std::string& reason) const {
+        if (auto failure = stream.failure()) return *failure;
+        return damaged_exr(name, reason);
+    }
+
+    std::string name;
+    InputStream stream;
+    std::unique_ptr<Imf::InputFile> image;
+    ExrFacts facts;
+};
+
+ExrRows::ExrRows(std::unique_ptr<File> file) : file_(std::move(file)) {}
+ExrRows::ExrRows(ExrRows&&) noexcept = default;
+ExrRows& ExrRows::operator=(ExrRows&&) noexcept = default;
+ExrRows::~ExrRows() = default;
+
+int ExrRows::width() const { return file_->facts.width; }
+int ExrRows::height() const { return file_->facts.height; }
+const std::vector<std::string>& ExrRows::channel_names() const {
+    return file_->facts.channel_names;
+}
+config::PixelType ExrRows::pixel_type() const { return file_->facts.pixel_type; }
+config::Compression ExrRows::compression() const { return file_->facts.compression; }
+const Attributes& ExrRows::attributes() const { return file_->facts.attributes; }
+
+config::Outcome<ExrRows> ExrRows::open(const std::filesystem::path& path) {
+    config::Outcome<FileInput> input = FileInput::open(path);
+    if (!input.value) return {{}, std::move(input.diagnostics)};
+    if (input.value->size() == 0) return {{}, {damaged_exr(path.string(), "it is empty")}};
+    auto file = std::make_unique<File>(path.string(), std::move(*input.value));
+    try {
+        if (const auto reason = unreadable_header(file->stream, file->stream.size())) {
+            return {{}, {damaged_exr(file->name, *reason)}};
+        }
+        file->image = std::make_unique<Imf::InputFile>(file->stream, 0);  // 0: no further threads
+        file->facts = facts_of(file->image->header());
+    } catch (const std::exception& error) {
+        return {{}, {file->diagnostic(error.what())}};
+    }
+    return {ExrRows(std::move(file)), {}};
+}
+
+std::optional<config::Diagnostic> ExrRows::read(int first, int count, float* texels) {
+    try {
+        const Imath::Box2i window = file_->image->header().dataWindow();
+        const std::size_t texel = sizeof(float) * channel_names().size();
+        const std::size_t row = texel * static_cast<std::size_t>(width());
+        const Imath::V2i origin(window.min.x, window.min.y + first);
+        Imf::FrameBuffer buffer;
+        for (std::size_t channel = 0; channel < channel_names().size(); ++channel) {
+            buffer.insert(
+                channel_names()[channel],
+                Imf::Slice::Make(Imf::FLOAT, texels + channel, origin, width(), count, texel, row));
+        }
+        file_->image->setFrameBuffer(buffer);
+        file_->image->readPixels(origin.y, origin.y + count - 1);
+    } catch (const std::exception& error) {
+        return file_->diagnostic(error.what());
+    }
+    return std::nullopt;
+}
+
+int ExrRows::rows_per_piece() const {
+    constexpr std::size_t floats = std::size_t{1} << 20;
+    constexpr std::size_t block = 32;  // rows that the widest codec has to unpack together
+    const std::size_t row = static_cast<std::size_t>(width()) * channel_names().size();
+    const std::size_t rows = std::max<std::size_t>(1, floats / row / block) * block;
+    return static_cast<int>(std::min<std::size_t>(rows, static_cast<std::size_t>(height())));
 }
 
 }  // namespace skybake

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/io/files/file_io.h"
 #include "config/text/key_path.h"
 
 namespace skybake {

@@ -1,6 +1,6 @@
 // The seam between pictures and the libraries that know them: what the module on its far side does.
 // Linking OpenImageIO loads 260 libraries and costs half a second at every start of the program, so
-// it is loaded on first use (image_module.h).
+// it is loaded on first use (map_image.h).
 #pragma once
 
 #include <cstdint>
@@ -41,5 +41,10 @@ struct ImageCodec {
 // What the module exports, under this name.
 using ImageCodecFunction = const ImageCodec* (*)();
 inline constexpr const char* image_codec_symbol = "skybake_image_codec";
+
+// Makes PNG files by OpenImageIO; a part of the module skybake_images.
+
+// As ImageCodec::encode_png.
+EncodedPicture encode_png(int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace skybake

@@ -11,12 +11,11 @@
 #include <string_view>
 #include <utility>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/formats/png/image_module.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/load_module.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
-#include "config/text/suggest.h"
+#include "config/text/text.h"
 
 namespace skybake {
 namespace {
@@ -108,6 +107,21 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
     }
     if (const auto problem = value_out_of_range(pixels)) return {{}, {not_a_map(map, *problem)}};
     return {finished(std::move(pixels), map.color_space), {}};
+}
+
+namespace {
+
+LoadedImageCodec load() {
+    const ModuleSymbol symbol = load_module(image_module_name, image_codec_symbol);
+    if (symbol.address == nullptr) return {nullptr, symbol.reason};
+    return {reinterpret_cast<ImageCodecFunction>(symbol.address)(), ""};
+}
+
+}  // namespace
+
+const LoadedImageCodec& image_codec() {
+    static const LoadedImageCodec loaded = load();
+    return loaded;
 }
 
 }  // namespace skybake

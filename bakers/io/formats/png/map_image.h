@@ -2,7 +2,10 @@
 // is its first bytes say, not its name.
 #pragma once
 
-#include "bakers/field/map_image.h"
+#include <string>
+
+#include "bakers/field/image.h"
+#include "bakers/io/formats/png/image_codec.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/cloud.h"
 
@@ -20,5 +23,15 @@ inline constexpr int largest_map_edge = 16384;
 // other integers, stored upside down or cropped in a way that readers disagree about, without the
 // channel, or with a value that is not in [0, 1]; the message says which.
 config::Outcome<MapImage> read_map_image(const config::CloudMap& map);
+
+// Loads the module that knows OpenImageIO.
+
+// The codec, or null with the reason. The module, skybake_images.so, is loaded once and stays; see
+// load_module.h for where it is.
+struct LoadedImageCodec {
+    const ImageCodec* codec = nullptr;
+    std::string reason;
+};
+const LoadedImageCodec& image_codec();
 
 }  // namespace skybake

@@ -11,11 +11,8 @@
 #include <vector>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/voxel_bytes.h"
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/files/file_output.h"
-#include "bakers/io/formats/metadata_name.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 
 namespace skybake {
 namespace {

@@ -1,8 +1,7 @@
 // What the module of OpenVDB exports.
 #include "bakers/io/formats/vdb/vdb_codec.h"
 
-#include "bakers/io/formats/vdb/vdb_decoder.h"
-#include "bakers/io/formats/vdb/vdb_encoder.h"
+#include "bakers/io/formats/vdb/vdb_library.h"
 
 extern "C" const skybake::VdbCodec* skybake_vdb_codec() {
     using namespace skybake::vdb;

@@ -1,5 +1,5 @@
 // The seam between VDB files and OpenVDB: what the module on its far side does. Linking OpenVDB
-// costs 35 ms at every start of the program, so it is loaded on first use (vdb_module.h).
+// costs 35 ms at every start of the program, so it is loaded on first use (vdb_file.cpp).
 //
 // Everything here is bytes in, bytes out; files are written on the near side. Functions but the
 // readers throw std::exception where the library does.

@@ -1,4 +1,4 @@
-#include "bakers/io/formats/vdb/vdb_decoder.h"
+#include "bakers/io/formats/vdb/vdb_library.h"
 
 #include <fmt/format.h>
 #include <openvdb/io/Archive.h>
@@ -10,8 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/formats/vdb/vdb_library.h"
+#include "bakers/io/files/file_io.h"
 
 namespace skybake::vdb {
 namespace {

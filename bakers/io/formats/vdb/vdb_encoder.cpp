@@ -1,4 +1,4 @@
-#include "bakers/io/formats/vdb/vdb_encoder.h"
+#include "bakers/io/formats/vdb/vdb_library.h"
 
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>
@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <streambuf>
 
-#include "bakers/io/formats/vdb/vdb_library.h"
 #include "bakers/math/half_conversion.h"
 
 namespace skybake::vdb {

@@ -4,20 +4,28 @@
 
 #include <cmath>
 #include <exception>
-#include <optional>
 #include <set>
-#include <string>
 #include <utility>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/files/file_input.h"
-#include "bakers/io/files/spelling.h"
-#include "bakers/io/formats/metadata_name.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/load_module.h"
+#include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
-#include "bakers/io/formats/vdb/vdb_module.h"
 #include "bakers/io/formats/vdb/vdb_writer.h"
 
 namespace skybake {
+
+// Loads the module that knows OpenVDB.
+
+// The codec, or null with the reason. The module, skybake_vdb.so, is loaded once and stays; see
+// load_module.h for where it is.
+struct LoadedVdbCodec {
+    const VdbCodec* codec = nullptr;
+    std::string reason;
+};
+const LoadedVdbCodec& vdb_codec();
+
 namespace {
 
 using config::Diagnostic;
@@ -113,14 +121,14 @@ Outcome<bool> read_vdb_file(const fs::path& path, const FileShape& shape, int,
 }  // namespace
 
 Format vdb_format() {
-    return {
-        .format = config::FileFormat::vdb,
-        .write = write_vdb_file,
-        .inspect = inspect_vdb,
-        .read = read_vdb_file,
-        .compression = [](const config::AssetFiles& files) { return spell(files.vdb_compression); },
-        .grids = vdb_grid_names,
-        .obstacle = vdb_obstacle};
+    return {.format = config::FileFormat::vdb,
+            .write = write_vdb_file,
+            .inspect = inspect_vdb,
+            .read = read_vdb_file,
+            .compression =
+                [](const config::AssetFiles& files) { return to_string(files.vdb_compression); },
+            .grids = vdb_grid_names,
+            .obstacle = vdb_obstacle};
 }
 
 std::vector<std::string> vdb_grid_names(const Baked& volume) {
@@ -153,6 +161,21 @@ Outcome<bool> read_vdb_voxels(const fs::path& path,
                               const std::function<bool(const VdbSlab& slab)>& visit) {
     return read_with_module<bool>(
         path, [&](const VdbCodec& codec) { return codec.read_voxels(path, visit); });
+}
+
+namespace {
+
+LoadedVdbCodec load_codec() {
+    const ModuleSymbol symbol = load_module(vdb_module_name, vdb_codec_symbol);
+    if (symbol.address == nullptr) return {nullptr, symbol.reason};
+    return {reinterpret_cast<VdbCodecFunction>(symbol.address)(), ""};
+}
+
+}  // namespace
+
+const LoadedVdbCodec& vdb_codec() {
+    static const LoadedVdbCodec loaded = load_codec();
+    return loaded;
 }
 
 }  // namespace skybake

@@ -5,7 +5,7 @@
 #include <openvdb/openvdb.h>
 
 #include "bakers/io/formats/vdb/vdb_codec.h"
-#include "bakers/io/formats/vdb/vdb_layout.h"
+#include "bakers/io/formats/vdb/vdb_tree.h"
 
 namespace skybake::vdb {
 
@@ -14,5 +14,24 @@ using LowerNode = UpperNode::ChildNodeType;
 using Leaf = openvdb::FloatTree::LeafNodeType;
 static_assert(Leaf::DIM == vdb_leaf_edge && LowerNode::DIM == vdb_node_edge &&
               UpperNode::DIM == vdb_upper_node_edge);
+
+// Volumes to bytes, with OpenVDB. The functions of VdbCodec that write, see there.
+
+std::string file_head(const std::string& uuid, const Attributes& attributes, int grids);
+VdbGridHead grid_head(const VdbGridDescription& grid);
+std::string grid_positions(std::uint64_t grid, std::uint64_t voxels, std::uint64_t end);
+std::string root(std::size_t upper_nodes);
+std::string upper_node(const std::array<int, 3>& corner, const std::vector<std::uint16_t>& places,
+                       VdbEncoding encoding);
+std::string lower_node(const VdbLeaves& leaves, VdbEncoding encoding);
+void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
+                  VdbEncoding encoding, VdbStrip& encoded);
+
+// VDB files to descriptions and voxels, with OpenVDB. The functions of VdbCodec that read, see
+// there.
+
+config::Outcome<VdbFile> read(const std::filesystem::path& path);
+config::Outcome<bool> read_voxels(const std::filesystem::path& path,
+                                  const std::function<bool(const VdbSlab& slab)>& visit);
 
 }  // namespace skybake::vdb

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "bakers/io/files/file_diagnostic.h"
-#include "bakers/io/formats/vdb/vdb_layout.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/vdb/vdb_tree.h"
 
 namespace skybake {
 namespace {

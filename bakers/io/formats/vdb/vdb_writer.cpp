@@ -8,10 +8,10 @@
 #include <string_view>
 #include <utility>
 
-#include "bakers/field/voxel_boxes.h"
-#include "bakers/io/files/file_diagnostic.h"
+#include "bakers/field/baked.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/io/formats/vdb/vdb_layout.h"
+#include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/io/files/file_output.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_strips.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"

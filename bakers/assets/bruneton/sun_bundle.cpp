@@ -1,0 +1,274 @@
+#include "bakers/assets/bruneton/sun_bundle.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/assets/bruneton/sun_bundle.cpp"
+#include <hwy/foreach_target.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "bakers/air/transmittance_row-inl.h"
+#include "bakers/light/solver/channel_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
+// Where suns stand as seen from a node: r mu_s there, which suns that there are not may leave.
+struct NodePlace {
+    NodePlace(const Shell& shell, const ScatteringView& view, const BundleNode& node)
+        : begin_radius_km(shell.ground_radius_km + view.altitude_km),
+          radius_km(shell.ground_radius_km + node.altitude_km),
+          distance_km(node.distance_km),
+          view_cosine(std::clamp((view.s_km + node.distance_km) / radius_km, -1.0, 1.0)) {
+    }  // rounding
+
+    HWY_INLINE Lanes sun_s_km(const SunBundle& suns, int i) const {
+        return Lanes(begin_radius_km) * Lanes::load(suns.sun_cosines.data() + i) +
+               Lanes(distance_km) * Lanes::load(suns.nu.data() + i);
+    }
+
+    double begin_radius_km;
+    double radius_km;
+    double distance_km;
+    double view_cosine;
+};
+
+void AddSunlight(const TransmittanceField& field, const ScatteringView& view,
+                 const BundlePiece& piece, const SunBundle& suns, const std::vector<double>& lit,
+                 double* single) {
+    const Shell& shell = field.shell();
+    const std::size_t layers = piece.nodes[0].weights.size();
+    const auto stride = static_cast<std::size_t>(suns.count);
+    std::vector<double> row(static_cast<std::size_t>(field.row_size()));
+    for (const BundleNode& node : piece.nodes) {
+        combine_row<Lanes>(field, node.altitude_km, row.data());
+        const NodePlace place(shell, view, node);
+        const double horizon = horizon_distance_km(shell, node.altitude_km);
+        const double gain = shell.thickness_km - node.altitude_km;
+        const double q = gain * (2 * place.radius_km + gain);
+        const double scale = (field.columns() - 1) /
+                             (horizon + horizon_distance_km(shell, shell.thickness_km) - gain);
+        for (int i = 0; i < suns.count; i += static_cast<int>(Lanes::kCount)) {
+            const Lanes here = Lanes::load(lit.data() + i);
+            if (!any(here > Lanes(0.0))) continue;
+            const Lanes s =
+                minimum(maximum(place.sun_s_km(suns, i), Lanes(-horizon)), Lanes(place.radius_km));
+            // distance_to_top_km of ray.h.
+            const Lanes root = square_root(s * s + Lanes(q));
+            const Lanes distance =
+                select(s > Lanes(0.0), Lanes(q) / (root + absolute(s)), root - s);
+            const Lanes column =
+                minimum(maximum((distance - Lanes(gain)) * Lanes(scale), Lanes(0.0)),
+                        Lanes(field.columns() - 1.0));
+            Lanes value[kMaxChannels];
+            read_row(row.data(), field.row_stride(), column, field.channels(), value);
+            for (int c = 0; c < field.channels(); ++c) {
+                const auto channel = static_cast<std::size_t>(c);
+                const Lanes sunlight = value[c] * here;
+                for (std::size_t k = 0; k < layers; ++k) {
+                    const double weight = data(node.weights[k])[channel];
+                    if (weight == 0) continue;
+                    double* to = single + (k * kMaxChannels + channel) * stride + i;
+                    (Lanes::load(to) + Lanes(weight) * sunlight).store(to);
+                }
+            }
+        }
+    }
+}
+
+// The solved light of one node, as solved_source.h has it, for the suns of a fan.
+class SolvedNode {
+  public:
+    SolvedNode(const SolvedLight& light, const NodePlace& place, const SunBundle& suns)
+        : light_(light),
+          place_(place),
+          suns_(suns),
+          orders_(static_cast<std::size_t>(light.degree()) + 1),
+          columns_(static_cast<std::size_t>(suns.count)),
+          weights_(4 * columns_.size()),
+          powers_(orders_ * columns_.size(), 1.0) {}
+
+    void place_suns();
+    void gather_rows(const BundleNode& node,
+                     const std::vector<std::vector<Spectrum>>& phase_moments);
+    void add(double* scattered) const;
+
+  private:
+    void flatten_steep(std::size_t first, const double* fractions);
+
+    const SolvedLight& light_;
+    const NodePlace& place_;
+    const SunBundle& suns_;
+    std::size_t orders_;
+    std::vector<std::int64_t> columns_;
+    std::vector<double> weights_;
+    std::vector<double> powers_;  // [m * count + i]: (sin theta sin theta_s)^m cos(m phi)
+    std::vector<double> rows_;    // [(column * orders + m) * slots]
+};
+
+void SolvedNode::place_suns() {
+    const SunAxis& axis = light_.suns;
+    const hn::ScalableTag<std::int64_t> integers;
+    const Lanes mu(place_.view_cosine);
+    const Lanes squared_view_sine = (Lanes(1.0) - mu) * (Lanes(1.0) + mu);
+    for (int i = 0; i < suns_.count; i += static_cast<int>(Lanes::kCount)) {
+        const Lanes cosine =
+            maximum(minimum(place_.sun_s_km(suns_, i) * Lanes(1 / place_.radius_km), Lanes(1.0)),
+                    Lanes(-1.0));
+        const Lanes there = maximum(cosine, Lanes(axis.darkest));
+        // sun_stencil of sun_axis.h.
+        const Lanes x = (there - Lanes(axis.centre)) * Lanes(1 / axis.width);
+        const Lanes u = Lanes(axis.offset) + Lanes(axis.even) * there +
+                        Lanes(axis.dense) * (x / square_root(Lanes(1.0) + x * x));
+        const Lanes below = Lanes(hn::Floor(u.v)) - Lanes(1.0);
+        const Lanes column =
+            minimum(maximum(below, Lanes(0.0)), Lanes(static_cast<double>(axis.count() - 4)));
+        const auto index = hn::ConvertTo(integers, column.v);
+        hn::StoreU(index, integers, columns_.data() + i);
+        const Lanes t = u - column - Lanes(1.0);
+        const Lanes inner = (t + Lanes(1.0)) * (Lanes(2.0) - t);
+        const Lanes outer = t * (t - Lanes(1.0));
+        const Lanes w0 = outer * (Lanes(2.0) - t) * Lanes(1.0 / 6);
+        const Lanes w1 = Lanes(0.0) - inner * (t - Lanes(1.0)) * Lanes(0.5);
+        const Lanes w2 = inner * t * Lanes(0.5);
+        const Lanes w3 = outer * (t + Lanes(1.0)) * Lanes(1.0 / 6);
+        hn::StoreInterleaved4(w0.v, w1.v, w2.v, w3.v, Lanes::Tag(), weights_.data() + 4 * i);
+        if (any(Lanes(hn::GatherIndex(Lanes::Tag(), light_.steep.data(), index)) > Lanes(0.0))) {
+            std::array<double, Lanes::kCount> fractions;
+            t.store(fractions.data());
+            flatten_steep(static_cast<std::size_t>(i), fractions.data());
+        }
+        // (sin theta sin theta_s)^m cos(m phi) by Chebyshev's recursion: polynomials of nu.
+        const Lanes first_power = Lanes::load(suns_.nu.data() + i) - mu * cosine;
+        const Lanes squared_sines =
+            squared_view_sine * ((Lanes(1.0) - cosine) * (Lanes(1.0) + cosine));
+        Lanes last(1.0);
+        Lanes next = first_power;
+        for (std::size_t m = 1; m < orders_; ++m) {
+            next.store(powers_.data() + m * columns_.size() + i);
+            const Lanes after_next = Lanes(2.0) * first_power * next - squared_sines * last;
+            last = next;
+            next = after_next;
+        }
+    }
+}
+
+// Where light falls too fast for cubics: linear between the two columns around.
+void SolvedNode::flatten_steep(std::size_t first, const double* fractions) {
+    const int last = light_.suns.count() - 2;
+    for (std::size_t k = 0; k < Lanes::kCount; ++k) {
+        const auto column = static_cast<int>(columns_[first + k]);
+        if (!(light_.steep[static_cast<std::size_t>(column)] > 0)) continue;
+        double* weights = weights_.data() + (first + k) * 4;
+        const double from = column + 1 + fractions[k];
+        const int at = std::clamp(static_cast<int>(from), 0, last);
+        const double share = std::clamp(from - at, 0.0, 1.0);
+        std::fill(weights, weights + 4, 0.0);
+        weights[at - column] = 1 - share;
+        weights[at - column + 1] = share;
+    }
+}
+
+// What the node sends along the ray for each sun of the solution that the fan's suns are between.
+void SolvedNode::gather_rows(const BundleNode& node,
+                             const std::vector<std::vector<Spectrum>>& phase_moments) {
+    const int degree = light_.degree();
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
+    harmonics_over_sines(degree, place_.view_cosine, harmonics.data());
+    std::vector<Spectrum> factors(harmonics.size());
+    for (int l = 0; l <= degree; ++l) {
+        Spectrum sum{};
+        for (std::size_t k = 0; k < phase_moments.size(); ++k) {
+            sum += node.coarse_weights[k] * phase_moments[k][static_cast<std::size_t>(l)];
+        }
+        for (int m = 0; m <= l; ++m) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            factors[lm] = sum * harmonics[lm];
+        }
+    }
+    const std::vector<double>& levels = light_.altitudes_km;
+    const auto above = std::upper_bound(levels.begin(), levels.end(), node.altitude_km);
+    const int level = std::clamp(static_cast<int>(above - levels.begin()) - 1, 0,
+                                 static_cast<int>(levels.size()) - 2);
+    const double low = levels[static_cast<std::size_t>(level)];
+    const double fraction =
+        (node.altitude_km - low) / (levels[static_cast<std::size_t>(level) + 1] - low);
+    const Channels near = Channels::all(1 - fraction);
+    const Channels far = Channels::all(fraction);
+    rows_.assign(static_cast<std::size_t>(light_.suns.count()) * orders_ * kChannelSlots, 0.0);
+    const auto [first, last] = std::minmax_element(columns_.begin(), columns_.end());
+    for (std::int64_t sun = *first; sun < *last + 4; ++sun) {
+        const double* under = light_.light.at(level, static_cast<int>(sun));
+        const double* over = light_.light.at(level + 1, static_cast<int>(sun));
+        double* row = rows_.data() + static_cast<std::size_t>(sun) * orders_ * kChannelSlots;
+        for (std::size_t m = 0; m < orders_; ++m) {
+            Channels sum = Channels::all(0);
+            for (std::size_t l = m; l < orders_; ++l) {
+                const std::size_t lm = l * (l + 1) / 2 + m;
+                const std::size_t at = lm * kChannelSlots;
+                sum = sum + Channels::load(data(factors[lm])) * (near * Channels::load(under + at) +
+                                                                 far * Channels::load(over + at));
+            }
+            sum.store(row + m * kChannelSlots);
+        }
+    }
+}
+
+void SolvedNode::add(double* scattered) const {
+    add_columns(
+        {rows_.data(), orders_, columns_.data(), weights_.data(), powers_.data(), columns_.size()},
+        scattered);
+}
+
+void AddSolvedLight(const SolvedLight& light,
+                    const std::vector<std::vector<Spectrum>>& phase_moments, const Shell& shell,
+                    const ScatteringView& view, const BundlePiece& piece, const SunBundle& suns,
+                    double* scattered) {
+    for (const BundleNode& node : piece.nodes) {
+        if (node.coarse_weights.empty()) continue;
+        const NodePlace place(shell, view, node);
+        SolvedNode solved(light, place, suns);
+        solved.place_suns();
+        solved.gather_rows(node, phase_moments);
+        solved.add(scattered);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake {
+
+HWY_EXPORT(AddSunlight);
+HWY_EXPORT(AddSolvedLight);
+
+SunBundle::SunBundle(const std::vector<double>& cosines, const std::vector<double>& cosines_to_sun)
+    : wanted(static_cast<int>(cosines.size())),
+      count((wanted + kBundleStep - 1) / kBundleStep * kBundleStep),
+      sun_cosines(cosines),
+      nu(cosines_to_sun) {
+    sun_cosines.resize(static_cast<std::size_t>(count), cosines.back());
+    nu.resize(static_cast<std::size_t>(count), cosines_to_sun.back());
+}
+
+void add_sunlight(const TransmittanceField& field, const ScatteringView& view,
+                  const BundlePiece& piece, const SunBundle& suns, const std::vector<double>& lit,
+                  double* single) {
+    HWY_DYNAMIC_DISPATCH(AddSunlight)(field, view, piece, suns, lit, single);
+}
+
+void add_solved_light(const SolvedLight& light,
+                      const std::vector<std::vector<Spectrum>>& phase_moments, const Shell& shell,
+                      const ScatteringView& view, const BundlePiece& piece, const SunBundle& suns,
+                      double* scattered) {
+    HWY_DYNAMIC_DISPATCH(AddSolvedLight)(light, phase_moments, shell, view, piece, suns, scattered);
+}
+
+}  // namespace skybake
+#endif  // HWY_ONCE

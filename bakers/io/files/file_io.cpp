@@ -1,0 +1,175 @@
+#include "bakers/io/files/file_io.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <new>
+
+#include "bakers/math/hash.h"
+
+namespace skybake {
+namespace {
+
+config::Diagnostic unreadable(const std::filesystem::path& path, const std::string& reason) {
+    return file_error("E0300", path.string(),
+                      fmt::format("cannot read `{}`: {}", path.string(), reason));
+}
+
+}  // namespace
+
+config::Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
+    // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
+    FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status {};
+    if (!file.valid() || ::fstat(file.get(), &status) != 0) {
+        return {{}, {unreadable(path, system_reason(errno))}};
+    }
+    if (S_ISDIR(status.st_mode)) return {{}, {unreadable(path, "it is a folder")}};
+    if (!S_ISREG(status.st_mode)) return {{}, {unreadable(path, "it is not a regular file")}};
+    return {FileInput(path, std::move(file), static_cast<std::uint64_t>(status.st_size)), {}};
+}
+
+std::optional<std::size_t> FileInput::read(std::uint64_t position, char* bytes, std::size_t count) {
+    std::size_t done = 0;
+    while (done < count) {
+        const ssize_t got =
+            ::pread(file_.get(), bytes + done, count - done, static_cast<off_t>(position + done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) {
+            error_ = errno;
+            return std::nullopt;
+        }
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+config::Diagnostic FileInput::diagnostic() const {
+    return unreadable(path_, system_reason(error_));
+}
+
+config::Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path) {
+    config::Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    std::string piece(std::size_t{1} << 20, '\0');
+    FileFingerprint result;
+    Hasher hasher;
+    while (true) {
+        const auto count = file.value->read(result.bytes, piece.data(), piece.size());
+        if (!count) return {{}, {file.value->diagnostic()}};
+        if (*count == 0) break;
+        hasher.update(std::string_view(piece).substr(0, *count));
+        result.bytes += *count;
+    }
+    result.xxh3 = hasher.hex();
+    return {std::move(result), {}};
+}
+
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 20;
+
+int open_emptied(const std::filesystem::path& path) {
+    const bool is_own_file = path.parent_path() == "/proc/self/fd";
+    return ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | (is_own_file ? 0 : O_NOFOLLOW));
+}
+
+}  // namespace
+
+FileOutput::FileOutput(const std::filesystem::path& path) : path_(path), file_(open_emptied(path)) {
+    if (!file_.valid()) error_ = errno;
+}
+
+void FileOutput::write(std::string_view bytes) {
+    if (buffer_.size() + bytes.size() < buffer_size) {
+        buffer_.append(bytes);
+        return;
+    }
+    finish();
+    write_through(bytes);
+}
+
+void FileOutput::seek(std::uint64_t position) {
+    finish();
+    position_ = position;
+}
+
+bool FileOutput::finish() {
+    write_through(buffer_);
+    buffer_.clear();
+    return error_ == 0;
+}
+
+void FileOutput::write_through(std::string_view bytes) {
+    while (error_ == 0 && !bytes.empty()) {
+        const ssize_t count =
+            ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(position_));
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) {
+            error_ = count < 0 ? errno : EIO;
+            return;
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+        position_ += static_cast<std::uint64_t>(count);
+    }
+}
+
+config::Diagnostic FileOutput::diagnostic() const {
+    return file_error("E0301", path_.string(),
+                      fmt::format("cannot write `{}`: {}", path_.string(), system_reason(error_)));
+}
+
+namespace {
+
+config::Outcome<std::string> read_failure(const std::filesystem::path& path,
+                                          const std::string& reason) {
+    return {{},
+            {file_error("E0300", path.string(),
+                        fmt::format("cannot read `{}`: {}", path.string(), reason))}};
+}
+
+// Fills `bytes` from the start; returns errno, or 0. A file that ends early shortens it.
+int read_all(int descriptor, std::string& bytes) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::read(descriptor, bytes.data() + done, bytes.size() - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        if (count == 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    bytes.resize(done);
+    return 0;
+}
+
+}  // namespace
+
+config::Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
+    // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
+    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.valid()) return read_failure(path, system_reason(errno));
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) return read_failure(path, system_reason(errno));
+    if (S_ISDIR(status.st_mode)) return read_failure(path, "it is a folder");
+    if (!S_ISREG(status.st_mode)) return read_failure(path, "it is not a regular file");
+    const auto size = static_cast<std::uintmax_t>(status.st_size);
+    if (size > limit) {
+        return read_failure(
+            path, fmt::format("it has {} bytes, but at most {} may be read", size, limit));
+    }
+    config::Outcome<std::string> outcome;
+    try {
+        outcome.value.emplace(static_cast<std::size_t>(size), '\0');
+    } catch (const std::bad_alloc&) {
+        return read_failure(path, fmt::format("its {} bytes do not fit in memory", size));
+    }
+    if (const int error = read_all(file.get(), *outcome.value)) {
+        return read_failure(path, system_reason(error));
+    }
+    return outcome;
+}
+
+}  // namespace skybake

@@ -1,0 +1,136 @@
+#include "bakers/io/formats/format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bakers/field/baked.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/io/formats/bin/bin.h"
+#include "bakers/io/formats/dds/dds.h"
+#include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/formats/png/png_file.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/math/aligned_floats.h"
+#include "bakers/math/parallel.h"
+
+namespace skybake {
+
+std::span<const Format> formats() {
+    static const std::array all = {exr_format(), vdb_format(), bin_format(), png_format(),
+                                   dds_format()};
+    return all;
+}
+
+const Format& format_of(config::FileFormat format) {
+    const auto rows = formats();
+    return *std::find_if(rows.begin(), rows.end(),
+                         [format](const Format& row) { return row.format == format; });
+}
+
+const Format* find_format(std::string_view word) {
+    for (const Format& row : formats()) {
+        if (config::facts_of(row.format).name == word) return &row;
+    }
+    return nullptr;
+}
+
+config::Diagnostic other_size(const std::filesystem::path& path) {
+    return file_error("E0304", path.string(),
+                      fmt::format("`{}` is not of the size that its manifest says", path.string()));
+}
+
+config::Diagnostic contradiction(const std::filesystem::path& path, const std::string& what) {
+    return file_error("E0500", path.string(), what);
+}
+
+namespace {
+
+struct Slot {
+    AlignedFloats values;  // channel after channel
+    std::string bytes;     // channels interleaved
+};
+
+void make(const Level& level, std::size_t channels, std::size_t stored_channels,
+          config::PixelType type, const VoxelBox& box, Slot& slot) {
+    const auto count = static_cast<std::size_t>(box.count());
+    slot.values.resize(count * stored_channels);
+    std::vector<float*> planes;
+    for (std::size_t c = 0; c < stored_channels; ++c) planes.push_back(&slot.values[c * count]);
+    level.voxels->fill(box, {planes.begin(), planes.begin() + static_cast<long>(channels)});
+    for (std::size_t c = channels; c < stored_channels; ++c) std::fill_n(planes[c], count, 1.0F);
+    slot.bytes.resize(count * stored_channels * static_cast<std::size_t>(bytes_per_value(type)));
+    store_voxels({planes.begin(), planes.end()}, count, type, slot.bytes.data());
+}
+
+// Of each visit, but for channels that nobody asked for.
+void drop_padding(const std::vector<float>& stored, const StoredTexelRange& range,
+                  std::vector<float>& values) {
+    const std::size_t count = stored.size() / range.stored_channels;
+    values.resize(count * range.channels);
+    for (std::size_t i = 0; i < count; ++i) {
+        std::copy_n(&stored[i * range.stored_channels], range.channels,
+                    &values[i * range.channels]);
+    }
+}
+
+}  // namespace
+
+bool write_texels(const FileContent& content, int level_number, TexelPadding padding,
+                  FileOutput& output) {
+    const Level& level = content.baked.levels[static_cast<std::size_t>(level_number)];
+    const std::size_t channels = content.baked.channel_names.size();
+    const bool pads = padding == TexelPadding::three_to_four && channels == 3;
+    const BoxSequence boxes(level.size, static_cast<int>(channels));
+    std::vector<Slot> slots(static_cast<std::size_t>(box_slots(content.threads)));
+    bool complete = true;
+    ordered_pipeline(
+        boxes.count(), content.threads, static_cast<int>(slots.size()),
+        [&](int i, int slot) {
+            if (is_cancelled(content.progress)) return;
+            make(level, channels, pads ? 4 : channels, content.baked.pixel_type, boxes[i],
+                 slots[static_cast<std::size_t>(slot)]);
+        },
+        [&](int i, int slot) {
+            complete = !is_cancelled(content.progress);
+            if (!complete) return false;
+            output.write(slots[static_cast<std::size_t>(slot)].bytes);
+            if (content.progress != nullptr) {
+                content.progress->advance("write", (i + 1.0) / boxes.count());
+            }
+            return output.error() == 0;
+        });
+    return complete;
+}
+
+std::uint64_t StoredTexelRange::bytes() const {
+    return static_cast<std::uint64_t>(VoxelBox{{}, size}.count()) * stored_channels *
+           static_cast<std::uint64_t>(bytes_per_value(type));
+}
+
+config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range,
+                                  const VoxelVisitor& visit) {
+    const std::int64_t voxels = VoxelBox{{}, range.size}.count();
+    const auto stored = static_cast<std::int64_t>(range.stored_channels);
+    const std::int64_t most = std::max<std::int64_t>(1, (std::int64_t{1} << 20) / stored);
+    const auto voxel_bytes = static_cast<std::uint64_t>(stored * bytes_per_value(range.type));
+    std::string bytes;
+    std::vector<float> values;
+    std::vector<float> wanted;
+    std::int64_t count = 0;
+    for (std::int64_t first = 0; first < voxels; first += count) {
+        count = std::min(most, voxels - first);
+        bytes.resize(static_cast<std::size_t>(count) * voxel_bytes);
+        values.resize(static_cast<std::size_t>(count * stored));
+        const auto done = file.read(range.offset + static_cast<std::uint64_t>(first) * voxel_bytes,
+                                    bytes.data(), bytes.size());
+        if (!done || *done < bytes.size()) return {{}, {file.diagnostic()}};
+        load_values(bytes.data(), values.size(), range.type, values.data());
+        const bool padded = range.channels != range.stored_channels;
+        if (padded) drop_padding(values, range, wanted);
+        if (!visit(first, count, padded ? wanted.data() : values.data())) return {false, {}};
+    }
+    return {true, {}};
+}
+
+}  // namespace skybake

@@ -1,0 +1,152 @@
+#include "cli/command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "bakers/io/manifest/release.h"
+#include "cli/events.h"
+#include "cli/options.h"
+
+namespace skybake::cli {
+
+// The one table of commands, and a run of the program.
+
+// --- What is given ------------------------------------------------------------------------------
+
+void Invocation::declare(const OptionRow& option) {
+    Entry& declared = options_[option.name];
+    if (!option.fallback.empty()) declared.texts = {std::string(option.fallback)};
+}
+
+void Invocation::give(std::string_view name, std::vector<std::string> texts) {
+    options_.at(name) = {true, std::move(texts)};
+}
+
+const Invocation::Entry& Invocation::entry(std::string_view name) const {
+    const auto found = options_.find(name);
+    if (found != options_.end()) return found->second;
+    throw std::logic_error(fmt::format("the command does not declare --{}", name));
+}
+
+// --- Tables -------------------------------------------------------------------------------------
+
+// Each is defined in NAME_command.cpp.
+Command init_command();
+Command check_command();
+Command show_command();
+Command explain_command();
+Command schema_command();
+Command bake_command();
+Command sweep_command();
+Command preview_command();
+Command report_command();
+Command info_command();
+Command diff_command();
+Command verify_command();
+Command cache_command();
+Command help_command();
+
+const std::vector<Command>& commands() {
+    static const std::vector<Command> table = {
+        init_command(), check_command(),  show_command(),    explain_command(), schema_command(),
+        bake_command(), sweep_command(),  preview_command(), report_command(),  info_command(),
+        diff_command(), verify_command(), cache_command(),   help_command(),
+    };
+    return table;
+}
+
+const std::vector<OptionRow>& global_options() {
+    static const std::vector<OptionRow> table = {
+        options::help("show this help, or the help of a command"),
+        options::version("show the version"),
+        options::quiet("print only errors and warnings"),
+        options::verbose("print more"),
+        options::json("print results and failures as JSON Lines on stdout"),
+        options::color("when to colour messages", "auto"),
+        options::diagnostics("how to print errors and warnings", "human"),
+    };
+    return table;
+}
+
+// --- A run --------------------------------------------------------------------------------------
+
+namespace {
+
+// Global options that could not be understood show themselves in the default way; but a program
+// that asks for JSON is to read of every mistake.
+Display display_of(const CommandLine& line, std::span<const std::string> words, bool terminal,
+                   const ColorEnvironment& environment) {
+    const Invocation& invocation = line.invocation;
+    Display display;
+    display.diagnostics = invocation[options::diagnostics];
+    display.color = wants_color(invocation[options::color], terminal, environment);
+    display.quiet = invocation[options::quiet];
+    display.verbose = invocation[options::verbose];
+    const bool misunderstood = !line.diagnostics.empty();
+    display.json =
+        invocation[options::json] ||
+        (misunderstood && std::find(words.begin(), words.end(), "--json") != words.end());
+    if (line.command != nullptr) display.command = line.command->name;
+    return display;
+}
+
+void show_version(bool json, Console& console) {
+    const std::string text = fmt::format("{} {}\n", tool_name(), release());
+    console.result(
+        json ? event_line({{"event", "version"}, {"name", tool_name()}, {"release", release()}})
+             : text);
+}
+
+ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
+    if (!line.diagnostics.empty()) return console.report(line.diagnostics);
+    if (line.invocation[options::help]) {
+        show_help(line.command, console);
+        return ExitCode::done;
+    }
+    if (line.invocation[options::version]) {
+        show_version(console.display().json, console);
+        return ExitCode::done;
+    }
+    if (line.command != nullptr) return line.command->run(line.invocation, console);
+    if (wordless) {
+        console.note(short_help(commands()));
+        return ExitCode::usage;
+    }
+    return console.report(
+        std::vector{usage_error("no command is given", "`skybake --help` lists the commands")});
+}
+
+ExitCode internal_error(Console& console, const std::string& what) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0500";
+    diagnostic.message = fmt::format("internal error: {}", what);
+    console.report({&diagnostic, 1});
+    return ExitCode::internal;
+}
+
+}  // namespace
+
+ExitCode run(std::span<const std::string> words, Sink out, Sink error,
+             const ColorEnvironment& environment) {
+    const bool terminal = error.terminal;
+    const CommandLine line = parse_arguments(words, commands(), global_options());
+    Console console(std::move(out), std::move(error),
+                    display_of(line, words, terminal, environment));
+    ExitCode code = ExitCode::internal;
+    try {
+        code = answer(line, words.empty(), console);
+    } catch (const std::bad_alloc&) {
+        code = internal_error(console, "there is not enough memory");
+    } catch (const std::exception& exception) {
+        code = internal_error(console, exception.what());
+    }
+    return console.finish(code);
+}
+
+}  // namespace skybake::cli

@@ -1,0 +1,176 @@
+// The keys that bake sections of several assets share, and those of the files that an asset is
+// written to.
+#pragma once
+
+#include <array>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/files.h"
+#include "config/sections/scene.h"
+
+namespace skybake::config {
+
+// Keys that several bake sections share, described once, for the field tables.
+inline constexpr Field asset_field{
+    .key = "asset",
+    .kind = Kind::text,
+    .documentation = "asset to bake; by default the one that the section's name says"};
+
+inline constexpr std::array orders_choices = {
+    Choice{SkyOrders::all, "all", "all light"},
+    Choice{SkyOrders::single, "single", "sunlight scattered once, in the air"},
+    Choice{SkyOrders::multiple, "multiple",
+           "the rest: scattered more than once, or reflected by the ground"},
+};
+inline constexpr Field orders_field{
+    .key = "orders",
+    .kind = Kind::choice,
+    .choices = orders_choices,
+    .fallback = R"("all")",
+    .documentation = "which orders of scattering; single and multiple add up to all"};
+
+inline constexpr std::string_view single_orders[] = {"single"};
+inline constexpr Field layers_field{.key = "layers",
+                                    .kind = Kind::text_list,
+                                    .documentation =
+                                        "layers of the atmosphere that scatter; by default every "
+                                        "one, and all of them always attenuate",
+                                    .hint = "[\"mie\"]",
+                                    .selector = "orders",
+                                    .selected_by = single_orders};
+
+inline constexpr Field camera_altitude_field{
+    .key = "altitude",
+    .kind = Kind::length,
+    .range = camera_altitude_range,
+    .fallback = R"("0 km")",
+    .documentation = "altitude of the camera, which may be in space"};
+
+inline constexpr Field max_error_field{
+    .key = "max_error",
+    .kind = Kind::fraction,
+    .range = lookup_error_range,
+    .documentation =
+        "in place of size, asks for the smallest table whose lookups are within this error",
+    .hint = "errors below 0.01 are invisible",
+    .exclusive_group = "size"};
+
+// The keys of an asset's files (AssetFiles), described once, for the field tables of all bakes.
+inline constexpr Range voxel_range{1, 16384};
+inline constexpr Range level_range{1, 15};
+inline constexpr Range column_range{1, 16384};
+
+inline constexpr auto format_choices = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array{
+        Choice{file_formats[i].format, file_formats[i].name, file_formats[i].description}...};
+}
+(std::make_index_sequence<file_formats.size()>());
+inline constexpr std::array pixel_type_choices = {
+    Choice{PixelType::float32, "float", "32 bits per channel"},
+    Choice{PixelType::half, "half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
+    Choice{PixelType::unorm8, "unorm8", "8 bits per channel for 0 to 1; bin, dds and png"},
+    Choice{PixelType::unorm16, "unorm16", "16 bits per channel for 0 to 1; bin, dds and png"},
+};
+inline constexpr std::array layout_choices = {
+    Choice{SheetLayout::stack, "stack", "slices below each other, slice 0 first"},
+    Choice{SheetLayout::atlas, "atlas", "slices in rows from the left, rows from the top"},
+};
+inline constexpr std::array vdb_compression_choices = {
+    Choice{VdbCompression::none, "none", "no compression"},
+    Choice{VdbCompression::zip, "zip", "deflate"},
+    Choice{VdbCompression::blosc, "blosc", "Blosc with LZ4: fast"},
+};
+inline constexpr std::string_view atlas[] = {"atlas"};
+
+inline constexpr std::array compression_choices = {
+    Choice{Compression::none, "none", "no compression"},
+    Choice{Compression::zip, "zip", "deflate, 16 lines at a time"},
+    Choice{Compression::zips, "zips", "deflate, line by line"},
+    Choice{Compression::piz, "piz", "wavelet, lossless; best for noise"},
+};
+
+// What the keys of files say differently in one asset and the other.
+struct FileWords {
+    std::string_view formats = R"(["exr"])";  // the default
+    std::string_view mips = "number of levels of detail, with the volume itself";
+    std::string_view pixel_type = R"("half")";  // the default
+    std::string_view flip = "false";            // the default; empty: it follows from other keys
+};
+
+inline constexpr FileWords table_files = {
+    .mips = "number of levels of detail, with the table itself", .pixel_type = R"("float")"};
+
+// A section's own rows, and after them those of AssetFiles.
+template <class S, std::size_t count>
+std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const FileWords& words) {
+    std::vector<Row<S>> rows(own.begin(), own.end());
+    const Row<S> file_rows[] = {
+        {{.key = "formats",
+          .kind = Kind::choice_list,
+          .choices = format_choices,
+          .fallback = words.formats,
+          .documentation = "files to write, NAME.exr and so on",
+          .role = Role::files},
+         &AssetFiles::formats},
+        {{.key = "pixel_type",
+          .kind = Kind::choice,
+          .choices = pixel_type_choices,
+          .fallback = words.pixel_type,
+          .documentation = "type of the numbers in the files"},
+         &AssetFiles::pixel_type},
+        {{.key = "layout",
+          .kind = Kind::choice,
+          .choices = layout_choices,
+          .fallback = R"("stack")",
+          .documentation = "where the slices lie in EXR and PNG images; by default an atlas where "
+                           "a stack would have more than 16384 rows",
+          .role = Role::files},
+         &AssetFiles::layout},
+        {{.key = "columns",
+          .kind = Kind::integer,
+          .range = column_range,
+          .documentation =
+              "slices in a row of the atlas; by default a divisor of the slices, near to a square",
+          .selector = "layout",
+          .selected_by = atlas,
+          .role = Role::files},
+         &AssetFiles::columns},
+        {{.key = "flip",
+          .kind = Kind::flag,
+          .fallback = words.flip,
+          .documentation = "whether EXR and PNG images are upside down, for readers that take the "
+                           "lower left texel for the first",
+          .role = Role::files},
+         &AssetFiles::flip},
+        {{.key = "mips",
+          .kind = Kind::levels,
+          .range = level_range,
+          .fallback = "1",
+          .documentation = words.mips,
+          .hint = "\"all\" goes down to one voxel",
+          .role = Role::files},
+         &AssetFiles::mips},
+        {{.key = "compression",
+          .kind = Kind::choice,
+          .choices = compression_choices,
+          .fallback = R"("zip")",
+          .documentation = "compression of the EXR file, always lossless",
+          .role = Role::files},
+         &AssetFiles::compression},
+        {{.key = "vdb_compression",
+          .kind = Kind::choice,
+          .choices = vdb_compression_choices,
+          .fallback = R"("blosc")",
+          .documentation = "compression of the VDB file, always lossless",
+          .role = Role::files},
+         &AssetFiles::vdb_compression},
+    };
+    rows.insert(rows.end(), std::begin(file_rows), std::end(file_rows));
+    return rows;
+}
+
+}  // namespace skybake::config

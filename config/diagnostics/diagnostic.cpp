@@ -1,0 +1,99 @@
+#include "config/diagnostics/diagnostic.h"
+
+#include <algorithm>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "config/text/text.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr std::size_t most_diagnostics = 1000;
+constexpr std::size_t longest_line = 1000;
+
+// Text that a terminal or a JSON document can take as it is: UTF-8, no control characters but tabs.
+bool can_be_shown(std::string_view line) {
+    const bool has_control = std::any_of(line.begin(), line.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < 0x20 && c != '\t') || byte == 0x7f;
+    });
+    return line.size() <= longest_line && !has_control && !find_invalid_utf8(line);
+}
+
+std::string_view line_of(std::string_view text, int line) {
+    for (int i = 1; i < line; ++i) {
+        const std::size_t end = text.find('\n');
+        if (end == std::string_view::npos) return "";
+        text.remove_prefix(end + 1);
+    }
+    text = text.substr(0, text.find('\n'));
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    return text;
+}
+
+auto reading_order(const Place& place) {
+    return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
+}
+
+}  // namespace
+
+void DiagnosticList::error(std::string code, const Place& place, std::string message,
+                           std::string label) {
+    ++errors_;
+    add({Severity::error, std::move(code), std::move(message), place, std::move(label)});
+}
+
+void DiagnosticList::warning(std::string code, const Place& place, std::string message,
+                             std::string label) {
+    add({Severity::warning, std::move(code), std::move(message), place, std::move(label)});
+}
+
+void DiagnosticList::add(Item item) {
+    if (items_.size() < most_diagnostics) {
+        items_.push_back(std::move(item));
+    } else {
+        ++left_out_;
+    }
+}
+
+std::vector<Diagnostic> DiagnosticList::take() {
+    std::stable_sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
+        const bool a_is_error = a.severity == Severity::error;
+        const bool b_is_error = b.severity == Severity::error;
+        if (a_is_error != b_is_error) return b_is_error;
+        return reading_order(a.place) < reading_order(b.place);
+    });
+    std::vector<Diagnostic> diagnostics;
+    for (Item& item : items_) {
+        diagnostics.push_back({item.severity, std::move(item.code), std::move(item.message),
+                               source_range(item.place), std::move(item.label)});
+    }
+    if (left_out_ > 0) {
+        diagnostics.push_back({Severity::error,
+                               "E0123",
+                               "too many errors: " + std::to_string(left_out_) + " more not shown",
+                               {},
+                               ""});
+    }
+    items_.clear();
+    return diagnostics;
+}
+
+SourceRange source_range(const Place& place) {
+    SourceRange range;
+    if (!place.source) return range;
+    range.source = place.source->name;
+    if (place.source->kind == Source::Kind::setting) return range;
+    range.line = place.line;
+    range.column = place.column;
+    range.length = place.length;
+    if (place.line > 0) {
+        const std::string_view line = line_of(place.source->text, place.line);
+        if (can_be_shown(line)) range.line_text = line;
+    }
+    return range;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,253 @@
+#include "config/sections/atmosphere.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "config/fields/section_decoder.h"
+#include "config/sections/sections.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+// The part of the line from a to b, where the density runs linearly from density_a to density_b,
+// that lies between `bottom` and `top`: its length times its mean density.
+double linear_column(double a, double density_a, double b, double density_b, double bottom,
+                     double top) {
+    const double low = std::max(a, bottom);
+    const double high = std::min(b, top);
+    if (!(high > low)) return 0;
+    const double middle = ((low - a) + (high - a)) / 2 / (b - a);
+    return (high - low) * (density_a + (density_b - density_a) * middle);
+}
+
+double tent_column(double center, double half_width, double thickness) {
+    return linear_column(center - half_width, 0, center, 1, 0, thickness) +
+           linear_column(center, 1, center + half_width, 0, 0, thickness);
+}
+
+double tabulated_column(const std::vector<DensityPoint>& table, double thickness) {
+    double column = 0;
+    for (std::size_t i = 1; i < table.size(); ++i) {
+        column += linear_column(table[i - 1].altitude.meters, table[i - 1].density,
+                                table[i].altitude.meters, table[i].density, 0, thickness);
+    }
+    return column;
+}
+
+}  // namespace
+
+double density_column(const Layer& layer, Length thickness) {
+    const double top = thickness.meters;
+    switch (layer.profile) {
+        case Profile::exponential:
+            return -layer.scale_height.meters * std::expm1(-top / layer.scale_height.meters);
+        case Profile::tent:
+            return tent_column(layer.center_altitude.meters, layer.half_width.meters, top);
+        case Profile::slab:
+            return linear_column(layer.bottom_altitude.meters, 1, layer.top_altitude.meters, 1, 0,
+                                 top);
+        case Profile::tabulated:
+            return tabulated_column(layer.table, top);
+    }
+    return 0;
+}
+
+std::vector<double> zenith_optical_depth(const Layer& layer, const Atmosphere& atmosphere) {
+    const Length thickness{atmosphere.top_radius.meters - atmosphere.ground_radius.meters};
+    const double column = density_column(layer, thickness);
+    std::vector<double> depths;
+    for (const InverseLength extinction : layer.extinction) {
+        depths.push_back(extinction.per_meter * column);
+    }
+    return depths;
+}
+
+namespace {
+
+const std::vector<double>* numbers_of(const DecodedField& decoded) {
+    return decoded.value ? std::get_if<std::vector<double>>(&*decoded.value) : nullptr;
+}
+
+// The place of a channel's value within its list.
+Place channel_place(const Value& value, std::size_t channel) {
+    const auto* array = std::get_if<Array>(&value.data);
+    if (!array || array->size() <= 1) return value.place;
+    return (*array)[channel].place;
+}
+
+std::string channel_name(std::size_t channel, std::size_t channels) {
+    constexpr std::string_view letters[] = {"R", "G", "B"};
+    return channels == 3 ? fmt::format(" in channel {}", letters[channel]) : std::string();
+}
+
+void check_extinction(const DecodedSection& layer, Decoder& decoder) {
+    const DecodedField& extinction = layer.at("extinction");
+    const std::vector<double>* lower = numbers_of(layer.at("scattering"));
+    const std::vector<double>* upper = numbers_of(extinction);
+    if (!lower || !upper || !extinction.source || lower->size() != upper->size()) return;
+    for (std::size_t channel = 0; channel < upper->size(); ++channel) {
+        if ((*upper)[channel] >= (*lower)[channel]) continue;
+        decoder.diagnostics.error(
+            "E0112", channel_place(*extinction.source, channel),
+            fmt::format("`{}` is below scattering{}: {} < {}", join_path(layer.path, "extinction"),
+                        channel_name(channel, upper->size()),
+                        inverse_length_to_string((*upper)[channel]),
+                        inverse_length_to_string((*lower)[channel])),
+            "extinction is scattering plus absorption; if this is absorption, name it "
+            "`absorption`");
+        return;
+    }
+}
+
+// Extinction from what was given in its place: absorption, the albedo, or nothing.
+void derive_extinction(DecodedSection& layer, Decoder& decoder) {
+    DecodedField& extinction = layer.at("extinction");
+    const DecodedField& absorption = layer.at("absorption");
+    const DecodedField& albedo = layer.at("single_scattering_albedo");
+    const std::vector<double>* scattering = numbers_of(layer.at("scattering"));
+    // A source without a value is one at fault, which has been reported.
+    const bool at_fault =
+        (absorption.source && !absorption.value) || (albedo.source && !albedo.value);
+    if (extinction.source || at_fault || !scattering) return;
+    std::vector<double> result = *scattering;
+    if (const std::vector<double>* added = numbers_of(absorption)) {
+        for (std::size_t i = 0; i < result.size() && i < added->size(); ++i)
+            result[i] += (*added)[i];
+    } else if (const std::vector<double>* share = numbers_of(albedo)) {
+        for (std::size_t i = 0; i < result.size() && i < share->size(); ++i)
+            result[i] /= (*share)[i];
+    }
+    const double most = extinction.field->range.maximum;
+    for (const double value : result) {
+        if (value <= most) continue;
+        const Value* source = albedo.source ? albedo.source : absorption.source;
+        decoder.diagnostics.error(
+            "E0110", source ? source->place : layer.place,
+            fmt::format("`{}` is out of range: {}", join_path(layer.path, "extinction"),
+                        inverse_length_to_string(value)),
+            "must be " + describe_range(*extinction.field));
+        return;
+    }
+    extinction.value = std::move(result);
+    extinction.derived = true;
+}
+
+// The upper bound of a slab above its lower one.
+void check_slab(const DecodedSection& section, Decoder& decoder) {
+    const DecodedField& bottom = section.at("bottom_altitude");
+    const DecodedField& top = section.at("top_altitude");
+    if (!bottom.value || !top.value || !top.source) return;
+    const double low = std::get<double>(*bottom.value);
+    const double high = std::get<double>(*top.value);
+    if (high > low) return;
+    decoder.diagnostics.error(
+        "E0113", top.source->place,
+        fmt::format("`{}` is not above bottom_altitude: {}",
+                    join_path(section.path, "top_altitude"), length_to_string(high)),
+        fmt::format("must be above {}", length_to_string(low)));
+}
+
+bool is_switched_off(const Table& table) {
+    const Entry* entry = find_entry(table, "enabled");
+    const bool* enabled = entry ? std::get_if<bool>(&entry->value.data) : nullptr;
+    return enabled && !*enabled;
+}
+
+// A layer that is switched off is checked, so that a slip is not found only when it is wanted
+// again, but shown as no more than that.
+void decode_switched_off(DecodedSection& section, Decoder& decoder) {
+    check_extinction(section, decoder);
+    check_slab(section, decoder);
+    for (DecodedField& decoded : section.fields) {
+        if (decoded.field->key != "enabled") decoded.value.reset();
+    }
+    append_values(section, decoder);
+}
+
+bool is_of_particles(const DecodedSection& layer) {
+    const DecodedField& phase = layer.at("phase");
+    return choice_of<Phase>(phase) == Phase::mie;
+}
+
+// Coefficients follow from the particles: given besides, they would contradict them.
+void leave_coefficients_to_particles(DecodedSection& layer, Decoder& decoder) {
+    for (const std::string_view key :
+         {"scattering", "extinction", "absorption", "single_scattering_albedo"}) {
+        DecodedField& decoded = layer.at(key);
+        decoded.value.reset();
+        if (!decoded.source) continue;
+        decoder.diagnostics.error(
+            "E0139", decoded.source->place,
+            fmt::format("`{}` cannot be given for a layer of particles",
+                        join_path(layer.path, key)),
+            "phase = \"mie\" computes it from their number and size; leave it out");
+    }
+}
+
+// A section that is whole, with what it takes from the recipe.
+Layer bind_layer(const std::string& name, const DecodedSection& section, const Parameters& recipe,
+                 Decoder& decoder) {
+    Layer layer;
+    layer.name = name;
+    bind_section(section, layer_fields(), layer);
+    if (!is_of_particles(section)) return layer;
+    const Particles* particles =
+        find_named(section, "particles", std::span<const Particles>(recipe.particles),
+                   particles_reference, decoder);
+    const DecodedField& number = section.at("number_density");
+    if (particles && number.value) {
+        layer.particles = {*particles, {std::get<double>(*number.value)}, recipe.wavelengths};
+    }
+    return layer;
+}
+
+}  // namespace
+
+std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
+                                  const Parameters& recipe, Decoder& decoder) {
+    const bool off = is_switched_off(table);
+    DecodedSection section =
+        decode_section(*find_section("atmosphere.layers.*"), join_path("atmosphere.layers", name),
+                       place, table, off ? Absent::left_out : Absent::filled_in, decoder);
+    if (off) {
+        decode_switched_off(section, decoder);
+        return std::nullopt;
+    }
+    if (is_of_particles(section)) {
+        leave_coefficients_to_particles(section, decoder);
+    } else {
+        check_extinction(section, decoder);
+        derive_extinction(section, decoder);
+    }
+    check_slab(section, decoder);
+    append_values(section, decoder);
+    return bind_layer(name, section, recipe, decoder);
+}
+
+void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const Table& table,
+                         Decoder& decoder) {
+    constexpr double opaque = 100;
+    const std::vector<double> depths = zenith_optical_depth(layer, atmosphere);
+    for (std::size_t channel = 0; channel < depths.size(); ++channel) {
+        if (depths[channel] <= opaque) continue;
+        const std::string path = join_path("atmosphere.layers", layer.name);
+        const Entry* source = nullptr;
+        for (const std::string_view key : {"extinction", "absorption", "scattering"}) {
+            if (!source) source = find_entry(table, key);
+        }
+        decoder.diagnostics.warning(
+            "W0202", source ? source->value.place : Place{},
+            fmt::format("layer `{}` has a zenith optical depth of {:.3g}{}", path, depths[channel],
+                        channel_name(channel, depths.size())),
+            "is the unit right?");
+        return;
+    }
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,200 @@
+#include "config/sections/cloud.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "config/fields/field_value.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/sections.h"
+#include "config/sections/towers.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+
+std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels channels) {
+    const std::span<const NoiseChannel> all = noise.channels;
+    const bool takes_all = channels == CloudChannels::noise || noise.pack != NoisePacking::none;
+    return takes_all ? all : all.first(std::min<std::size_t>(all.size(), 1));
+}
+
+std::vector<std::string> cloud_channel_names(const Noise& noise, CloudChannels channels) {
+    const bool is_one = channels == CloudChannels::density || noise.pack != NoisePacking::none ||
+                        noise.channels.size() <= 1;
+    if (is_one) return {"Y"};
+    std::vector<std::string> names;
+    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    return names;
+}
+
+namespace {
+
+// The section of a table below a cloud, filled into its struct.
+template <class S, class Bound>
+DecodedSection decode_into(S& target, std::span<const Bound> fields, std::string_view pattern,
+                           const std::string& path, const Place& place, const Table& table,
+                           Decoder& decoder) {
+    DecodedSection section =
+        decode_section(*find_section(pattern), path, place, table, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    bind_section(section, fields, target);
+    return section;
+}
+
+// One cloud while its tables are read.
+struct CloudReader {
+    const std::string& path;
+    const Place& place;
+    const Table& table;
+    Decoder& decoder;
+    Cloud& cloud;
+
+    // The place of a table's name, or of the cloud's where it is not given.
+    Place place_of(std::string_view key) const {
+        const Entry* entry = find_entry(table, key);
+        return entry ? entry->key_place : place;
+    }
+
+    DecodedSection read_height_profile() const {
+        return decode_into(cloud.height_profile, height_profile_fields(), "clouds.*.height_profile",
+                           join_path(path, "height_profile"), place_of("height_profile"),
+                           subtable(table, "height_profile", path, decoder), decoder);
+    }
+
+    // Files are looked for where includes are: in the folder of the recipe that names them.
+    void resolve_path(const DecodedSection& section, CloudMap& map) const {
+        const DecodedField& file = section.at("file");
+        if (!file.source || !file.value) return;
+        if (map.file.empty()) {
+            decoder.diagnostics.error("E0110", file.source->place,
+                                      fmt::format("`{}` is empty", join_path(section.path, "file")),
+                                      "give the name of a picture");
+            return;
+        }
+        const Source* source = file.source->place.source;
+        const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
+        map.path = (folder / map.file).lexically_normal();
+        map.file_place = source_range(file.source->place);
+        const DecodedField& channel = section.at("channel");
+        map.channel_place = channel.source ? source_range(channel.source->place) : map.file_place;
+    }
+
+    void read_map(std::string_view key, std::string_view pattern,
+                  std::span<const CloudMapField> fields, CloudMap& map) const {
+        if (!find_entry(table, key)) return;
+        const Table& keys = subtable(table, key, path, decoder);
+        if (!as_table(find_entry(table, key)->value)) return;
+        const DecodedSection section =
+            decode_into(map, fields, pattern, join_path(path, key), place_of(key), keys, decoder);
+        resolve_path(section, map);
+    }
+
+    void check_type_map(const DecodedSection& profile) const {
+        const DecodedField& type = profile.at("type");
+        if (!find_entry(table, "type_map") || !type.value) return;
+        if (cloud.height_profile.type == HeightProfileType::blended) return;
+        const std::string_view found = choice_name(*type.field, cloud.height_profile.type);
+        const std::string said =
+            type.source ? origin(type.source->place) : std::string("the default");
+        decoder.diagnostics.error(
+            "E0111", place_of("type_map"),
+            fmt::format("`{}` belongs to height_profile.type blended, but it is {}",
+                        join_path(path, "type_map"), found),
+            fmt::format("type = \"{}\" comes from {}", found, said));
+    }
+
+    void read_scatter() const {
+        if (!find_entry(table, "scatter")) return;
+        decode_into(cloud.scatter, tower_scatter_fields(), "clouds.*.scatter",
+                    join_path(path, "scatter"), place_of("scatter"),
+                    subtable(table, "scatter", path, decoder), decoder);
+    }
+
+    void read_towers() const {
+        const std::string towers_path = join_path(path, "towers");
+        const Table& towers = subtable(table, "towers", path, decoder);
+        for (const Entry* entry : towers_in_order(towers)) {
+            const Table* keys = named_table(*entry, towers_path, decoder);
+            if (!keys) continue;
+            Tower tower;
+            tower.name = entry->key;
+            decode_into(tower, tower_fields(), "clouds.*.towers.*",
+                        join_path(towers_path, entry->key), entry->key_place, *keys, decoder);
+            cloud.towers.push_back(std::move(tower));
+        }
+    }
+};
+
+// The greatest frequency of the channels, by axis.
+std::array<int, 3> greatest_frequency(std::span<const NoiseChannel> channels) {
+    std::array<int, 3> greatest{};
+    for (const NoiseChannel& channel : channels) {
+        for (const NoiseOctaves* octaves : {&channel.octaves, &channel.worley_octaves}) {
+            for (const std::array<int, 3>& frequency : octaves->frequencies) {
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    greatest[axis] = std::max(greatest[axis], frequency[axis]);
+                }
+            }
+        }
+    }
+    return greatest;
+}
+
+// Scaled frequencies have the range of those that a noise may give.
+void check_scale(const DecodedSection& section, std::string_view key, const Noise* noise,
+                 CloudChannels channels, const std::array<int, 3>& scale, Decoder& decoder) {
+    if (!noise) return;
+    const Field& allowed = *find_field(*find_section("noise.*.channels.*"), "frequency");
+    const auto most = static_cast<int>(allowed.range.maximum);
+    const std::array<int, 3> frequency = greatest_frequency(used_channels(*noise, channels));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int product = frequency[axis] * scale[axis];  // at most 2^20 * 2^10
+        if (product <= most) continue;
+        const DecodedField& decoded = section.at(key);
+        decoder.diagnostics.error(
+            "E0128", decoded.source ? decoded.source->place : section.place,
+            fmt::format("`{}` times frequency {} of noise `{}` is {}", join_path(section.path, key),
+                        frequency[axis], noise->name, product),
+            fmt::format("at most {} cells per tile are allowed: use a lower scale or fewer octaves",
+                        most));
+        return;
+    }
+}
+
+void check_noises(const DecodedSection& section, const Cloud& cloud, std::span<const Noise> noises,
+                  Decoder& decoder) {
+    const Noise* noise = find_named(section, "noise", noises, noise_reference, decoder);
+    check_scale(section, "noise_scale", noise, cloud.channels, cloud.noise_scale, decoder);
+    const Noise* detail = find_named(section, "detail", noises, noise_reference, decoder);
+    check_scale(section, "detail_scale", detail, CloudChannels::density, cloud.detail_scale,
+                decoder);
+}
+
+}  // namespace
+
+Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
+                   std::span<const Noise> noises, Decoder& decoder) {
+    const std::string path = join_path("clouds", name);
+    if (!is_bare_key(name)) {
+        decoder.diagnostics.error("E0117", place,
+                                  fmt::format("[{}] cannot be the name of a cloud", shorten(path)),
+                                  "use only letters, digits, `_` and `-`");
+    }
+    Cloud cloud;
+    cloud.name = name;
+    const DecodedSection section =
+        decode_into(cloud, cloud_fields(), "clouds.*", path, place, table, decoder);
+    check_noises(section, cloud, noises, decoder);
+    const CloudReader reader{path, place, table, decoder, cloud};
+    const DecodedSection profile = reader.read_height_profile();
+    reader.read_map("coverage_map", "clouds.*.coverage_map", coverage_map_fields(),
+                    cloud.coverage_map);
+    reader.read_map("type_map", "clouds.*.type_map", type_map_fields(), cloud.type_map);
+    reader.check_type_map(profile);
+    reader.read_scatter();
+    reader.read_towers();
+    return cloud;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,169 @@
+#include "config/sections/noise.h"
+
+#include <fmt/format.h>
+
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using Frequency = std::array<int, 3>;
+
+// One series of one channel while it is resolved.
+struct SeriesResolver {
+    DecodedSection& channel;
+    const OctaveKeys& keys;
+    Decoder& decoder;
+
+    std::string path(std::string_view key) const { return join_path(channel.path, key); }
+
+    Place place(const DecodedField& decoded) const {
+        return decoded.source ? decoded.source->place : channel.place;
+    }
+
+    // As many as are asked for; as many as there are gains, where nothing is asked.
+    std::optional<std::size_t> count() const {
+        const DecodedField& octaves = channel.at(keys.octaves);
+        const DecodedField& gains = channel.at(keys.gains);
+        if (!octaves.source && gains.value) {
+            return std::get<std::vector<double>>(*gains.value).size();
+        }
+        if (!octaves.value) return std::nullopt;
+        return static_cast<std::size_t>(std::get<double>(*octaves.value));
+    }
+
+    void report_overflow(std::size_t octave, std::int64_t frequency) const {
+        const Range& range = channel.at(keys.frequencies).field->range;
+        const DecodedField& octaves = channel.at(keys.octaves);
+        const DecodedField& first = channel.at(keys.frequency);
+        decoder.diagnostics.error(
+            "E0128", place(octaves.source ? octaves : first),
+            fmt::format("octave {} of `{}` has frequency {}", octave + 1, path(keys.frequency),
+                        frequency),
+            fmt::format(
+                "at most {} cells per tile are allowed: use fewer octaves or a lower lacunarity",
+                static_cast<int>(range.maximum)));
+    }
+
+    // frequency * lacunarity^i along each axis.
+    std::optional<std::vector<Frequency>> series(std::size_t octaves) const {
+        const auto most =
+            static_cast<std::int64_t>(channel.at(keys.frequencies).field->range.maximum);
+        const auto lacunarity =
+            static_cast<int>(std::get<double>(*channel.at(keys.lacunarity).value));
+        std::vector<Frequency> result = {std::get<Frequency>(*channel.at(keys.frequency).value)};
+        while (result.size() < octaves) {
+            Frequency next{};
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const std::int64_t product = std::int64_t{result.back()[axis]} * lacunarity;
+                if (product > most) {
+                    report_overflow(result.size(), product);
+                    return std::nullopt;
+                }
+                next[axis] = static_cast<int>(product);
+            }
+            result.push_back(next);
+        }
+        return result;
+    }
+
+    void resolve_frequencies() const {
+        DecodedField& frequencies = channel.at(keys.frequencies);
+        const std::optional<std::size_t> octaves = count();
+        const bool has_series =
+            channel.at(keys.frequency).value && channel.at(keys.lacunarity).value && octaves;
+        // A source without a value is one at fault, which has been reported.
+        if (frequencies.source || !has_series) return;
+        std::optional<std::vector<Frequency>> resolved = series(*octaves);
+        if (!resolved) return;
+        frequencies.value = std::move(*resolved);
+        frequencies.derived = true;
+    }
+
+    // Whichever was said last, so that it is not a preset that is found at fault.
+    Place latest_place() const {
+        const DecodedField* latest = &channel.at(keys.gains);
+        for (const std::string_view key : {keys.octaves, keys.frequencies}) {
+            const DecodedField& other = channel.at(key);
+            if (other.source &&
+                other.source->place.source->order > latest->source->place.source->order) {
+                latest = &other;
+            }
+        }
+        return latest->source->place;
+    }
+
+    void report_count(std::size_t octaves, std::size_t count) const {
+        decoder.diagnostics.error(
+            "E0108", latest_place(),
+            fmt::format("`{}` has {} value{} for {} octave{}", path(keys.gains), count,
+                        count == 1 ? "" : "s", octaves, octaves == 1 ? "" : "s"),
+            "give one gain per octave");
+    }
+
+    void resolve_gains(std::size_t octaves) const {
+        DecodedField& gains = channel.at(keys.gains);
+        const DecodedField& gain = channel.at(keys.gain);
+        if (gains.value) {
+            const std::size_t given = std::get<std::vector<double>>(*gains.value).size();
+            if (given != octaves) report_count(octaves, given);
+        } else if (!gains.source && gain.value) {
+            std::vector<double> resolved = {1};
+            while (resolved.size() < octaves) {
+                resolved.push_back(resolved.back() * std::get<double>(*gain.value));
+            }
+            gains.value = std::move(resolved);
+            gains.derived = true;
+        }
+    }
+};
+
+}  // namespace
+
+NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder) {
+    const SeriesResolver resolver{channel, keys, decoder};
+    resolver.resolve_frequencies();
+    const DecodedField& frequencies = channel.at(keys.frequencies);
+    if (!frequencies.value) return {};
+    NoiseOctaves octaves;
+    octaves.frequencies = std::get<std::vector<Frequency>>(*frequencies.value);
+    resolver.resolve_gains(octaves.frequencies.size());
+    const DecodedField& gains = channel.at(keys.gains);
+    if (gains.value) octaves.gains = std::get<std::vector<double>>(*gains.value);
+    return octaves;
+}
+
+namespace {
+
+bool at_corners(std::size_t axis, NoiseSampling sampling) {
+    return sampling == NoiseSampling::corners ||
+           (sampling == NoiseSampling::slices_at_corners && axis == 2);
+}
+
+// (2i + 1) f / 2N is an integer for all i if it is one for i = 0; i f / N if it is one for i = 1. A
+// single voxel at a corner lies at 0, and 1 divides f.
+bool meets_only_lattice_points(int frequency, int size, bool corners) {
+    const std::int64_t denominator = std::int64_t{corners ? 1 : 2} * size;
+    return frequency % denominator == 0;
+}
+
+}  // namespace
+
+bool is_coarse(const std::array<int, 3>& frequency, const std::array<int, 3>& size) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::int64_t wanted = std::int64_t{fewest_voxels_per_cell} * frequency[axis];
+        if (size[axis] > 1 && size[axis] < wanted) return true;
+    }
+    return false;
+}
+
+bool is_zero_everywhere(const std::array<int, 3>& frequency, const std::array<int, 3>& size,
+                        NoiseSampling sampling) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool corners = at_corners(axis, sampling);
+        if (!meets_only_lattice_points(frequency[axis], size[axis], corners)) return false;
+    }
+    return true;
+}
+
+}  // namespace skybake::config

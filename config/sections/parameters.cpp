@@ -1,0 +1,29 @@
+#include "config/sections/parameters.h"
+
+#include <algorithm>
+
+namespace skybake::config {
+
+namespace {
+
+template <class Section>
+const Section& named(const std::vector<Section>& sections, std::string_view name) {
+    return *std::find_if(sections.begin(), sections.end(),
+                         [&](const Section& section) { return section.name == name; });
+}
+
+}  // namespace
+
+const Noise& noise_named(const Parameters& parameters, std::string_view name) {
+    return named(parameters.noises, name);
+}
+
+const Cloud& cloud_named(const Parameters& parameters, std::string_view name) {
+    return named(parameters.clouds, name);
+}
+
+const Bake& bake_named(const Parameters& parameters, std::string_view name) {
+    return named(parameters.bakes, name);
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,81 @@
+// The sections of a recipe besides its assets: the rows of their keys, and what decodes those with
+// names.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "config/fields/section_decoder.h"
+#include "config/sections/atmosphere.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
+#include "config/sections/parameters.h"
+#include "config/sections/particles.h"
+#include "config/sections/scene.h"
+
+namespace skybake::config {
+
+// The rows of all sections but those of [bake.NAME] (config/assets) and [sweep] (config/sweep).
+// Whoever adds a key adds its row, and a member of the same name to the section's struct;
+// everything else follows.
+
+using RootField = Row<Parameters>;
+using AtmosphereField = Row<Atmosphere>;
+using LayerField = Row<Layer>;
+using SceneField = Row<Scene>;
+using ParticlesField = Row<Particles>;
+using NoiseField = Row<Noise>;
+using NoiseChannelField = Row<NoiseChannel>;
+using CloudField = Row<Cloud>;
+using HeightProfileField = Row<HeightProfile>;
+using CloudMapField = Row<CloudMap>;
+using TowerField = Row<Tower>;
+using TowerScatterField = Row<TowerScatter>;
+
+std::span<const RootField> root_fields();
+std::span<const AtmosphereField> atmosphere_fields();
+std::span<const LayerField> layer_fields();
+std::span<const SceneField> scene_fields();
+std::span<const ParticlesField> particles_fields();
+std::span<const NoiseField> noise_fields();
+std::span<const NoiseChannelField> noise_channel_fields();
+std::span<const CloudField> cloud_fields();
+std::span<const HeightProfileField> height_profile_fields();
+std::span<const CloudMapField> coverage_map_fields();
+std::span<const CloudMapField> type_map_fields();
+std::span<const TowerField> tower_fields();
+std::span<const TowerScatterField> tower_scatter_fields();
+
+// One [clouds.NAME] with its height profile, maps and towers.
+
+// `noises` are those of the recipe. Reports names of noises that are not there (E0130), scaled
+// frequencies that are too high (E0128), and a map of types where the profile blends none (E0111).
+Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
+                   std::span<const Noise> noises, Decoder& decoder);
+
+// One [atmosphere.layers.NAME]: its fields, its coefficients resolved to scattering and extinction.
+
+// Takes particles and wavelengths from the recipe. None if the layer is switched off or has no
+// usable coefficients; errors are reported.
+std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
+                                  const Parameters& recipe, Decoder& decoder);
+
+// Warns (W0202) of a layer that is opaque beyond reason: most often a slip of a unit.
+void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const Table& table,
+                         Decoder& decoder);
+
+// One [noise.NAME] and its channels.
+
+// The noise is whole only if no error was reported; its name is right in any case.
+Noise decode_noise(const std::string& name, const Place& place, const Table& table,
+                   Decoder& decoder);
+
+// One [particles.NAME].
+
+// They are whole only if no error was reported; their name is right in any case. E0144: spheres of
+// air in air, or water at wavelengths where its index is not known.
+Particles decode_particles(const std::string& name, const Place& place, const Table& table,
+                           std::span<const Length> wavelengths, Decoder& decoder);
+
+}  // namespace skybake::config

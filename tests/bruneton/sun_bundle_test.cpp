@@ -1,0 +1,135 @@
+// Solved light under a fan of suns against the same light sun by sun, where light falls too fast
+// for cubics and where it does not.
+#include "bakers/assets/bruneton/sun_bundle.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "bakers/light/solved_source.h"
+#include "tests/noise/every_target.h"
+
+namespace skybake {
+namespace {
+
+const Shell kEarth = {6360, 100};
+constexpr int kDegree = 4;
+
+class Dice {
+  public:
+    double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+    }
+    Spectrum spectrum() { return {between(0, 1), between(0, 1), between(0, 1), 0}; }
+
+  private:
+    std::mt19937 engine_;
+};
+
+// Light without any order, so that no column stands for its neighbour.
+SolvedLight light_of(Dice& dice) {
+    SolvedLight light;
+    light.channels = 3;
+    light.altitudes_km = {0, 1, 10, 100};
+    light.suns = make_sun_axis(kEarth, 24);
+    light.steep.assign(24, 0.0);
+    light.light = LightField(4, 24, kDegree);
+    for (double& value : light.light.moments) value = dice.between(0.1, 2);
+    return light;
+}
+
+// Five nodes between `from_km` and `to_km`, three of which scatter solved light.
+BundlePiece piece_of(const ScatteringView& view, double from_km, double to_km, Dice& dice) {
+    BundlePiece piece;
+    piece.from_km = from_km;
+    piece.to_km = to_km;
+    for (std::size_t i = 0; i < piece.nodes.size(); ++i) {
+        BundleNode& node = piece.nodes[i];
+        node.distance_km =
+            from_km + (to_km - from_km) * (static_cast<double>(i) + 0.5) / kBundleNodes;
+        node.altitude_km = altitude_along_km(kEarth, view.altitude_km, view.s_km, node.distance_km);
+        if (i % 2 == 0) node.coarse_weights = {dice.spectrum(), dice.spectrum()};
+    }
+    return piece;
+}
+
+Spectrum sun_by_sun(const SolvedLight& light, const std::vector<std::vector<Spectrum>>& phases,
+                    const ScatteringView& view, const BundlePiece& piece, double sun, double nu) {
+    Spectrum sum{};
+    for (const BundleNode& node : piece.nodes) {
+        if (node.coarse_weights.empty()) continue;
+        const double r = kEarth.ground_radius_km + node.altitude_km;
+        const double begin = kEarth.ground_radius_km + view.altitude_km;
+        const double mu = (view.s_km + node.distance_km) / r;
+        const double there = (begin * sun + node.distance_km * nu) / r;
+        const double sines = std::sqrt((1 - mu * mu) * (1 - there * there));
+        const Spectrum value =
+            SolvedSource(light, node.altitude_km, mu, node.coarse_weights, phases)
+                .scattered(there, (nu - mu * there) / sines);
+        sum += value;
+    }
+    return sum;
+}
+
+// Suns from the zenith to midnight, most of them where the axis has its columns.
+SunBundle suns_of(const ScatteringView& view, Dice& dice) {
+    const double mu = view.s_km / (kEarth.ground_radius_km + view.altitude_km);
+    std::vector<double> suns = {0.9999, 0.99, 0.97, 0.9, -0.1, -0.3, -0.44, -0.5, -0.99};
+    while (suns.size() < 37) suns.push_back(dice.between(-0.45, 1));
+    std::vector<double> nu;
+    for (const double sun : suns) {
+        const double spread = std::sqrt((1 - mu * mu) * (1 - sun * sun));
+        nu.push_back(mu * sun + dice.between(-0.99, 0.99) * spread);
+    }
+    return SunBundle(suns, nu);
+}
+
+// The share of suns whose stencil is steep.
+void expect_as_sun_by_sun(double share_of_steep) {
+    Dice dice;
+    SolvedLight light = light_of(dice);
+    for (double& steep : light.steep) steep = dice.between(0, 1) < share_of_steep ? 1 : 0;
+    std::vector<std::vector<Spectrum>> phases(2);
+    for (auto& moments : phases) {
+        for (int l = 0; l <= kDegree; ++l) moments.push_back(dice.spectrum());
+    }
+    for (const double altitude_km : {0.0, 30.0}) {
+        ScatteringView view;
+        view.altitude_km = altitude_km;
+        view.s_km = 0.6 * (kEarth.ground_radius_km + altitude_km);
+        const BundlePiece piece = piece_of(view, 0.5, 80, dice);
+        const SunBundle suns = suns_of(view, dice);
+        test::on_every_target([&](const char* target) {
+            std::vector<double> made(static_cast<std::size_t>(suns.count) * kChannelSlots);
+            add_solved_light(light, phases, kEarth, view, piece, suns, made.data());
+            for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
+                const Spectrum wanted =
+                    sun_by_sun(light, phases, view, piece, suns.sun_cosines[i], suns.nu[i]);
+                for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                    EXPECT_NEAR(made[i * kChannelSlots + c], wanted[c], 1e-9)
+                        << target << ", sun " << suns.sun_cosines[i];
+                }
+            }
+        });
+    }
+}
+
+TEST(SunBundle, IsAsSunBySun) { expect_as_sun_by_sun(0); }
+
+TEST(SunBundle, IsAsSunBySunWhereAllStencilsAreSteep) { expect_as_sun_by_sun(1); }
+
+TEST(SunBundle, IsAsSunBySunWhereSomeStencilsAreSteep) { expect_as_sun_by_sun(0.4); }
+
+TEST(SunBundle, FillsUpVectorsWithCopies) {
+    const SunBundle suns({0.5, 0.25, -0.1}, {0.1, 0.2, 0.3});
+    EXPECT_EQ(suns.wanted, 3);
+    ASSERT_EQ(suns.count, SunBundle::kBundleStep);
+    EXPECT_EQ(suns.sun_cosines.back(), -0.1);
+    EXPECT_EQ(suns.nu.back(), 0.3);
+}
+
+}  // namespace
+}  // namespace skybake
