@@ -110,7 +110,8 @@ std::string recipe_name(std::string_view argument);
 config::Outcome<config::Recipe> recipe_of(const Invocation& invocation);
 
 // E0300 where the path is no file, but a preset's name; the label says how to begin with it.
-std::optional<config::Diagnostic> preset_in_place_of_file(const std::filesystem::path& path);
+[[nodiscard]] std::optional<config::Diagnostic> preset_in_place_of_file(
+    const std::filesystem::path& path);
 
 struct BakeSelection {
     config::Recipe recipe;

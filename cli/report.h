@@ -25,9 +25,8 @@ inline const Option<bool> csv{"csv"};
 
 // Whether files of these names may be written: asked before the minute that a report takes.
 // E0302; E0303 unless forced.
-std::vector<config::Diagnostic> check_report_folder(const std::filesystem::path& folder,
-                                                    const std::vector<std::string>& names,
-                                                    bool force);
+[[nodiscard]] std::vector<config::Diagnostic> check_report_folder(
+    const std::filesystem::path& folder, const std::vector<std::string>& names, bool force);
 
 // All or none of them; their paths are notes.
 ExitCode write_report_files(const std::vector<ReportFile>& files,

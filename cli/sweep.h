@@ -88,7 +88,7 @@ std::string planned_variant_events(const SweepJob& job, const std::vector<Planne
 std::string swept_event(const std::vector<VariantResult>& results, int made, double seconds);
 
 // "2 of 12 variants failed" and so on: E0406. None if all are done.
-std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results);
+[[nodiscard]] std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results);
 
 // --- Scripts for farms --------------------------------------------------------------------------
 

@@ -56,7 +56,7 @@ Spectrum optical_depth_along(const Medium& medium, double altitude_km, double co
     // Gain of altitude over a stretch x of a ray with s: (x (x + 2 s)) / (r' + r).
     const auto gain = [](double r_from, double s_from, double x) {
         const double q = x * (x + 2 * s_from);
-        return q / (std::sqrt(r_from * r_from + q) + r_from);
+        return gain_of_square_km(r_from, q);
     };
     const auto climb = [&](double altitude, double r_low, double s_low, double length) {
         const double c = gain(r_low, s_low, length);
@@ -69,7 +69,7 @@ Spectrum optical_depth_along(const Medium& medium, double altitude_km, double co
         const double drop = -gain(r, s, distance_km);
         climb(altitude_km - drop, r - drop, -(s + distance_km), distance_km);
     } else {
-        const double drop = s * s / (r + std::sqrt((r - s) * (r + s)));
+        const double drop = drop_to_nearest_km(shell_of(medium), altitude_km, s);
         climb(altitude_km - drop, r - drop, 0, -s);
         climb(altitude_km - drop, r - drop, 0, s + distance_km);
     }

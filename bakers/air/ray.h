@@ -29,20 +29,36 @@ inline double horizon_distance_km(const Shell& shell, double altitude_km) {
     return std::sqrt(altitude_km * (2 * shell.ground_radius_km + altitude_km));
 }
 
+// By how much the square of the distance to the planet's centre grows over a gain of altitude:
+// r'^2 - r^2, in km^2.
+inline double square_gain_km2(const Shell& shell, double altitude_km, double gain_km) {
+    return gain_km * (2 * (shell.ground_radius_km + altitude_km) + gain_km);
+}
+
+// The gain of altitude r' - r over which r'^2 - r^2 = q.
+inline double gain_of_square_km(double r_km, double q) {
+    return q / (std::sqrt(std::max(r_km * r_km + q, 0.0)) + r_km);
+}
+
 // Altitude after `distance_km`, along a path within the shell.
 inline double altitude_along_km(const Shell& shell, double altitude_km, double s_km,
                                 double distance_km) {
     const double r = shell.ground_radius_km + altitude_km;
     const double q = distance_km * (distance_km + 2 * s_km);
-    return altitude_km + q / (std::sqrt(std::max(r * r + q, 0.0)) + r);
+    return altitude_km + gain_of_square_km(r, q);
+}
+
+// Distance to where a ray climbs for good by `gain_km` >= 0.
+inline double climb_distance_km(const Shell& shell, double altitude_km, double s_km,
+                                double gain_km) {
+    const double q = square_gain_km2(shell, altitude_km, gain_km);
+    const double root = std::sqrt(s_km * s_km + q);
+    return s_km > 0 ? q / (root + s_km) : root - s_km;
 }
 
 // Distance to the top of the atmosphere.
 inline double distance_to_top_km(const Shell& shell, double altitude_km, double s_km) {
-    const double gain = shell.thickness_km - altitude_km;
-    const double q = gain * (2 * (shell.ground_radius_km + altitude_km) + gain);
-    const double root = std::sqrt(s_km * s_km + q);
-    return s_km > 0 ? q / (root + s_km) : root - s_km;
+    return climb_distance_km(shell, altitude_km, s_km, shell.thickness_km - altitude_km);
 }
 
 // Distance to the ground for s < -rho (or at it).

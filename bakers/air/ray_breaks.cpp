@@ -28,11 +28,10 @@ std::vector<RayBreak> ray_breaks(const Shell& shell, double altitude_km, double 
     const auto add = [&](double distance, int level) {
         if (distance > 0 && distance < length_km) breaks.push_back({distance, level});
     };
-    const double r = shell.ground_radius_km + altitude_km;
     for (std::size_t i = 0; i < altitudes_km.size(); ++i) {
         // The ray crosses where x (x + 2 s) = q; both roots without cancellation.
         const double gain = altitudes_km[i] - altitude_km;
-        const double q = gain * (2 * r + gain);
+        const double q = square_gain_km2(shell, altitude_km, gain);
         const double discriminant = s_km * s_km + q;
         if (discriminant < 0) continue;
         const double root = std::sqrt(discriminant);

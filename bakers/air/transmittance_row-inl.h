@@ -54,6 +54,49 @@ HWY_INLINE void combine_row(const TransmittanceField& field, double altitude_km,
     }
 }
 
+// A row made by combine_row, and what reading it takes at its altitude.
+struct SunlightRow {
+    const double* values;
+    int stride;
+    int channels;
+    double q;               // R_top^2 - r^2, in km^2
+    double nearest_top_km;  // d_min
+    double columns_per_km;
+    double last_column;
+};
+
+HWY_INLINE SunlightRow sunlight_row(const TransmittanceField& field, double altitude_km,
+                                    const double* values) {
+    const Shell& shell = field.shell();
+    const double gain = shell.thickness_km - altitude_km;
+    const double farthest =
+        horizon_distance_km(shell, altitude_km) + horizon_distance_km(shell, shell.thickness_km);
+    const double last_column = field.columns() - 1.0;
+    return {values,
+            field.row_stride(),
+            field.channels(),
+            square_gain_km2(shell, altitude_km, gain),
+            gain,
+            last_column / (farthest - gain),
+            last_column};
+}
+
+// Distance to the top where r mu_s = s. ray.h has it without the cancellation of this difference
+// for suns that are up; these kernels keep the difference, whose bits their assets have.
+template <class Real>
+HWY_INLINE Real distance_to_top(const SunlightRow& at, Real s_km) {
+    return square_root(s_km * s_km + Real(at.q)) - s_km;
+}
+
+// The transmittances towards a sun in whose direction the top is so far. Suns that are down read
+// the row's nearest end.
+template <class Real>
+HWY_INLINE void read_sunlight(const SunlightRow& at, Real distance_km, Real* value) {
+    const Real column = (distance_km - Real(at.nearest_top_km)) * Real(at.columns_per_km);
+    const Real inside = minimum(maximum(column, Real(0.0)), Real(at.last_column));
+    read_row(at.values, at.stride, inside, at.channels, value);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace skybake
 HWY_AFTER_NAMESPACE();

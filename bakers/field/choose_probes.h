@@ -78,6 +78,7 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
                      const BakeOptions& options);
 
 // E0407 where probes miss something.
-std::optional<config::Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set);
+[[nodiscard]] std::optional<config::Diagnostic> weak_probes(const std::string& asset,
+                                                            const ProbeSet& set);
 
 }  // namespace skybake

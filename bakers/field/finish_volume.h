@@ -46,9 +46,10 @@ config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
 // texture coordinates; empty: texture coordinates are all that is known. Places are looked for all
 // over the volume, at its seams, at the level's peaks and on the slopes about them. E0407, which
 // names `asset`.
-std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
-                                                    const ProbePlaces& place,
-                                                    config::PixelType type,
-                                                    const BakeOptions& options, Level& level);
+[[nodiscard]] std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
+                                                                  const ProbePlaces& place,
+                                                                  config::PixelType type,
+                                                                  const BakeOptions& options,
+                                                                  Level& level);
 
 }  // namespace skybake

@@ -20,7 +20,7 @@ inline constexpr int kHistogramBins = 32;
 // The first voxel, in the order x, y, z, that the pixel type cannot hold is an error: E0401 where
 // it is NaN or infinite, E0402 where it is beyond the type's range. After an interruption
 // (options.progress->cancelled()) nothing is filled and nothing reported.
-std::vector<config::Diagnostic> survey_level(
+[[nodiscard]] std::vector<config::Diagnostic> survey_level(
     Baked& volume, int level, const std::vector<std::array<double, 2>>& histogram_ranges,
     const BakeOptions& options);
 

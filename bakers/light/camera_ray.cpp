@@ -17,7 +17,7 @@ CameraRay camera_ray(const Shell& shell, double altitude_km, const SunZenith& su
     const double s = r * direction.mu;
     const double gain = altitude_km - shell.thickness_km;
     // Where (r mu + x)^2 = R_top^2 - p^2 with the centre passed at p: s^2 - (r^2 - R_top^2).
-    const double square = s * s - gain * (2 * top + gain);
+    const double square = s * s - square_gain_km2(shell, shell.thickness_km, gain);
     in_air.altitude_km = shell.thickness_km;
     in_air.cosine_to_sun = direction.cosine_to_sun;
     in_air.one_minus_cosine = direction.one_minus_cosine;

@@ -10,7 +10,8 @@
 namespace skybake {
 
 // E0405 where orders are left out, energy is lost or light is negative. `name` of the asset.
-std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
-                                              const SolvedLight& light, const std::string& name);
+[[nodiscard]] std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
+                                                            const SolvedLight& light,
+                                                            const std::string& name);
 
 }  // namespace skybake

@@ -36,7 +36,7 @@ class SkyLight {
     SkyLight& operator=(const SkyLight&) = delete;
 
     // Why there is no light, if it was solved for and is none (check_light.h).
-    std::optional<config::Diagnostic> problem(const std::string& name) const;
+    [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
 
     // Forward peaks of spheres count as light that goes on (forward_peak.h), but for light
     // scattered once.

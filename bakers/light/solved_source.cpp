@@ -36,25 +36,20 @@ SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double 
     : light_(light) {
     const int degree = light.degree();
     const auto orders = static_cast<std::size_t>(degree) + 1;
-    const std::vector<double>& levels = light.altitudes_km;
-    const auto above = std::upper_bound(levels.begin(), levels.end(), altitude_km);
-    const int level = std::clamp(static_cast<int>(above - levels.begin()) - 1, 0,
-                                 static_cast<int>(levels.size()) - 2);
-    const double low = levels[static_cast<std::size_t>(level)];
-    const double fraction =
-        (altitude_km - low) / (levels[static_cast<std::size_t>(level) + 1] - low);
+    const LevelPlace at = light.level_at(altitude_km);
     const std::vector<Spectrum> factors =
         view_factors(degree, view_cos_zenith, scattering, phase_moments);
     values_.resize(static_cast<std::size_t>(light.suns.count()) * orders);
     for (int sun = 0; sun < light.suns.count(); ++sun) {
-        const double* below = light.light.at(level, sun);
-        const double* over = light.light.at(level + 1, sun);
+        const double* below = light.light.at(at.level, sun);
+        const double* over = light.light.at(at.level + 1, sun);
         Spectrum* values = values_.data() + static_cast<std::size_t>(sun) * orders;
         for (int l = 0; l <= degree; ++l) {
             for (int m = 0; m <= l; ++m) {
                 const auto lm = static_cast<std::size_t>(moment_index(l, m));
-                values[m] += factors[lm] * ((1 - fraction) * packet_at(below + lm * kChannelSlots) +
-                                            fraction * packet_at(over + lm * kChannelSlots));
+                values[m] +=
+                    factors[lm] * ((1 - at.fraction) * packet_at(below + lm * kChannelSlots) +
+                                   at.fraction * packet_at(over + lm * kChannelSlots));
             }
         }
     }

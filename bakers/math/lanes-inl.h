@@ -1,20 +1,24 @@
-// A vector of doubles with the operators of a double, for every instruction set that Highway
-// dispatches to, and the same operations on a plain double: a kernel written once as a template
-// over `Real` is its own scalar specification, and equals it bit for bit, since each operation here
-// is one correctly rounded IEEE operation and none of them crosses lanes.
+// Vectors of doubles, floats and integers with the operators of a number, for every instruction set
+// that Highway dispatches to, and the same operations on a plain double or float: a kernel written
+// once as a template over `Real` is its own scalar specification, and equals it bit for bit, since
+// each operation here is one correctly rounded IEEE operation, or exact, and none of them crosses
+// lanes: a lane's result does not depend on how many there are.
+//
+// This is for wide loops over many items; channels-inl.h has the four channels of one spectrum.
 //
 // Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
-#if defined(SKYBAKE_BAKERS_CORE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SKYBAKE_BAKERS_CORE_LANES_INL_H_
-#undef SKYBAKE_BAKERS_CORE_LANES_INL_H_
+#if defined(SKYBAKE_BAKERS_MATH_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_MATH_LANES_INL_H_
+#undef SKYBAKE_BAKERS_MATH_LANES_INL_H_
 #else
-#define SKYBAKE_BAKERS_CORE_LANES_INL_H_
+#define SKYBAKE_BAKERS_MATH_LANES_INL_H_
 #endif
 
 #include <hwy/highway.h>
 
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,103 +28,180 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-struct Lanes {
-    using Tag = hn::ScalableTag<double>;
-    using Bits = hn::RebindToUnsigned<Tag>;
-    static constexpr std::size_t kCount = HWY_LANES(double);
+// Which lanes a comparison holds for.
+template <class T>
+struct MaskOf {
+    using Tag = hn::ScalableTag<T>;
+
+    hn::Mask<Tag> m;
+
+    friend HWY_INLINE MaskOf operator&(MaskOf a, MaskOf b) { return {hn::And(a.m, b.m)}; }
+    friend HWY_INLINE MaskOf operator|(MaskOf a, MaskOf b) { return {hn::Or(a.m, b.m)}; }
+    // Lanes of `mask` that are not in `without`.
+    friend HWY_INLINE MaskOf and_not(MaskOf mask, MaskOf without) {
+        return {hn::AndNot(without.m, mask.m)};
+    }
+    friend HWY_INLINE bool any(MaskOf mask) { return !hn::AllFalse(Tag(), mask.m); }
+    friend HWY_INLINE bool all(MaskOf mask) { return hn::AllTrue(Tag(), mask.m); }
+    friend HWY_INLINE std::int64_t count_of(MaskOf mask) {
+        return static_cast<std::int64_t>(hn::CountTrue(Tag(), mask.m));
+    }
+};
+
+// As many numbers of type T as a vector holds. Division, roots and the like are of floating-point
+// types alone; of minima and maxima no operand is NaN.
+template <class T>
+struct LanesOf {
+    using Tag = hn::ScalableTag<T>;
+    using Mask = MaskOf<T>;
+    static constexpr std::size_t kCount = HWY_LANES(T);
 
     hn::Vec<Tag> v;
 
-    Lanes() = default;
-    HWY_INLINE Lanes(double x) : v(hn::Set(Tag(), x)) {}  // NOLINT: constants mix with lanes
-    HWY_INLINE explicit Lanes(hn::Vec<Tag> x) : v(x) {}
-    static HWY_INLINE Lanes load(const double* p) { return Lanes(hn::LoadU(Tag(), p)); }
-    HWY_INLINE void store(double* p) const { hn::StoreU(v, Tag(), p); }
+    LanesOf() = default;
+    HWY_INLINE LanesOf(T x) : v(hn::Set(Tag(), x)) {}  // NOLINT: constants mix with lanes
+    HWY_INLINE explicit LanesOf(hn::Vec<Tag> x) : v(x) {}
+    static HWY_INLINE LanesOf load(const T* p) { return LanesOf(hn::LoadU(Tag(), p)); }
+    HWY_INLINE void store(T* p) const { hn::StoreU(v, Tag(), p); }
+
+    friend HWY_INLINE LanesOf operator+(LanesOf a, LanesOf b) { return LanesOf(hn::Add(a.v, b.v)); }
+    friend HWY_INLINE LanesOf operator-(LanesOf a, LanesOf b) { return LanesOf(hn::Sub(a.v, b.v)); }
+    friend HWY_INLINE LanesOf operator*(LanesOf a, LanesOf b) { return LanesOf(hn::Mul(a.v, b.v)); }
+    friend HWY_INLINE LanesOf operator/(LanesOf a, LanesOf b) { return LanesOf(hn::Div(a.v, b.v)); }
+    friend HWY_INLINE LanesOf operator-(LanesOf a) { return LanesOf(hn::Neg(a.v)); }
+    friend HWY_INLINE Mask operator<(LanesOf a, LanesOf b) { return {hn::Lt(a.v, b.v)}; }
+    friend HWY_INLINE Mask operator<=(LanesOf a, LanesOf b) { return {hn::Le(a.v, b.v)}; }
+    friend HWY_INLINE Mask operator>(LanesOf a, LanesOf b) { return {hn::Gt(a.v, b.v)}; }
+    friend HWY_INLINE Mask operator>=(LanesOf a, LanesOf b) { return {hn::Ge(a.v, b.v)}; }
+    friend HWY_INLINE LanesOf minimum(LanesOf a, LanesOf b) { return LanesOf(hn::Min(a.v, b.v)); }
+    friend HWY_INLINE LanesOf maximum(LanesOf a, LanesOf b) { return LanesOf(hn::Max(a.v, b.v)); }
+    friend HWY_INLINE LanesOf absolute(LanesOf x) { return LanesOf(hn::Abs(x.v)); }
+    friend HWY_INLINE LanesOf square_root(LanesOf x) { return LanesOf(hn::Sqrt(x.v)); }
+    friend HWY_INLINE LanesOf floor_of(LanesOf x) { return LanesOf(hn::Floor(x.v)); }
+    friend HWY_INLINE LanesOf ceil_of(LanesOf x) { return LanesOf(hn::Ceil(x.v)); }
+    friend HWY_INLINE LanesOf select(Mask mask, LanesOf yes, LanesOf no) {
+        return LanesOf(hn::IfThenElse(mask.m, yes.v, no.v));
+    }
+    friend HWY_INLINE LanesOf zero_unless(Mask mask, LanesOf x) {
+        return LanesOf(hn::IfThenElseZero(mask.m, x.v));
+    }
 };
 
-struct LaneMask {
-    hn::Mask<Lanes::Tag> m;
-};
+using Lanes = LanesOf<double>;
+using LaneMask = MaskOf<double>;
+using FloatLanes = LanesOf<float>;
+using FloatMask = MaskOf<float>;
+using IntLanes = LanesOf<std::int32_t>;  // as many as there are floats
 
-HWY_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
-HWY_INLINE Lanes operator-(Lanes a, Lanes b) { return Lanes(hn::Sub(a.v, b.v)); }
-HWY_INLINE Lanes operator*(Lanes a, Lanes b) { return Lanes(hn::Mul(a.v, b.v)); }
-HWY_INLINE Lanes operator/(Lanes a, Lanes b) { return Lanes(hn::Div(a.v, b.v)); }
-HWY_INLINE Lanes operator-(Lanes a) { return Lanes(hn::Neg(a.v)); }
-HWY_INLINE LaneMask operator<(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
-HWY_INLINE LaneMask operator<=(Lanes a, Lanes b) { return {hn::Le(a.v, b.v)}; }
-HWY_INLINE LaneMask operator>(Lanes a, Lanes b) { return {hn::Gt(a.v, b.v)}; }
-HWY_INLINE LaneMask operator>=(Lanes a, Lanes b) { return {hn::Ge(a.v, b.v)}; }
-HWY_INLINE Lanes square_root(Lanes x) { return Lanes(hn::Sqrt(x.v)); }
-HWY_INLINE Lanes minimum(Lanes a, Lanes b) { return Lanes(hn::Min(a.v, b.v)); }
-HWY_INLINE Lanes maximum(Lanes a, Lanes b) { return Lanes(hn::Max(a.v, b.v)); }
-HWY_INLINE Lanes absolute(Lanes x) { return Lanes(hn::Abs(x.v)); }
-HWY_INLINE Lanes select(LaneMask mask, Lanes yes, Lanes no) {
-    return Lanes(hn::IfThenElse(mask.m, yes.v, no.v));
+// The same for one number.
+template <std::floating_point T>
+HWY_INLINE T square_root(T x) {
+    return std::sqrt(x);
 }
-HWY_INLINE bool any(LaneMask mask) { return !hn::AllFalse(Lanes::Tag(), mask.m); }
-HWY_INLINE bool all(LaneMask mask) { return hn::AllTrue(Lanes::Tag(), mask.m); }
+template <std::floating_point T>
+HWY_INLINE T minimum(T a, T b) {
+    return b < a ? b : a;
+}
+template <std::floating_point T>
+HWY_INLINE T maximum(T a, T b) {
+    return a < b ? b : a;
+}
+template <std::floating_point T>
+HWY_INLINE T absolute(T x) {
+    return std::fabs(x);
+}
+template <std::floating_point T>
+HWY_INLINE T select(bool mask, T yes, T no) {
+    return mask ? yes : no;
+}
+HWY_INLINE bool any(bool mask) { return mask; }
+HWY_INLINE bool all(bool mask) { return mask; }
 
-// The operations of transcendental-inl.h on the bits of a double.
-HWY_INLINE auto bits_of(Lanes x) { return hn::BitCast(Lanes::Bits(), x.v); }
+// --- Integers
+// ---------------------------------------------------------------------------------------
+
+// Rounded towards zero; of magnitudes below 2^31.
+HWY_INLINE IntLanes to_int(FloatLanes x) { return IntLanes(hn::ConvertTo(IntLanes::Tag(), x.v)); }
+HWY_INLINE std::int32_t to_int(float x) { return static_cast<std::int32_t>(x); }
+HWY_INLINE FloatLanes to_float(IntLanes x) {
+    return FloatLanes(hn::ConvertTo(FloatLanes::Tag(), x.v));
+}
+HWY_INLINE float to_float(std::int32_t x) { return static_cast<float>(x); }
+HWY_INLINE IntLanes shifted_right(IntLanes x, int by) {
+    return IntLanes(hn::ShiftRightSame(x.v, by));
+}
+HWY_INLINE IntLanes shifted_left(IntLanes x, int by) {
+    return IntLanes(hn::ShiftLeftSame(x.v, by));
+}
+HWY_INLINE FloatLanes gather(const float* values, IntLanes index) {
+    return FloatLanes(hn::GatherIndex(FloatLanes::Tag(), values, index.v));
+}
+HWY_INLINE float gather(const float* values, std::int32_t index) { return values[index]; }
+
+// --- The operations of transcendental-inl.h on the bits of a number
+// ---------------------------------
+
+HWY_INLINE auto bits_of(Lanes x) { return hn::BitCast(hn::RebindToUnsigned<Lanes::Tag>(), x.v); }
 template <class U>
 HWY_INLINE Lanes lanes_of(U bits) {
     return Lanes(hn::BitCast(Lanes::Tag(), bits));
 }
 HWY_INLINE Lanes add_to_bits(Lanes x, std::uint64_t n) {
-    return lanes_of(hn::Add(bits_of(x), hn::Set(Lanes::Bits(), n)));
+    return lanes_of(hn::Add(bits_of(x), hn::Set(hn::RebindToUnsigned<Lanes::Tag>(), n)));
+}
+HWY_INLINE double add_to_bits(double x, std::uint64_t n) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + n);
 }
 HWY_INLINE Lanes and_bits(Lanes x, std::uint64_t n) {
-    return lanes_of(hn::And(bits_of(x), hn::Set(Lanes::Bits(), n)));
+    return lanes_of(hn::And(bits_of(x), hn::Set(hn::RebindToUnsigned<Lanes::Tag>(), n)));
+}
+HWY_INLINE double and_bits(double x, std::uint64_t n) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & n);
 }
 template <int kBy>
 HWY_INLINE Lanes shift_bits_left(Lanes x) {
     return lanes_of(hn::ShiftLeft<kBy>(bits_of(x)));
 }
 template <int kBy>
-HWY_INLINE Lanes shift_bits_right(Lanes x) {
-    return lanes_of(hn::ShiftRight<kBy>(bits_of(x)));
-}
-
-// The same for one double.
-HWY_INLINE double square_root(double x) { return std::sqrt(x); }
-HWY_INLINE double minimum(double a, double b) { return b < a ? b : a; }
-HWY_INLINE double maximum(double a, double b) { return a < b ? b : a; }
-HWY_INLINE double absolute(double x) { return std::fabs(x); }
-HWY_INLINE double select(bool mask, double yes, double no) { return mask ? yes : no; }
-HWY_INLINE bool any(bool mask) { return mask; }
-HWY_INLINE bool all(bool mask) { return mask; }
-HWY_INLINE double add_to_bits(double x, std::uint64_t n) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + n);
-}
-HWY_INLINE double and_bits(double x, std::uint64_t n) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & n);
-}
-template <int kBy>
 HWY_INLINE double shift_bits_left(double x) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) << kBy);
+}
+template <int kBy>
+HWY_INLINE Lanes shift_bits_right(Lanes x) {
+    return lanes_of(hn::ShiftRight<kBy>(bits_of(x)));
 }
 template <int kBy>
 HWY_INLINE double shift_bits_right(double x) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) >> kBy);
 }
+// 2^n for a number whose lowest bits are those of the integer n in [-126, 127].
+HWY_INLINE FloatLanes power_of_two(FloatLanes shifted) {
+    const auto bits = hn::BitCast(IntLanes::Tag(), shifted.v);
+    const auto exponent = hn::ShiftLeft<23>(hn::Add(bits, hn::Set(IntLanes::Tag(), 127)));
+    return FloatLanes(hn::BitCast(FloatLanes::Tag(), exponent));
+}
+HWY_INLINE float power_of_two(float shifted) {
+    return std::bit_cast<float>((std::bit_cast<std::uint32_t>(shifted) + 127U) << 23);
+}
 
 // How a template over Real walks an array, kCount elements at a time.
 template <class Real>
 struct LaneAccess {
-    static constexpr int kCount = static_cast<int>(Lanes::kCount);
-    static HWY_INLINE Lanes load(const double* p) { return Lanes::load(p); }
-    static HWY_INLINE void store(Lanes x, double* p) { x.store(p); }
-};
-template <>
-struct LaneAccess<double> {
+    using Number = Real;
     static constexpr int kCount = 1;
-    static HWY_INLINE double load(const double* p) { return *p; }
-    static HWY_INLINE void store(double x, double* p) { *p = x; }
+    static HWY_INLINE Real load(const Real* p) { return *p; }
+    static HWY_INLINE void store(Real x, Real* p) { *p = x; }
+};
+template <class T>
+struct LaneAccess<LanesOf<T>> {
+    using Number = T;
+    static constexpr int kCount = static_cast<int>(LanesOf<T>::kCount);
+    static HWY_INLINE LanesOf<T> load(const T* p) { return LanesOf<T>::load(p); }
+    static HWY_INLINE void store(LanesOf<T> x, T* p) { x.store(p); }
 };
 
 }  // namespace HWY_NAMESPACE
 }  // namespace skybake
 HWY_AFTER_NAMESPACE();
 
-#endif  // SKYBAKE_BAKERS_CORE_LANES_INL_H_
+#endif  // SKYBAKE_BAKERS_MATH_LANES_INL_H_

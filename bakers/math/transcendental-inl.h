@@ -2,14 +2,16 @@
 // only additions, multiplications, divisions and square roots, each correctly rounded, in one
 // order. The C library's own change with the CPU it finds (FMA or not).
 //
-// Real is double or Lanes. The bounds in ulp are measured against 113-bit arithmetic over 10^6
-// arguments (transcendental_test.cpp).
+// Real is double, Lanes or Channels, or of exponential_of_negative float or FloatLanes. The bounds
+// in ulp are measured against 113-bit arithmetic over 10^6 arguments (transcendental_test.cpp).
 #if defined(SKYBAKE_BAKERS_CORE_TRANSCENDENTAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_CORE_TRANSCENDENTAL_INL_H_
 #undef SKYBAKE_BAKERS_CORE_TRANSCENDENTAL_INL_H_
 #else
 #define SKYBAKE_BAKERS_CORE_TRANSCENDENTAL_INL_H_
 #endif
+
+#include <numbers>
 
 #include "bakers/math/lanes-inl.h"
 
@@ -23,7 +25,6 @@ constexpr double kLn2High = 0x1.62e42fefa0000p-1;
 constexpr double kLn2Low = 0x1.cf79abc9e3b3ap-40;
 // Adding 1.5 * 2^52 to a number below 2^51 leaves its nearest integer in the low bits of the sum.
 constexpr double kRoundToInteger = 0x1.8p52;
-constexpr double kPi = 0x1.921fb54442d18p1;
 
 // e^x for any x that is not NaN, within 1.5 ulp; 0 below -708, where e^x leaves the normal doubles,
 // infinity where it overflows.
@@ -54,6 +55,27 @@ HWY_INLINE Real exponential(Real x) {
     const Real half_scale = add_to_bits(shift_bits_left<52>(shifted), std::uint64_t{1022} << 52);
     const Real scaled = value * half_scale * Real(2.0);
     return select(x < Real(-708.0), Real(0.0), scaled);
+}
+
+// e^x for x <= 0, within 2 units in the last place; 0 below -87, where e^x leaves the normal
+// floats.
+template <class Real>
+HWY_INLINE Real exponential_of_negative(Real x) {
+    // e^x = 2^n e^r with n = round(x / ln 2), |r| <= ln 2 / 2: adding 1.5 * 2^23 leaves n in the
+    // low bits. Of ln 2 the first part has 9 trailing zero bits, so that n times it is exact.
+    // Taylor's series for e^r: the first term left out is r^8 / 8! < 6e-9.
+    const Real inside = maximum(x, Real(-87.0F));
+    const Real shifted = inside * Real(1.44269504F) + Real(12582912.0F);
+    const Real n = shifted - Real(12582912.0F);
+    const Real r = (inside - n * Real(0.693359375F)) - n * Real(-2.12194440e-4F);
+    Real p = Real(1.0F / 5040.0F);
+    p = p * r + Real(1.0F / 720.0F);
+    p = p * r + Real(1.0F / 120.0F);
+    p = p * r + Real(1.0F / 24.0F);
+    p = p * r + Real(1.0F / 6.0F);
+    p = p * r + Real(0.5F);
+    p = p * r * r + r + Real(1.0F);
+    return select(x < Real(-87.0F), Real(0.0F), p * power_of_two(shifted));
 }
 
 // ln x for normal x > 0, within 1.5 ulp.
@@ -111,8 +133,10 @@ HWY_INLINE Real arc_cosine(Real x) {
     p = p * z + Real(0.16666666666666667827);
     const Real arc_sine = t + t * z * p;
     const auto negative = x < Real(0.0);
-    const Real near = select(negative, Real(kPi * 0.5) + arc_sine, Real(kPi * 0.5) - arc_sine);
-    const Real far = select(negative, Real(kPi) - Real(2.0) * arc_sine, Real(2.0) * arc_sine);
+    const Real near = select(negative, Real(std::numbers::pi * 0.5) + arc_sine,
+                             Real(std::numbers::pi * 0.5) - arc_sine);
+    const Real far =
+        select(negative, Real(std::numbers::pi) - Real(2.0) * arc_sine, Real(2.0) * arc_sine);
     return select(outer, far, near);
 }
 
@@ -121,7 +145,7 @@ template <class Real>
 HWY_INLINE Real cosine_of_pi(Real x) {
     // cos(pi x) = sin(pi (1/2 - x)), and sin(pi t) for |t| <= 1/2 by Taylor's series: the first
     // term left out is (pi/2)^23 / 23! < 2e-18.
-    const Real t = (Real(0.5) - x) * Real(kPi);
+    const Real t = (Real(0.5) - x) * Real(std::numbers::pi);
     const Real z = t * t;
     Real p = Real(-1.0 / 51090942171709440000.0);
     p = p * z + Real(1.0 / 121645100408832000.0);

@@ -2,12 +2,11 @@
 
 #include <cmath>
 
-#include "bakers/math/channels.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bakers/math/transcendental.cpp"
 #include <hwy/foreach_target.h>
 
+#include "bakers/math/channels-inl.h"
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,9 +32,11 @@ namespace skybake {
 HWY_EXPORT(Exponentials);
 
 double exponential(double x) { return HWY_NAMESPACE::exponential(x); }
-Channels exponential(const Channels& x) { return HWY_NAMESPACE::exponential(x); }
+HWY_NAMESPACE::Channels exponential(const HWY_NAMESPACE::Channels& x) {
+    return HWY_NAMESPACE::exponential(x);
+}
 Spectrum exponential(const Spectrum& x) {
-    return HWY_NAMESPACE::exponential(Channels(x)).spectrum();
+    return HWY_NAMESPACE::exponential(HWY_NAMESPACE::Channels(x)).spectrum();
 }
 double logarithm(double x) { return HWY_NAMESPACE::logarithm(x); }
 double arc_cosine(double x) { return HWY_NAMESPACE::arc_cosine(x); }

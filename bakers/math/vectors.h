@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/ext/vector_double3.hpp>
 #include <glm/ext/vector_double4.hpp>
 
@@ -22,6 +23,7 @@ inline constexpr int kMaxChannels = 3;
 // the others nothing scatters, absorbs or shines: coefficients, depths and radiances are 0 there,
 // and transmittances are 1 or 0.
 using Spectrum = glm::dvec4;
+inline constexpr std::size_t kChannelSlots = 4;  // of a packet in memory
 
 // Its components in memory: GLM's own subscript compares the index with each in turn.
 inline double* data(Spectrum& packet) { return &packet.x; }

@@ -145,7 +145,7 @@ std::string svg_of(const Drawing& drawing, std::string_view comment);
 // Why charts cannot be drawn as they should be, or nothing: the error E0300 without the module, the
 // warning W0302 without the font DejaVu Sans, where charts have no text. To be asked before charts
 // are drawn; without the module they are blank.
-std::optional<config::Diagnostic> chart_problem();
+[[nodiscard]] std::optional<config::Diagnostic> chart_problem();
 
 // What the module exports. For any number of threads.
 struct ChartModule {

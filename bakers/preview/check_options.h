@@ -19,13 +19,13 @@ LitPictures lit_pictures_of(std::span<const config::Bake> bakes);
 LitPictures lit_pictures_of(const PreviewAssets& assets);
 
 // E0001 for each option that was given and that no picture uses.
-std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
-                                               const PreviewOptions& options);
+[[nodiscard]] std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
+                                                             const PreviewOptions& options);
 
 // E0110 where options.altitude_m is above the top of the air of a sky that is to be shown: the
 // tables end there. Nothing where there is no sky to show.
-std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
-                                                   const PreviewOptions& options);
+[[nodiscard]] std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
+                                                                 const PreviewOptions& options);
 
 // Volumes of at most `most_voxels` along an edge in their own proportions and without further
 // levels of detail; tables of at most 256 x 64 and 32 x 32 texels, with a fixed size in place of an

@@ -31,7 +31,7 @@ void find_plots(const std::filesystem::path& folder, PreviewAssets& assets);
 // Measures each asset of the recipe by a quick report and adds its plot; assets that have nothing
 // to plot get none. Errors as of report_asset; none and assets without plots: the user has
 // interrupted.
-std::vector<config::Diagnostic> measure_plots(PreviewAssets& assets, int threads,
-                                              Progress* progress);
+[[nodiscard]] std::vector<config::Diagnostic> measure_plots(PreviewAssets& assets, int threads,
+                                                            Progress* progress);
 
 }  // namespace skybake

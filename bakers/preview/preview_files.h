@@ -36,7 +36,7 @@ class PictureEncoder {
                                     const std::function<std::vector<PreviewPicture>()>& make);
 
     // Ends the round: what png_bytes could not do.
-    std::vector<config::Diagnostic> finish();
+    [[nodiscard]] std::vector<config::Diagnostic> finish();
 
   private:
     std::vector<PagePicture> encoded(const std::vector<PreviewPicture>& pictures);
@@ -64,8 +64,8 @@ std::vector<std::string> preview_file_names(const PreviewPage& page);
 std::vector<std::string> earlier_preview_files(const std::filesystem::path& folder);
 
 // E0303 for each of these files that is in the folder and not among `earlier`.
-std::vector<config::Diagnostic> foreign_preview_files(const std::filesystem::path& folder,
-                                                      const std::vector<std::string>& names,
-                                                      const std::vector<std::string>& earlier);
+[[nodiscard]] std::vector<config::Diagnostic> foreign_preview_files(
+    const std::filesystem::path& folder, const std::vector<std::string>& names,
+    const std::vector<std::string>& earlier);
 
 }  // namespace skybake

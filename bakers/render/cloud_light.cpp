@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bakers/air/particles/phase_function.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 
@@ -150,15 +151,7 @@ DiffuseShare diffuse_share(const CloudMedium& medium, int block, int threads) {
     return result;
 }
 
-namespace {
-
-// 1 + g^2 - 2 g u = (1 - g)^2 + 2 g (1 - u), without cancellation.
-double henyey_greenstein(double g, double offset) {
-    const double base = (1 - g) * (1 - g) + 2 * g * offset;
-    return (1 - g) * (1 + g) / (4 * std::numbers::pi * base * std::sqrt(base));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 DropletPhase droplet_phase(double diameter_um) {
     const double d = diameter_um;
@@ -174,13 +167,8 @@ DropletPhase widened(const DropletPhase& phase, double eccentricity) {
 }
 
 double phase_value(const DropletPhase& phase, double offset) {
-    const double u = 1 - offset;
-    const double g = phase.draine_g;
-    const double alpha = phase.draine_alpha;
-    const double draine =
-        henyey_greenstein(g, offset) * (1 + alpha * u * u) / (1 + alpha * (1 + 2 * g * g) / 3);
-    return (1 - phase.draine_share) * henyey_greenstein(phase.hg_g, offset) +
-           phase.draine_share * draine;
+    return (1 - phase.draine_share) * henyey_greenstein(phase.hg_g, offset, 2 - offset) +
+           phase.draine_share * draine(phase.draine_g, phase.draine_alpha, offset, 2 - offset);
 }
 
 // Draine's, by the moments 1, g and (1 + 2 g^2) / 3, (3 g + 2 g^3) / 5 of u, u^2 and u^3 under

@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "bakers/math/transcendental-inl.h"
 #include "bakers/render/cloud_medium.h"
-#include "bakers/render/float_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {

@@ -11,6 +11,7 @@
 
 #include "bakers/render/cloud_rays.h"
 
+#include "bakers/air/particles/phase_function-inl.h"
 #include "bakers/render/cloud_leap-inl.h"
 #include "bakers/render/cloud_path-inl.h"
 #include "bakers/render/sun_march-inl.h"
@@ -28,10 +29,9 @@ struct OctaveLanes {
 };
 
 HWY_INLINE FloatLanes henyey_greenstein(double g, FloatLanes offset) {
-    const FloatLanes base = FloatLanes(static_cast<float>((1 - g) * (1 - g))) +
-                            FloatLanes(static_cast<float>(2 * g)) * offset;
     return FloatLanes(static_cast<float>((1 - g) * (1 + g) / 4)) /
-           (FloatLanes(kPi) * base * square_root(base));
+           (FloatLanes(kPi) * henyey_greenstein_denominator(static_cast<float>(g), offset,
+                                                            FloatLanes(2.0F) - offset));
 }
 
 HWY_INLINE OctaveLanes octaves_at(const CloudMarch& march, FloatLanes offset) {

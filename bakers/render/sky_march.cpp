@@ -7,7 +7,8 @@
 #include <cstddef>
 #include <numbers>
 
-#include "bakers/render/float_lanes-inl.h"
+#include "bakers/air/particles/phase_function-inl.h"
+#include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -22,11 +23,11 @@ HWY_INLINE void look_up(const LookupTable& table, Real x, Real y, Real* value) {
                                 Real(static_cast<float>(table.width - 1)));
     const Real up = minimum(maximum(y * Real(table.scale_y) + Real(table.offset_y), Real(0.0f)),
                             Real(static_cast<float>(table.height - 1)));
-    const auto column = whole_part(across);
-    const auto row = whole_part(up);
-    const Real s = across - as_float(column);
-    const Real t = up - as_float(row);
-    const auto index = times(times(row, table.texels_per_row) + column, kChannels);
+    const auto column = to_int(across);
+    const auto row = to_int(up);
+    const Real s = across - to_float(column);
+    const Real t = up - to_float(row);
+    const auto index = (row * table.texels_per_row + column) * kChannels;
     const float* low = table.texels.data();
     const float* high = low + table.texels_per_row * kChannels;
     const Real low_left = (Real(1.0f) - s) * (Real(1.0f) - t);
@@ -100,15 +101,6 @@ HWY_INLINE Real density_at(const MarchLayer& layer, Real altitude_km) {
                          select(altitude_km < Real(piece.top_km), within, Real(0.0f)));
     }
     return density;
-}
-
-template <class Real>
-HWY_INLINE Real phase_value(const MarchLayer& layer, Real cosine, Real one_minus, Real one_plus) {
-    const float g = absolute(layer.phase_g);
-    const Real denominator =
-        Real((1 - g) * (1 - g)) + Real(2 * g) * (layer.phase_g < 0 ? one_plus : one_minus);
-    return (Real(layer.phase_constant) + Real(layer.phase_quadratic) * (cosine * cosine)) /
-           (denominator * square_root(denominator));
 }
 
 // (1 - e^-x) / x for x >= 0, `transmitted` being e^-x: by its series where the difference would
@@ -199,7 +191,7 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
     }
     for (const MarchLayer& layer : sky.layers) {
         const Real density = density_at(layer, altitude_km);
-        const Real phase = FloatAccess<Real>::load(phases);
+        const Real phase = LaneAccess<Real>::load(phases);
         phases += stride;
         for (int c = 0; c < kChannels; ++c) {
             const auto channel = static_cast<std::size_t>(c);
@@ -262,7 +254,7 @@ HWY_INLINE void march(const SkyMarch& sky, Real mu, Real cosine_to_sun, const fl
 
 template <class Real, int kChannels>
 HWY_INLINE void march_all(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
-    using Access = FloatAccess<Real>;
+    using Access = LaneAccess<Real>;
     std::vector<float> phases(sky.layers.size() * Access::kCount);
     for (int i = 0; i < rays.count; i += Access::kCount) {
         const auto at = static_cast<std::size_t>(i);
@@ -270,7 +262,9 @@ HWY_INLINE void march_all(const SkyMarch& sky, const MarchRays& rays, float* rad
         const Real one_minus = Access::load(rays.one_minus_cosine.data() + at);
         const Real one_plus = Access::load(rays.one_plus_cosine.data() + at);
         for (std::size_t layer = 0; layer < sky.layers.size(); ++layer) {
-            Access::store(phase_value(sky.layers[layer], cosine, one_minus, one_plus),
+            Access::store(closed_phase_value(sky.layers[layer].phase_constant,
+                                             sky.layers[layer].phase_quadratic,
+                                             sky.layers[layer].phase_g, one_minus, one_plus),
                           phases.data() + layer * Access::kCount);
         }
         Real value[kChannels];

@@ -36,8 +36,8 @@ std::vector<std::string> report_file_names(const std::vector<std::string>& asset
 bool is_report_text(std::string_view name, std::string_view text);
 
 // E0303 for each file of these names that is in the folder and is not a report's.
-std::vector<config::Diagnostic> foreign_report_files(const std::filesystem::path& folder,
-                                                     const std::vector<std::string>& names);
+[[nodiscard]] std::vector<config::Diagnostic> foreign_report_files(
+    const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 // The plots of reports, as SVG files.
 

@@ -31,7 +31,7 @@ struct Diagnostic {
 
 // A value, or the diagnostics that say why there is none; warnings may accompany a value.
 template <class T>
-struct Outcome {
+struct [[nodiscard]] Outcome {
     std::optional<T> value;
     std::vector<Diagnostic> diagnostics;
 };
@@ -47,7 +47,7 @@ class DiagnosticList {
 
     // Warnings, then errors, each sorted by source, line and column. More than a person can read is
     // cut off, and a last diagnostic says how many more there were.
-    std::vector<Diagnostic> take();
+    [[nodiscard]] std::vector<Diagnostic> take();
 
   private:
     struct Item {

@@ -1,4 +1,5 @@
 #include "bakers/assets/bruneton/bruneton_volume.h"
+#include "bakers/air/particles/phase_function.h"
 
 #include <gtest/gtest.h>
 

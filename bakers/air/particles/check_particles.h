@@ -11,6 +11,6 @@ namespace skybake {
 
 // E0144 of each kind of particles whose largest spheres are beyond kLargestSizeParameter, and of
 // each layer whose extinction is beyond what coefficients may be.
-std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters);
+[[nodiscard]] std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters);
 
 }  // namespace skybake

@@ -1,7 +1,8 @@
 #include "bakers/air/particles/phase_function.h"
 
-#include <cmath>
 #include <numbers>
+
+#include "bakers/air/particles/phase_function-inl.h"
 
 namespace skybake {
 
@@ -24,12 +25,21 @@ PhaseFunction make_phase_function(config::Phase phase, double g) {
 
 double phase_value(const PhaseFunction& phase, double one_minus_cosine, double one_plus_cosine) {
     if (phase.table) return tabulated_phase_value(*phase.table, one_minus_cosine, one_plus_cosine);
-    const double g = std::fabs(phase.g);
-    const double apart = phase.g < 0 ? one_plus_cosine : one_minus_cosine;
-    const double denominator = (1 - g) * (1 - g) + 2 * g * apart;
-    const double cosine = 0.5 * (one_plus_cosine - one_minus_cosine);
-    return (phase.constant + phase.quadratic * cosine * cosine) /
-           (denominator * std::sqrt(denominator));
+    return HWY_NAMESPACE::closed_phase_value(phase.constant, phase.quadratic, phase.g,
+                                             one_minus_cosine, one_plus_cosine);
 }
+
+double henyey_greenstein(double g, double one_minus_cosine, double one_plus_cosine) {
+    return std::numbers::inv_pi / 4 * (1 - g) * (1 + g) /
+           HWY_NAMESPACE::henyey_greenstein_denominator(g, one_minus_cosine, one_plus_cosine);
+}
+
+double draine(double g, double alpha, double one_minus_cosine, double one_plus_cosine) {
+    const double nu = 0.5 * (one_plus_cosine - one_minus_cosine);
+    return henyey_greenstein(g, one_minus_cosine, one_plus_cosine) * (1 + alpha * nu * nu) /
+           (1 + alpha * (1 + 2 * g * g) / 3);
+}
+
+double rayleigh_phase(double nu) { return 3 / (16 * std::numbers::pi) * (1 + nu * nu); }
 
 }  // namespace skybake

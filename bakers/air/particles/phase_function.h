@@ -34,4 +34,14 @@ PhaseFunction make_phase_function(config::Phase phase, double g);
 // p at nu = cosine, told by 1 - nu and 1 + nu.
 double phase_value(const PhaseFunction& phase, double one_minus_cosine, double one_plus_cosine);
 
+// Forms that are fitted to a phase function, in 1/sr; alpha 0 of Draine's is Henyey-Greenstein's, 1
+// Cornette-Shanks' (Draine 2003). They are not phase_value of make_phase_function's numbers, since
+// these round differently, and fits would change in their last digits.
+double henyey_greenstein(double g, double one_minus_cosine, double one_plus_cosine);
+double draine(double g, double alpha, double one_minus_cosine, double one_plus_cosine);
+
+// Rayleigh's of nu, in 1/sr, in the words of the lookups by which runtimes multiply. It rounds
+// otherwise than a + b nu^2.
+double rayleigh_phase(double nu);
+
 }  // namespace skybake

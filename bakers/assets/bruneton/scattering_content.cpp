@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bakers/air/particles/phase_function.h"
 #include "config/assets/bruneton.h"
 
 namespace skybake {
@@ -25,8 +26,6 @@ Spectrum true_phase_at(const SkyLayer& layer, double nu) {
 double not_negative(double value) { return value > 0 ? value : 0; }
 
 }  // namespace
-
-double rayleigh_phase(double nu) { return 3 / (16 * std::numbers::pi) * (1 + nu * nu); }
 
 ScatteringContent::ScatteringContent(const SkyMedium& medium, const config::BrunetonBake& bake)
     : medium_(medium),

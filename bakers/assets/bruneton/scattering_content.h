@@ -64,6 +64,4 @@ class ScatteringContent {
     std::vector<double> solar_irradiance_;
 };
 
-double rayleigh_phase(double nu);
-
 }  // namespace skybake

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/image.h"

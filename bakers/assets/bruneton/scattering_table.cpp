@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/field/pixel_type.h"

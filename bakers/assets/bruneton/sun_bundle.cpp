@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "bakers/air/transmittance_row-inl.h"
-#include "bakers/light/solver/channel_lanes-inl.h"
+#include "bakers/light/solver/sun_axis-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -48,24 +48,18 @@ void AddSunlight(const TransmittanceField& field, const ScatteringView& view,
         combine_row<Lanes>(field, node.altitude_km, row.data());
         const NodePlace place(shell, view, node);
         const double horizon = horizon_distance_km(shell, node.altitude_km);
-        const double gain = shell.thickness_km - node.altitude_km;
-        const double q = gain * (2 * place.radius_km + gain);
-        const double scale = (field.columns() - 1) /
-                             (horizon + horizon_distance_km(shell, shell.thickness_km) - gain);
+        const SunlightRow sunlight_at = sunlight_row(field, node.altitude_km, row.data());
         for (int i = 0; i < suns.count; i += static_cast<int>(Lanes::kCount)) {
             const Lanes here = Lanes::load(lit.data() + i);
             if (!any(here > Lanes(0.0))) continue;
             const Lanes s =
                 minimum(maximum(place.sun_s_km(suns, i), Lanes(-horizon)), Lanes(place.radius_km));
             // distance_to_top_km of ray.h.
-            const Lanes root = square_root(s * s + Lanes(q));
+            const Lanes root = square_root(s * s + Lanes(sunlight_at.q));
             const Lanes distance =
-                select(s > Lanes(0.0), Lanes(q) / (root + absolute(s)), root - s);
-            const Lanes column =
-                minimum(maximum((distance - Lanes(gain)) * Lanes(scale), Lanes(0.0)),
-                        Lanes(field.columns() - 1.0));
+                select(s > Lanes(0.0), Lanes(sunlight_at.q) / (root + absolute(s)), root - s);
             Lanes value[kMaxChannels];
-            read_row(row.data(), field.row_stride(), column, field.channels(), value);
+            read_sunlight(sunlight_at, distance, value);
             for (int c = 0; c < field.channels(); ++c) {
                 const auto channel = static_cast<std::size_t>(c);
                 const Lanes sunlight = value[c] * here;
@@ -98,8 +92,6 @@ class SolvedNode {
     void add(double* scattered) const;
 
   private:
-    void flatten_steep(std::size_t first, const double* fractions);
-
     const SolvedLight& light_;
     const NodePlace& place_;
     const SunBundle& suns_;
@@ -112,7 +104,6 @@ class SolvedNode {
 
 void SolvedNode::place_suns() {
     const SunAxis& axis = light_.suns;
-    const hn::ScalableTag<std::int64_t> integers;
     const Lanes mu(place_.view_cosine);
     const Lanes squared_view_sine = (Lanes(1.0) - mu) * (Lanes(1.0) + mu);
     for (int i = 0; i < suns_.count; i += static_cast<int>(Lanes::kCount)) {
@@ -120,28 +111,7 @@ void SolvedNode::place_suns() {
             maximum(minimum(place_.sun_s_km(suns_, i) * Lanes(1 / place_.radius_km), Lanes(1.0)),
                     Lanes(-1.0));
         const Lanes there = maximum(cosine, Lanes(axis.darkest));
-        // sun_stencil of sun_axis.h.
-        const Lanes x = (there - Lanes(axis.centre)) * Lanes(1 / axis.width);
-        const Lanes u = Lanes(axis.offset) + Lanes(axis.even) * there +
-                        Lanes(axis.dense) * (x / square_root(Lanes(1.0) + x * x));
-        const Lanes below = Lanes(hn::Floor(u.v)) - Lanes(1.0);
-        const Lanes column =
-            minimum(maximum(below, Lanes(0.0)), Lanes(static_cast<double>(axis.count() - 4)));
-        const auto index = hn::ConvertTo(integers, column.v);
-        hn::StoreU(index, integers, columns_.data() + i);
-        const Lanes t = u - column - Lanes(1.0);
-        const Lanes inner = (t + Lanes(1.0)) * (Lanes(2.0) - t);
-        const Lanes outer = t * (t - Lanes(1.0));
-        const Lanes w0 = outer * (Lanes(2.0) - t) * Lanes(1.0 / 6);
-        const Lanes w1 = Lanes(0.0) - inner * (t - Lanes(1.0)) * Lanes(0.5);
-        const Lanes w2 = inner * t * Lanes(0.5);
-        const Lanes w3 = outer * (t + Lanes(1.0)) * Lanes(1.0 / 6);
-        hn::StoreInterleaved4(w0.v, w1.v, w2.v, w3.v, Lanes::Tag(), weights_.data() + 4 * i);
-        if (any(Lanes(hn::GatherIndex(Lanes::Tag(), light_.steep.data(), index)) > Lanes(0.0))) {
-            std::array<double, Lanes::kCount> fractions;
-            t.store(fractions.data());
-            flatten_steep(static_cast<std::size_t>(i), fractions.data());
-        }
+        place_on_axis(axis, light_.steep, there, columns_.data() + i, weights_.data() + 4 * i);
         // (sin theta sin theta_s)^m cos(m phi) by Chebyshev's recursion: polynomials of nu.
         const Lanes first_power = Lanes::load(suns_.nu.data() + i) - mu * cosine;
         const Lanes squared_sines =
@@ -154,22 +124,6 @@ void SolvedNode::place_suns() {
             last = next;
             next = after_next;
         }
-    }
-}
-
-// Where light falls too fast for cubics: linear between the two columns around.
-void SolvedNode::flatten_steep(std::size_t first, const double* fractions) {
-    const int last = light_.suns.count() - 2;
-    for (std::size_t k = 0; k < Lanes::kCount; ++k) {
-        const auto column = static_cast<int>(columns_[first + k]);
-        if (!(light_.steep[static_cast<std::size_t>(column)] > 0)) continue;
-        double* weights = weights_.data() + (first + k) * 4;
-        const double from = column + 1 + fractions[k];
-        const int at = std::clamp(static_cast<int>(from), 0, last);
-        const double share = std::clamp(from - at, 0.0, 1.0);
-        std::fill(weights, weights + 4, 0.0);
-        weights[at - column] = 1 - share;
-        weights[at - column + 1] = share;
     }
 }
 
@@ -190,23 +144,17 @@ void SolvedNode::gather_rows(const BundleNode& node,
             factors[lm] = sum * harmonics[lm];
         }
     }
-    const std::vector<double>& levels = light_.altitudes_km;
-    const auto above = std::upper_bound(levels.begin(), levels.end(), node.altitude_km);
-    const int level = std::clamp(static_cast<int>(above - levels.begin()) - 1, 0,
-                                 static_cast<int>(levels.size()) - 2);
-    const double low = levels[static_cast<std::size_t>(level)];
-    const double fraction =
-        (node.altitude_km - low) / (levels[static_cast<std::size_t>(level) + 1] - low);
-    const Channels near = Channels::all(1 - fraction);
-    const Channels far = Channels::all(fraction);
+    const LevelPlace at_level = light_.level_at(node.altitude_km);
+    const Channels near(1 - at_level.fraction);
+    const Channels far(at_level.fraction);
     rows_.assign(static_cast<std::size_t>(light_.suns.count()) * orders_ * kChannelSlots, 0.0);
     const auto [first, last] = std::minmax_element(columns_.begin(), columns_.end());
     for (std::int64_t sun = *first; sun < *last + 4; ++sun) {
-        const double* under = light_.light.at(level, static_cast<int>(sun));
-        const double* over = light_.light.at(level + 1, static_cast<int>(sun));
+        const double* under = light_.light.at(at_level.level, static_cast<int>(sun));
+        const double* over = light_.light.at(at_level.level + 1, static_cast<int>(sun));
         double* row = rows_.data() + static_cast<std::size_t>(sun) * orders_ * kChannelSlots;
         for (std::size_t m = 0; m < orders_; ++m) {
-            Channels sum = Channels::all(0);
+            Channels sum(0.0);
             for (std::size_t l = m; l < orders_; ++l) {
                 const std::size_t lm = l * (l + 1) / 2 + m;
                 const std::size_t at = lm * kChannelSlots;

@@ -16,6 +16,6 @@ config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
 
 // Reads every map that a cloud of the recipe names, whether it is baked or not. E0300, E0304, at
 // the recipe's line.
-std::vector<config::Diagnostic> check_maps(const config::Parameters& parameters);
+[[nodiscard]] std::vector<config::Diagnostic> check_maps(const config::Parameters& parameters);
 
 }  // namespace skybake

@@ -254,9 +254,10 @@ FitSample sample_scene(const Shell& shell, const SunAxis& axis, const FitScene& 
         const double horizon = -horizon_distance_km(shell, altitude_km) / r;
         // From space the sky ends where rays graze the top of the air.
         const double above_top_km = altitude_km - shell.thickness_km;
-        const double top = shell.ground_radius_km + shell.thickness_km;
         const double edge =
-            above_top_km > 0 ? -std::sqrt(above_top_km * (2 * top + above_top_km)) / r : 1;
+            above_top_km > 0
+                ? -std::sqrt(square_gain_km2(shell, shell.thickness_km, above_top_km)) / r
+                : 1;
         sample.cameras_km.push_back(altitude_km);
         add_views(i, horizon, edge, density.sky_views, false, sample.views);
         if (altitude_km > 0) {

@@ -18,37 +18,23 @@ namespace HWY_NAMESPACE {
 // A point that the sun shines on, and what reading its transmittance takes.
 struct LitPoint {
     double r_km;
-    double dark_below_km;   // the sun is down for r mu_s below this
-    double q;               // R_top^2 - r^2
-    double nearest_top_km;  // d_min
-    double columns_per_km;
+    double dark_below_km;    // the sun is down for r mu_s below this
     bool horizontal_ground;  // weight sunlight by its cosine
-    const double* row;       // transmittance at this altitude
-    int row_stride;
-    double last_column;
+    SunlightRow sunlight;    // transmittance at this altitude
 };
 
 HWY_INLINE LitPoint lit_point(const TransmittanceField& field, double altitude_km,
                               const double* row) {
     const Shell& shell = field.shell();
-    const double rho = horizon_distance_km(shell, altitude_km);
-    const double gain = shell.thickness_km - altitude_km;
-    const double r = shell.ground_radius_km + altitude_km;
-    const double farthest = rho + horizon_distance_km(shell, shell.thickness_km);
-    const double last_column = field.columns() - 1.0;
-    return {r,     -rho, gain * (2 * r + gain), gain,       last_column / (farthest - gain),
-            false, row,  field.row_stride(),    last_column};
+    return {shell.ground_radius_km + altitude_km, -horizon_distance_km(shell, altitude_km), false,
+            sunlight_row(field, altitude_km, row)};
 }
 
 // Adds weight * sunlight to `sum` for a sun at r mu_s = s.
 template <class Real>
 HWY_INLINE void add_sunlight(const LitPoint& point, Real s, Real weight, int channels, Real* sum) {
-    const Real d = square_root(s * s + Real(point.q)) - s;
-    const Real column = (d - Real(point.nearest_top_km)) * Real(point.columns_per_km);
-    // Rounding alone leaves the row at its ends.
-    const Real inside = minimum(maximum(column, Real(0.0)), Real(point.last_column));
     Real value[kMaxChannels];
-    read_row(point.row, point.row_stride, inside, channels, value);
+    read_sunlight(point.sunlight, distance_to_top(point.sunlight, s), value);
     if (point.horizontal_ground) weight = weight * maximum(s, Real(0.0)) * Real(1.0 / point.r_km);
     for (int c = 0; c < channels; ++c) sum[c] = sum[c] + weight * value[c];
 }
@@ -70,7 +56,7 @@ HWY_INLINE void mean_over_circle(const LitPoint& point, int azimuths, Real a, Re
 HWY_INLINE void mean_over_lit_part(const LitPoint& point, int azimuths, double a, double b,
                                    int channels, double* mean) {
     const double cosine = minimum(maximum((point.dark_below_km - a) / b, -1.0), 1.0);
-    const double lit_share = arc_cosine(cosine) * (1.0 / kPi);
+    const double lit_share = arc_cosine(cosine) * (1.0 / std::numbers::pi);
     const AzimuthRule& rule = lit_part_rule(azimuths);
     for (int c = 0; c < channels; ++c) mean[c] = 0;
     for (int i = 0; i < rule.count; ++i) {
@@ -160,7 +146,7 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
         const double sine = square_root(maximum((1 - ray.mu) * (1 + ray.mu), 0.0));
         for (std::size_t k = 0; k < ray.nodes.size(); ++k) {
             const RayNode& node = ray.nodes[k];
-            const Spectrum weight = ray.weight * node.weight * (0.25 / kPi);
+            const Spectrum weight = ray.weight * node.weight * (0.25 / std::numbers::pi);
             if (largest(weight) == 0) continue;
             const double* values = k == 0 ? start_row.data() : row.data();
             if (node.level >= 0) {
@@ -174,7 +160,7 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
         }
         if (!ray.hits_ground) continue;
         Spectrum weight{};
-        weight = ray.weight * ray.end_transmittance * medium.ground_albedo / kPi;
+        weight = ray.weight * ray.end_transmittance * medium.ground_albedo / std::numbers::pi;
         add_point<Real>(ground, ray.ground_azimuths, r + ray.length_km * ray.mu,
                         ray.length_km * sine, weight, channels, suns, sum.data());
     }

@@ -20,7 +20,7 @@ double radius_km(const Shell& shell, double altitude_km) {
 
 // Along a level ray, from its point at `altitude_km` to where it is `gain_km` higher.
 double level_distance_km(const Shell& shell, double altitude_km, double gain_km) {
-    return std::sqrt(gain_km * (2 * radius_km(shell, altitude_km) + gain_km));
+    return std::sqrt(square_gain_km2(shell, altitude_km, gain_km));
 }
 
 // s at an altitude where the way to a point `gain_km` higher is d = d_h - (1 - angle)^2 (d_h -
@@ -44,9 +44,10 @@ double rise_angle(const Shell& shell, double altitude_km, double gain_km, double
     return part / (1 + std::sqrt(1 - part));
 }
 
-// The distance to where a ray with s >= 0 is `gain_km` higher.
+// climb_distance_km of ray.h for s >= 0, but for its rounding of level rays, which have s = 0: the
+// quotient that they have here is the root itself there.
 double distance_of_gain_km(const Shell& shell, double altitude_km, double s_km, double gain_km) {
-    const double q = gain_km * (2 * radius_km(shell, altitude_km) + gain_km);
+    const double q = square_gain_km2(shell, altitude_km, gain_km);
     return q > 0 ? q / (std::sqrt(s_km * s_km + q) + s_km) : 0;
 }
 

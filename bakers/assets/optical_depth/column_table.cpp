@@ -146,13 +146,6 @@ double end_altitude_km(const Shell& shell, const ColumnPath& path) {
                       shell.thickness_km);
 }
 
-// The distance along a ray to where it climbs by `gain_km` for good.
-double climb_km(const Shell& shell, double altitude_km, double s_km, double gain_km) {
-    const double q = gain_km * (2 * (shell.ground_radius_km + altitude_km) + gain_km);
-    const double root = std::sqrt(s_km * s_km + q);
-    return s_km > 0 ? q / (root + s_km) : root - s_km;
-}
-
 // Of a path that stays above the ground and ends where it climbs, the end keeps its altitude.
 ColumnPath path_off_the_horizon(const Shell& shell, ColumnPath path, bool ends_above) {
     const double lowest_s = lowest_s_of_sky_km(shell, path.altitude_km);
@@ -169,8 +162,8 @@ ColumnPath path_off_the_horizon(const Shell& shell, ColumnPath path, bool ends_a
     }
     const double end_km = end_altitude_km(shell, path);
     path.s_km = lowest_s;
-    const double length_km =
-        climb_km(shell, path.altitude_km, lowest_s, std::max(end_km - path.altitude_km, 0.0));
+    const double length_km = climb_distance_km(shell, path.altitude_km, lowest_s,
+                                               std::max(end_km - path.altitude_km, 0.0));
     path.length_km = ends_above ? length_km : std::min(path.length_km, length_km);
     return path;
 }

@@ -7,19 +7,12 @@
 #include <cstddef>
 #include <numbers>
 
+#include "bakers/air/particles/phase_function.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
 
 namespace {
-
-// As phase_function.h has it, without the general form's numerator.
-double henyey_greenstein(double g, double one_minus, double one_plus) {
-    const double absolute = std::fabs(g);
-    const double apart = g < 0 ? one_plus : one_minus;
-    const double denominator = (1 - absolute) * (1 - absolute) + 2 * absolute * apart;
-    return std::numbers::inv_pi / 4 * (1 - g) * (1 + g) / (denominator * std::sqrt(denominator));
-}
 
 struct Range {
     double low = 0;
@@ -35,12 +28,6 @@ struct Form {
     std::vector<std::vector<double>> starts;
     double (*value)(const std::vector<double>& parameters, double one_minus, double one_plus);
 };
-
-double draine(double g, double alpha, double one_minus, double one_plus) {
-    const double nu = 0.5 * (one_plus - one_minus);
-    return henyey_greenstein(g, one_minus, one_plus) * (1 + alpha * nu * nu) /
-           (1 + alpha * (1 + 2 * g * g) / 3);
-}
 
 const std::vector<Form>& forms() {
     static const std::vector<Form> all = {

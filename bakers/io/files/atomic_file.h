@@ -59,7 +59,7 @@ class AtomicFiles {
 
     // Renames the staged files to their targets, the last one first: a manifest, staged when all
     // that it describes is known, claims its files before they appear. E0301.
-    std::vector<config::Diagnostic> commit();
+    [[nodiscard]] std::vector<config::Diagnostic> commit();
 
   private:
     struct Staged;

@@ -205,7 +205,7 @@ void AirShells::add_shell(const SkyMedium& medium, double bottom_km, double top_
     for (std::size_t i = 0; i < kSamples; ++i) {
         const double q = (nodes[i] - 1) * half_width;
         const double r = shell.top_radius_km;
-        const double altitude = top_km + q / (std::sqrt(r * r + q) + r);
+        const double altitude = top_km + gain_of_square_km(r, q);
         extinction[i] = extinction_at(medium.air, altitude);
         for (std::size_t k = 0; k < layers_; ++k) {
             densities[k][i] = density_of_layer(medium.layers[k].alone, altitude);
@@ -367,8 +367,7 @@ AirShells::Point AirShells::point_at_depth(const Point& on_line, std::size_t cha
                                            int lowest, int highest) const {
     const auto square_of_s = [&](double altitude_km) {
         const double gain = altitude_km - on_line.altitude_km;
-        return on_line.s_km * on_line.s_km +
-               gain * (2 * (planet_.ground_radius_km + on_line.altitude_km) + gain);
+        return on_line.s_km * on_line.s_km + square_gain_km2(planet_, on_line.altitude_km, gain);
     };
     // The lowest shell whose upper level has no more depth above it than asked for.
     while (lowest < highest) {
@@ -390,8 +389,7 @@ AirShells::Point AirShells::point_at_depth(const Point& on_line, std::size_t cha
     const double q = length * (length - 2 * s_top);
     const double r = shell.top_radius_km;
     Point point;
-    point.altitude_km =
-        std::clamp(shell.top_km + q / (std::sqrt(r * r + q) + r), bottom, shell.top_km);
+    point.altitude_km = std::clamp(shell.top_km + gain_of_square_km(r, q), bottom, shell.top_km);
     point.s_km = s_top - length;
     point.shell = lowest;
     return point;

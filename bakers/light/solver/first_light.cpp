@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "bakers/air/particles/phase_function-inl.h"
 #include "bakers/air/transmittance_row-inl.h"
 #include "bakers/math/transcendental.h"
 
@@ -39,12 +40,7 @@ HWY_INLINE Lanes phase_lanes(const PhaseFunction& phase, Lanes one_minus, Lanes 
         }
         return Lanes::load(minus);
     }
-    const double g = std::fabs(phase.g);
-    const Lanes apart = phase.g < 0 ? one_plus : one_minus;
-    const Lanes denominator = Lanes((1 - g) * (1 - g)) + Lanes(2 * g) * apart;
-    const Lanes cosine = Lanes(0.5) * (one_plus - one_minus);
-    return (Lanes(phase.constant) + Lanes(phase.quadratic) * cosine * cosine) /
-           (denominator * square_root(denominator));
+    return closed_phase_value(phase.constant, phase.quadratic, phase.g, one_minus, one_plus);
 }
 
 // What gather_first_light works with for one level.
@@ -87,9 +83,7 @@ class FirstLightPass {
         double along_km;  // r' mu_s' = along mu_s + across sin theta_s cos phi
         double across_km;
         double edge_km;  // the sun is up from here on
-        double q;        // R_top^2 - r'^2
-        double nearest_top_km;
-        double columns_per_km;
+        SunlightRow sunlight;
     };
     Place place_at(double r_km, const FanRay& ray, double distance_km, double altitude_km) const;
     void add_cell(const Place& place, const Spectrum* near, const Spectrum* far,
@@ -97,13 +91,8 @@ class FirstLightPass {
     void add_ground(const Place& place, const Spectrum& reflected);
     void add_moments(const FanRay& ray);
     HWY_INLINE void read_sunlight(const Place& place, Lanes s, Lanes* value) const {
-        const double last_column = field_.columns() - 1.0;
-        const Lanes d = square_root(s * s + Lanes(place.q)) - s;
-        const Lanes column = (d - Lanes(place.nearest_top_km)) * Lanes(place.columns_per_km);
-        // Rounding alone leaves the row at its ends; suns that are down are not used.
-        const Lanes inside = minimum(maximum(column, Lanes(0.0)), Lanes(last_column));
         for (int c = 0; c < kMaxChannels; ++c) value[c] = Lanes(0.0);
-        read_row(row_.data(), field_.row_stride(), inside, field_.channels(), value);
+        read_sunlight(place.sunlight, distance_to_top(place.sunlight, s), value);
     }
     double* sums(int azimuth, std::size_t layer, std::size_t channel) {
         return sums_.data() +
@@ -132,17 +121,9 @@ class FirstLightPass {
 
 FirstLightPass::Place FirstLightPass::place_at(double r_km, const FanRay& ray, double distance_km,
                                                double altitude_km) const {
-    const Shell& shell = field_.shell();
-    const double rho = horizon_distance_km(shell, altitude_km);
-    const double gain = shell.thickness_km - altitude_km;
-    const double r = shell.ground_radius_km + altitude_km;
-    const double farthest = rho + horizon_distance_km(shell, shell.thickness_km);
-    return {r_km + distance_km * ray.mu,
-            distance_km * ray.sine,
-            -rho,
-            gain * (2 * r + gain),
-            gain,
-            (field_.columns() - 1.0) / (farthest - gain)};
+    return {r_km + distance_km * ray.mu, distance_km * ray.sine,
+            -horizon_distance_km(field_.shell(), altitude_km),
+            sunlight_row(field_, altitude_km, row_.data())};
 }
 
 // The cell that ends at `place`, whose begin is in before_; without weights its end becomes the

@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "bakers/light/solver/light_moments.h"
+#include "bakers/math/vectors.h"
 
 namespace skybake {
 
-// Values stand in groups of four, one per channel and unused ones 0. Moments of azimuthal order m
-// are over sin^m of the sun's zenith angle: so they are smooth in its cosine where the sun is at
-// the zenith.
-inline constexpr std::size_t kChannelSlots = 4;
-
+// Values stand in groups of kChannelSlots, one per channel and unused ones 0. Moments of azimuthal
+// order m are over sin^m of the sun's zenith angle: so they are smooth in its cosine where the sun
+// is at the zenith.
 struct LightField {
     int levels = 0;
     int suns = 0;

@@ -7,23 +7,13 @@
 
 namespace skybake {
 
-namespace {
-
-// Where an altitude stands between levels.
-struct LevelPlace {
-    int level;
-    double fraction;
-};
-
-LevelPlace place_of(const std::vector<double>& altitudes_km, double altitude_km) {
+LevelPlace SolvedLight::level_at(double altitude_km) const {
     const auto above = std::upper_bound(altitudes_km.begin(), altitudes_km.end(), altitude_km);
     const int last = static_cast<int>(altitudes_km.size()) - 2;
     const int level = std::clamp(static_cast<int>(above - altitudes_km.begin()) - 1, 0, last);
     const auto i = static_cast<std::size_t>(level);
     return {level, (altitude_km - altitudes_km[i]) / (altitudes_km[i + 1] - altitudes_km[i])};
 }
-
-}  // namespace
 
 SunStencil SolvedLight::stencil(double sun_cos_zenith) const {
     const SunStencil cubic = sun_stencil(suns, sun_cos_zenith);
@@ -34,7 +24,7 @@ SunStencil SolvedLight::stencil(double sun_cos_zenith) const {
 }
 
 void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const {
-    const LevelPlace place = place_of(altitudes_km, altitude_km);
+    const LevelPlace place = level_at(altitude_km);
     const SunStencil around = stencil(sun_cos_zenith);
     const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
     const auto count = static_cast<std::size_t>(moment_count(light.degree));
@@ -60,7 +50,7 @@ void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum
 }
 
 Spectrum SolvedLight::mean_radiance_at(double altitude_km, double sun_cos_zenith) const {
-    const LevelPlace place = place_of(altitudes_km, altitude_km);
+    const LevelPlace place = level_at(altitude_km);
     const SunStencil around = stencil(sun_cos_zenith);
     Spectrum mean{};
     for (int j = 0; j < 4; ++j) {

@@ -9,6 +9,12 @@
 
 namespace skybake {
 
+// Where an altitude stands between levels.
+struct LevelPlace {
+    int level;        // the lower of two
+    double fraction;  // of the way to the upper one
+};
+
 struct SolvedLight {
     int channels = 0;
     std::vector<double> altitudes_km;  // ascending, from the ground to the top
@@ -21,6 +27,7 @@ struct SolvedLight {
     double left_out = 0;   // bound of what further orders would add, as a share of the light
 
     int degree() const { return light.degree; }
+    LevelPlace level_at(double altitude_km) const;
     // Weights of the columns around a sun.
     SunStencil stencil(double sun_cos_zenith) const;
     // Moments between the grid's points: values[lm].

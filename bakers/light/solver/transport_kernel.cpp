@@ -12,7 +12,7 @@
 #define HWY_TARGET_INCLUDE "bakers/light/solver/transport_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "bakers/light/solver/channel_lanes-inl.h"
+#include "bakers/light/solver/sun_axis-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -63,7 +63,6 @@ class LevelPass {
     }
     void gather_rows(const TransportNode& node, const double* weights);
     void place_suns(const TransportNode& node, double azimuth_cosine);
-    void flatten_steep(std::size_t first);
     void add_rows(std::size_t orders, double* sum) const;
     void add_node(const LevelTransport& transport, const TransportNode& node);
     void add_ray(const TransportRay& ray, double* out, double* sky_irradiance);
@@ -77,9 +76,8 @@ class LevelPass {
     std::vector<double> rows_;  // [(sun * orders + m) * slots]: what each order sends along
     std::vector<std::int64_t> columns_;  // of the suns as seen from a node
     std::vector<double> cubic_;          // [sun * 4 + i]
-    std::array<double, Lanes::kCount> fractions_{};
-    std::vector<double> powers_;    // [m * suns + sun]: sin^m theta_s' cos(m phi')
-    std::vector<double> along_[2];  // light along the ray by few and by many azimuths
+    std::vector<double> powers_;         // [m * suns + sun]: sin^m theta_s' cos(m phi')
+    std::vector<double> along_[2];       // light along the ray by few and by many azimuths
     bool used_[2] = {};
     std::vector<double> azimuth_cosines_[2];
     std::vector<double> fourier_[2];  // [m * azimuths + j]: cos(m phi_j) over their number
@@ -95,14 +93,14 @@ void LevelPass::gather_rows(const TransportNode& node, const double* weights) {
         }
         return;
     }
-    const Channels near = Channels::all(1 - node.fraction);
-    const Channels far = Channels::all(node.fraction);
+    const Channels near = Channels(1 - node.fraction);
+    const Channels far = Channels(node.fraction);
     const bool between = node.fraction > 0;
     for (std::size_t i = 0; i < suns_; ++i) {
         const double* low = light_.at(node.level, static_cast<int>(i));
         const double* high = low + (between ? light_.level_size() : 0);
         for (std::size_t m = 0; m < orders_; ++m) {
-            Channels sum = Channels::all(0);
+            Channels sum(0.0);
             for (std::size_t l = m; l < orders_; ++l) {
                 const std::size_t lm = (l * (l + 1) / 2 + m) * kChannelSlots;
                 Channels value = Channels::load(low + lm);
@@ -116,7 +114,6 @@ void LevelPass::gather_rows(const TransportNode& node, const double* weights) {
 
 // Where the suns stand as seen from the node, for one azimuth.
 void LevelPass::place_suns(const TransportNode& node, double azimuth_cosine) {
-    const hn::ScalableTag<std::int64_t> integers;
     const Lanes turn_cosine(node.turn_cosine);
     const Lanes turn_sine(node.turn_sine);
     for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
@@ -125,30 +122,7 @@ void LevelPass::place_suns(const TransportNode& node, double azimuth_cosine) {
         const Lanes there = maximum(minimum(turn_cosine * cosine + turn_sine * along, Lanes(1.0)),
                                     Lanes(axis_.darkest));
 
-        // sun_stencil of sun_axis.h.
-        const Lanes x = (there - Lanes(axis_.centre)) * Lanes(1 / axis_.width);
-        const Lanes u = Lanes(axis_.offset) + Lanes(axis_.even) * there +
-                        Lanes(axis_.dense) * (x / square_root(Lanes(1.0) + x * x));
-        const Lanes below = Lanes(hn::Floor(u.v)) - Lanes(1.0);
-        const Lanes column =
-            minimum(maximum(below, Lanes(0.0)), Lanes(static_cast<double>(suns_ - 4)));
-        const auto index = hn::ConvertTo(integers, column.v);
-        hn::StoreU(index, integers, columns_.data() + i);
-        const Lanes t = u - column - Lanes(1.0);
-        const Lanes before = t - Lanes(1.0);
-        const Lanes after = t + Lanes(1.0);
-        const Lanes far = Lanes(2.0) - t;
-        const Lanes inner = after * far;
-        const Lanes outer = t * before;
-        const Lanes w0 = outer * far * Lanes(1.0 / 6);
-        const Lanes w1 = Lanes(0.0) - inner * before * Lanes(0.5);
-        const Lanes w2 = inner * t * Lanes(0.5);
-        const Lanes w3 = outer * after * Lanes(1.0 / 6);
-        hn::StoreInterleaved4(w0.v, w1.v, w2.v, w3.v, Lanes::Tag(), cubic_.data() + 4 * i);
-        if (any(Lanes(hn::GatherIndex(Lanes::Tag(), steep_.data(), index)) > Lanes(0.0))) {
-            t.store(fractions_.data());
-            flatten_steep(i);
-        }
+        place_on_axis(axis_, steep_, there, columns_.data() + i, cubic_.data() + 4 * i);
 
         // sin^m theta_s' cos(m phi') by Chebyshev's recursion.
         const Lanes first_power = turn_cosine * along - turn_sine * cosine;
@@ -161,23 +135,6 @@ void LevelPass::place_suns(const TransportNode& node, double azimuth_cosine) {
             last = next;
             next = after_next;
         }
-    }
-}
-
-// Of the vector of suns from `first` on, those in steep stencils: linear between the two columns
-// around, at the ends the nearest.
-void LevelPass::flatten_steep(std::size_t first) {
-    const int last = axis_.count() - 2;
-    for (std::size_t k = 0; k < Lanes::kCount; ++k) {
-        const auto column = static_cast<int>(columns_[first + k]);
-        if (!(steep_[static_cast<std::size_t>(column)] > 0)) continue;
-        double* weights = cubic_.data() + (first + k) * 4;
-        const double from = column + 1 + fractions_[k];
-        const int at = std::clamp(static_cast<int>(from), 0, last);
-        const double share = std::clamp(from - at, 0.0, 1.0);
-        std::fill(weights, weights + 4, 0.0);
-        weights[at - column] = 1 - share;
-        weights[at - column + 1] = share;
     }
 }
 
@@ -206,24 +163,24 @@ void LevelPass::add_ray(const TransportRay& ray, double* out, double* sky_irradi
     const double solid_angle = 4 * std::numbers::pi * ray.weight;
     for (std::size_t m = 0; m < orders_; ++m) {
         for (std::size_t i = 0; i < suns_; ++i) {
-            Channels mean = Channels::all(0);
+            Channels mean(0.0);
             for (std::size_t set = 0; set < 2; ++set) {
                 if (!used_[set]) continue;
                 const std::size_t azimuths = azimuths_of(set);
                 for (std::size_t j = 0; j < azimuths; ++j) {
-                    const Channels weight = Channels::all(fourier_[set][m * azimuths + j]);
+                    const Channels weight = Channels(fourier_[set][m * azimuths + j]);
                     mean = mean + weight * Channels::load(along_[set].data() +
                                                           (j * suns_ + i) * kChannelSlots);
                 }
             }
             if (m == 0 && sky_irradiance && ray.mu > 0) {
                 double* to = sky_irradiance + i * kChannelSlots;
-                (Channels::load(to) + Channels::all(solid_angle * ray.mu) * mean).store(to);
+                (Channels::load(to) + Channels(solid_angle * ray.mu) * mean).store(to);
             }
             for (std::size_t l = m; l < orders_; ++l) {
                 const std::size_t lm = l * (l + 1) / 2 + m;
                 double* to = out + i * light_.sun_size() + lm * kChannelSlots;
-                (Channels::load(to) + Channels::all(solid_angle * harmonics[lm]) * mean).store(to);
+                (Channels::load(to) + Channels(solid_angle * harmonics[lm]) * mean).store(to);
             }
         }
     }
@@ -244,7 +201,7 @@ void LevelPass::apply(const LevelTransport& transport, double* out, double* sky_
             factor /= sines_[i];
             for (std::size_t l = m; l < orders_; ++l) {
                 double* to = out + i * light_.sun_size() + (l * (l + 1) / 2 + m) * kChannelSlots;
-                (Channels::load(to) * Channels::all(factor)).store(to);
+                (Channels::load(to) * Channels(factor)).store(to);
             }
         }
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bakers/air/forward_peak.h"
+#include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_table.h"

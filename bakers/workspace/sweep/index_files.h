@@ -35,11 +35,12 @@ std::string_view sweep_schema();
 
 // Whether the index may be written there: E0302, E0303 as inspect_output_folder. A folder with a
 // sweep.json of skybake's claims all three.
-std::vector<config::Diagnostic> inspect_index(const std::filesystem::path& folder, bool force);
+[[nodiscard]] std::vector<config::Diagnostic> inspect_index(const std::filesystem::path& folder,
+                                                            bool force);
 
 // Writes the three, all or none of them. E0301, E0302.
-std::vector<config::Diagnostic> write_index(const std::filesystem::path& folder,
-                                            const config::Sweep& sweep,
-                                            std::span<const VariantResult> variants);
+[[nodiscard]] std::vector<config::Diagnostic> write_index(const std::filesystem::path& folder,
+                                                          const config::Sweep& sweep,
+                                                          std::span<const VariantResult> variants);
 
 }  // namespace skybake

@@ -41,11 +41,11 @@ inline constexpr std::string_view failure_name = "error.json";
 std::string failure_json(const std::vector<config::Diagnostic>& diagnostics);
 
 // The errors of a folder's error.json; none if there is none, or it is damaged.
-std::vector<config::Diagnostic> read_failure(const std::filesystem::path& folder);
+[[nodiscard]] std::vector<config::Diagnostic> read_failure(const std::filesystem::path& folder);
 
 // Writes the errors into the variant's folder, which is made where it is missing. E0301, E0302.
-std::vector<config::Diagnostic> write_failure(const std::filesystem::path& folder,
-                                              const std::vector<config::Diagnostic>& diagnostics);
+[[nodiscard]] std::vector<config::Diagnostic> write_failure(
+    const std::filesystem::path& folder, const std::vector<config::Diagnostic>& diagnostics);
 
 // Takes it away, if it is there.
 void remove_failure(const std::filesystem::path& folder);

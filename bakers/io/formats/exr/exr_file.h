@@ -35,7 +35,7 @@ class ExrRows {
 
     // Reads rows first ... first + count - 1, row 0 being the topmost, channels interleaved: count
     // * width() * channels floats. Quick in increasing order. E0300, E0304.
-    std::optional<config::Diagnostic> read(int first, int count, float* texels);
+    [[nodiscard]] std::optional<config::Diagnostic> read(int first, int count, float* texels);
 
     // How many rows make a piece of about 4 MiB.
     int rows_per_piece() const;

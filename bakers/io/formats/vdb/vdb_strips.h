@@ -41,9 +41,9 @@ class VdbStripMaker {
     void encode(const VoxelBox& strip, VdbStripSlot& slot) const;
 
   private:
-    std::optional<config::Diagnostic> unstorable_voxel(const AlignedFloats& values,
-                                                       const VoxelBox& strip,
-                                                       std::size_t channel) const;
+    [[nodiscard]] std::optional<config::Diagnostic> unstorable_voxel(const AlignedFloats& values,
+                                                                     const VoxelBox& strip,
+                                                                     std::size_t channel) const;
 
     const Baked& volume_;
     const Level& level_;

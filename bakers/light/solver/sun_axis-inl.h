@@ -1,0 +1,107 @@
+// sun_axis.h for vectors of suns: where they stand between the columns of an axis, and what solved
+// light there is.
+//
+// The weights here share their products, and the divisions by the axis' width are multiplications:
+// they differ from sun_stencil's by a rounding, so that neither can stand for the other without a
+// change of assets' last bits.
+#if defined(SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_
+#undef SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_
+#else
+#define SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bakers/light/solver/sun_axis.h"
+#include "bakers/math/channels-inl.h"
+#include "bakers/math/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
+// linear_stencil for one sun, told by the first of its four columns and by how far beyond the
+// second of them it stands.
+inline void flatten_stencil(const SunAxis& axis, int column, double fraction, double* weights) {
+    const double from = column + 1 + fraction;
+    const int at = std::clamp(static_cast<int>(from), 0, axis.count() - 2);
+    const double share = std::clamp(from - at, 0.0, 1.0);
+    std::fill(weights, weights + 4, 0.0);
+    weights[at - column] = 1 - share;
+    weights[at - column + 1] = share;
+}
+
+// SolvedLight::stencil for a vector of suns with cosines in [axis.darkest, 1]: the first of four
+// columns for each sun, and the four weights, sun by sun.
+HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& steep, Lanes cosines,
+                              std::int64_t* columns, double* weights) {
+    const hn::ScalableTag<std::int64_t> integers;
+    const Lanes x = (cosines - Lanes(axis.centre)) * Lanes(1 / axis.width);
+    const Lanes u = Lanes(axis.offset) + Lanes(axis.even) * cosines +
+                    Lanes(axis.dense) * (x / square_root(Lanes(1.0) + x * x));
+    const Lanes below = floor_of(u) - Lanes(1.0);
+    const Lanes column =
+        minimum(maximum(below, Lanes(0.0)), Lanes(static_cast<double>(axis.count() - 4)));
+    const auto index = hn::ConvertTo(integers, column.v);
+    hn::StoreU(index, integers, columns);
+    const Lanes t = u - column - Lanes(1.0);
+    const Lanes before = t - Lanes(1.0);
+    const Lanes after = t + Lanes(1.0);
+    const Lanes far = Lanes(2.0) - t;
+    const Lanes inner = after * far;
+    const Lanes outer = t * before;
+    const Lanes w0 = outer * far * Lanes(1.0 / 6);
+    const Lanes w1 = Lanes(0.0) - inner * before * Lanes(0.5);
+    const Lanes w2 = inner * t * Lanes(0.5);
+    const Lanes w3 = outer * after * Lanes(1.0 / 6);
+    hn::StoreInterleaved4(w0.v, w1.v, w2.v, w3.v, Lanes::Tag(), weights);
+    if (!any(Lanes(hn::GatherIndex(Lanes::Tag(), steep.data(), index)) > Lanes(0.0))) return;
+    double fractions[Lanes::kCount];
+    t.store(fractions);
+    for (std::size_t k = 0; k < Lanes::kCount; ++k) {
+        const auto first = static_cast<int>(columns[k]);
+        if (!(steep[static_cast<std::size_t>(first)] > 0)) continue;
+        flatten_stencil(axis, first, fractions[k], weights + 4 * k);
+    }
+}
+
+// Light of suns by azimuthal order, to be looked up between the columns of a sun axis.
+struct ColumnLookup {
+    const double* rows;  // [(column * orders + m) * kChannelSlots + channel]
+    std::size_t orders;
+    const std::int64_t* columns;  // of each sun the first of four
+    const double* weights;        // [sun * 4 + k]
+    const double* powers;         // [m * count + sun]: what multiplies order m
+    std::size_t count;
+};
+
+// Adds to sum[sun * kChannelSlots + channel].
+HWY_INLINE void add_columns(const ColumnLookup& of, double* sum) {
+    const std::size_t row_size = of.orders * kChannelSlots;
+    for (std::size_t i = 0; i < of.count; ++i) {
+        const double* row = of.rows + static_cast<std::size_t>(of.columns[i]) * row_size;
+        const Channels w0(of.weights[i * 4]);
+        const Channels w1(of.weights[i * 4 + 1]);
+        const Channels w2(of.weights[i * 4 + 2]);
+        const Channels w3(of.weights[i * 4 + 3]);
+        Channels total = Channels::load(sum + i * kChannelSlots);
+        for (std::size_t m = 0; m < of.orders; ++m) {
+            const double* at = row + m * kChannelSlots;
+            const Channels value =
+                (w0 * Channels::load(at) + w1 * Channels::load(at + row_size)) +
+                (w2 * Channels::load(at + 2 * row_size) + w3 * Channels::load(at + 3 * row_size));
+            total = total + Channels(of.powers[m * of.count + i]) * value;
+        }
+        total.store(sum + i * kChannelSlots);
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#endif  // SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_
