@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/air/particles/check_particles.h"
+#include "bakers/air/particles/layer_phase.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "cli/command.h"
 #include "cli/console.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/math/keep_memory.h"
+#include "bakers/math/memory.h"
 #include "cli/command.h"
 #include "cli/console.h"
 

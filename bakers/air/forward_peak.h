@@ -10,7 +10,7 @@
 // (Nakajima & Tanaka 1988). Closed forms have no peak in this sense and stay whole.
 #pragma once
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 
 namespace skybake {
 

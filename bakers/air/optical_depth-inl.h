@@ -24,8 +24,8 @@
 #define SKYBAKE_BAKERS_ATMOSPHERE_OPTICAL_DEPTH_INL_H_
 #endif
 
-#include "bakers/air/climb_quadrature.h"
 #include "bakers/air/medium.h"
+#include "bakers/air/quadrature_rules.h"
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "bakers/air/optical_depth-inl.h"
+#include "bakers/air/ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {

@@ -1,11 +1,10 @@
-#include "bakers/air/optical_depth_reference.h"
+#include "bakers/air/optical_depth.h"
 
 #include <cstddef>
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/air/ray_breaks.h"
-#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 

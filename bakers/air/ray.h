@@ -8,8 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "bakers/air/medium.h"
+#include "bakers/math/facts.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake {
 
@@ -71,6 +75,58 @@ inline double distance_to_ground_km(const Shell& shell, double altitude_km, doub
 inline double drop_to_nearest_km(const Shell& shell, double altitude_km, double s_km) {
     const double r = shell.ground_radius_km + altitude_km;
     return s_km * s_km / (r + std::sqrt((r - s_km) * (r + s_km)));
+}
+
+// --- Breaks --------------------------------------------------------------------------------------
+
+// Where a quadrature along a ray must be split.
+
+// Altitudes in the shell, ascending, between which each density is smooth and changes by a bounded
+// factor: the ground, the top, the kinks of piecewise layers, and for each exponential layer the
+// altitudes at the given numbers of scale heights.
+std::vector<double> break_altitudes_km(const Medium& medium,
+                                       const std::vector<double>& scale_heights);
+
+struct RayBreak {
+    double distance_km = 0;
+    int level = -1;  // index of the break altitude that the ray crosses here, or -1
+};
+
+// From 0 to `length_km` with both ends, ascending: where the ray crosses those altitudes, and its
+// lowest point.
+std::vector<RayBreak> ray_breaks(const Shell& shell, double altitude_km, double s_km,
+                                 double length_km, const std::vector<double>& altitudes_km);
+
+// --- Near the horizon ----------------------------------------------------------------------------
+
+// How near the horizon a probe may look: there rounding decides whether a runtime sees the ground.
+
+inline constexpr double kHorizonMargin = 0.01 * std::numbers::pi / 180;  // radians
+
+// s = r mu of the rays at this angle above the horizon and at the same angle below it. With the
+// horizon's dip below the horizontal, cos dip = R / r and sin dip = rho / r,
+// s = r sin(+-angle - dip).
+inline double lowest_s_of_sky_km(const Shell& shell, double altitude_km) {
+    const SineCosine margin = sine_and_cosine(kHorizonMargin);
+    return shell.ground_radius_km * margin.sine -
+           horizon_distance_km(shell, altitude_km) * margin.cosine;
+}
+inline double highest_s_of_ground_km(const Shell& shell, double altitude_km) {
+    const SineCosine margin = sine_and_cosine(kHorizonMargin);
+    return -shell.ground_radius_km * margin.sine -
+           horizon_distance_km(shell, altitude_km) * margin.cosine;
+}
+
+// --- Constants of mappings -----------------------------------------------------------------------
+
+// The planet's measures among the constants of a mapping.
+
+// R_ground, R_top and R_top - R_ground of the formulas. The last stands by itself because in float
+// a difference of radii is off by metres.
+inline Facts shell_constants(const Shell& shell) {
+    return {{"ground_radius_km", shell.ground_radius_km},
+            {"top_radius_km", shell.ground_radius_km + shell.thickness_km},
+            {"thickness_km", shell.thickness_km}};
 }
 
 }  // namespace skybake

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/air/horizon_margin.h"
+#include "bakers/air/ray.h"
 
 namespace skybake {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/air/cell_rule.h"
+#include "bakers/air/quadrature_rules.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -5,7 +5,6 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/ray.h"
-#include "bakers/air/ray_breaks.h"
 
 namespace skybake {
 

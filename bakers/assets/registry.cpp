@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "bakers/air/particles/check_particles.h"
+#include "bakers/air/particles/layer_phase.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
 #include "config/text/key_path.h"

@@ -9,7 +9,7 @@
 
 #include "bakers/clouds/column_field.h"
 #include "bakers/clouds/shape_kernel.h"
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 
 namespace skybake::cloud {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "bakers/clouds/cloud_plan.h"
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 
 namespace skybake::cloud {
 

@@ -7,7 +7,7 @@
 
 #include "bakers/field/interpolation.h"
 #include "bakers/field/stored_voxels.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake {
 

@@ -10,7 +10,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake {
 

@@ -12,7 +12,7 @@
 
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 

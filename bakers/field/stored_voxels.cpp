@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake {
 

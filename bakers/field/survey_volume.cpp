@@ -14,8 +14,8 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/aligned_floats.h"
 #include "bakers/math/hash.h"
+#include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {

@@ -1,7 +1,7 @@
 #include "bakers/field/table_model.h"
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake {
 

@@ -8,7 +8,7 @@
 
 #include "bakers/light/sky_row.h"
 #include "bakers/light/sky_view_mapping.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -8,9 +8,9 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/air/optical_depth.h"
-#include "bakers/light/check_light.h"
-#include "bakers/light/solved_orders.h"
-#include "bakers/light/solver/solved_light_memory.h"
+#include "bakers/light/higher_orders.h"
+#include "bakers/light/solver/energy_balance.h"
+#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
@@ -35,7 +35,7 @@ class SkyLight {
     SkyLight(const SkyLight&) = delete;
     SkyLight& operator=(const SkyLight&) = delete;
 
-    // Why there is no light, if it was solved for and is none (check_light.h).
+    // Why there is no light, if it was solved for and is none (energy_balance.h).
     [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
 
     // Forward peaks of spheres count as light that goes on (forward_peak.h), but for light

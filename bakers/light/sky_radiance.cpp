@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/air/ray_breaks.h"
+#include "bakers/air/ray.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
-#include "bakers/light/ray_pieces.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -1,12 +1,54 @@
-// Straight rays of a camera through the air, with the sun.
+// View directions, and straight rays of a camera through the air, with the sun.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "bakers/air/ray.h"
-#include "bakers/light/sky_direction.h"
+#include "bakers/math/quadrature.h"
+#include "bakers/math/vectors.h"
 
 namespace skybake {
+
+inline constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
+
+// A view direction and where the sun is from it.
+
+// A direction at a camera, and the angle to the sun by two sums without cancellation.
+struct SkyDirection {
+    double mu = 0;  // cosine of the zenith angle
+    double cosine_to_sun = 0;
+    double one_minus_cosine = 0;
+    double one_plus_cosine = 0;
+};
+
+// A sun by the cosine and the sine of its zenith angle, both exact at the horizon and the zenith.
+struct SunZenith {
+    double cosine = 0;
+    double sine = 0;  // not negative
+};
+
+// From the cosine and sine of the direction's zenith angle and the cosine of its azimuth from the
+// sun.
+inline SkyDirection sky_direction(const SunZenith& sun, double mu, double sine,
+                                  double azimuth_cosine) {
+    // Both vectors in the plane of the sun, z up: 1 -+ cos = |a -+ b|^2 / 2.
+    const double along = sine * azimuth_cosine;
+    const double across_squared = sine * sine * (1 - azimuth_cosine) * (1 + azimuth_cosine);
+    const auto half_square = [&](double up, double forward) {
+        return 0.5 * (up * up + forward * forward + across_squared);
+    };
+    SkyDirection direction;
+    direction.mu = mu;
+    direction.cosine_to_sun = mu * sun.cosine + along * sun.sine;
+    direction.one_minus_cosine = half_square(mu - sun.cosine, along - sun.sine);
+    direction.one_plus_cosine = half_square(mu + sun.cosine, along + sun.sine);
+    return direction;
+}
+
+// Straight rays of a camera through the air, with the sun.
 
 // The part of a view ray that is in the air. Whether it meets the ground is told, not found out:
 // next to the horizon rounding would decide about it.
@@ -43,5 +85,46 @@ inline SkyRay sky_ray(const Shell& shell, double altitude_km, const SunZenith& s
     ray.one_plus_cosine = direction.one_plus_cosine;
     return ray;
 }
+
+// View rays of a camera anywhere above the ground.
+
+struct CameraRay {
+    SkyRay in_air;           // of length 0 where it misses the air
+    double distance_km = 0;  // from the camera to where it enters the air: 0 for cameras in it
+};
+
+CameraRay camera_ray(const Shell& shell, double altitude_km, const SunZenith& sun,
+                     const SkyDirection& direction);
+
+// --- Pieces --------------------------------------------------------------------------------------
+
+// What sky_radiance.h and its fast rows (sky_row.h) cut a ray's air into, and integrate by.
+
+namespace ray_pieces {
+
+inline constexpr double kLargestDepth = 1;  // of a piece, along the ray
+// Light that has passed this optical depth adds e^-25 = 1e-11 to a picture.
+inline constexpr double kLastLight = 25;
+// Halvings of a piece: 2^-20 of a ray is metres.
+inline constexpr int kMostHalvings = 20;
+
+// The greatest depth of a piece, from the depths of its ends, over the channels whose light still
+// reaches it; none where no light does.
+inline std::optional<double> lit_depth(const Spectrum& from, const Spectrum& to, int channels) {
+    std::optional<double> depth;
+    for (int c = 0; c < channels; ++c) {
+        if (data(from)[c] > kLastLight) continue;
+        depth = std::max(depth.value_or(0), data(to)[c] - data(from)[c]);
+    }
+    return depth;
+}
+
+// Gauss' five nodes in each piece.
+inline const QuadratureRule& gauss_rule() {
+    static const QuadratureRule rule = gauss_legendre(5);
+    return rule;
+}
+
+}  // namespace ray_pieces
 
 }  // namespace skybake

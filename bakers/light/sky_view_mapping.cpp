@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/air/horizon_margin.h"
+#include "bakers/air/ray.h"
 #include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"
 

@@ -16,7 +16,6 @@
 #pragma once
 
 #include "bakers/air/ray.h"
-#include "bakers/light/sky_direction.h"
 #include "bakers/light/sky_ray.h"
 
 namespace skybake {

@@ -9,8 +9,8 @@
 #include "bakers/field/interpolation.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_radiance.h"
-#include "bakers/math/gauss_legendre.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

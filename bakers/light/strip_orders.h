@@ -18,7 +18,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/math/bake_options.h"

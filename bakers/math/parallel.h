@@ -2,7 +2,11 @@
 // a result.
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <string_view>
+
+#include "bakers/math/bake_options.h"
 
 namespace skybake {
 
@@ -21,5 +25,19 @@ void ordered_pipeline(int count, int threads, int slots,
 
 // What `threads` stands for: itself, or the machine's number of processors for 0.
 int thread_count(int threads);
+
+// parallel_for over `count` tiles that tells options.progress of each. After an interruption the
+// remaining tiles are skipped: what was made is thrown away by whoever asked for it.
+inline void for_each_tile(int count, const BakeOptions& options, std::string_view step,
+                          const std::function<void(int)>& tile) {
+    std::atomic<int> done = 0;
+    parallel_for(count, options.threads, [&](int i) {
+        if (options.cancelled()) return;
+        tile(i);
+        if (options.progress != nullptr) {
+            options.progress->advance(step, static_cast<double>(++done) / count);
+        }
+    });
+}
 
 }  // namespace skybake

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/noise/lattice_hash.h"
 #include "bakers/noise/noise_plan.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "config/sections/noise.h"
 
 namespace skybake::noise {

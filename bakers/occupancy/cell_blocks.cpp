@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake::occupancy {

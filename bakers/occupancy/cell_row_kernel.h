@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 
 namespace skybake::occupancy {
 

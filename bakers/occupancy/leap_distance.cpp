@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/leap_distance.h"
 

@@ -10,7 +10,6 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/tiles.h"
 #include "bakers/workspace/folder_plan.h"
 
 namespace skybake {

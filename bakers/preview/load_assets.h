@@ -5,7 +5,7 @@
 #include <span>
 
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/preview/bake_assets.h"
 #include "config/diagnostics/diagnostic.h"
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/load_assets.h"

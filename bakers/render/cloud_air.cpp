@@ -6,6 +6,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/field/interpolation.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
 #include "bakers/render/cloud_camera.h"
 #include "bakers/render/sky_view.h"
@@ -18,8 +19,6 @@ constexpr int kDistances = 48;
 constexpr int kElevations = 64;
 // Along azimuth the sky changes slowly.
 constexpr int kAzimuths = 256;
-
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 // The whole ray: to the ground or to the top.
 double ray_length_km(const Shell& shell, double altitude_km, double s_km) {
@@ -76,7 +75,7 @@ CloudAir::CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, cons
     const double dip =
         arc_cosine(shell.ground_radius_km /
                    std::sqrt(shell.ground_radius_km * shell.ground_radius_km + rho * rho));
-    horizon_degrees_ = -dip * kDegrees;
+    horizon_degrees_ = -dip * kDegreesPerRadian;
     fill_optical_depths(air, view.camera_altitude_km);
 }
 

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/sections/cloud.h"
 

@@ -7,7 +7,6 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/tiles.h"
 #include "bakers/render/cloud_air.h"
 #include "bakers/render/cloud_camera.h"
 #include "bakers/render/sky_view.h"
@@ -151,8 +150,6 @@ MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& setti
 namespace {
 
 // The picture of cloud_view.h from what its march sees: light, air and sky.
-
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 double clamped_altitude_km(const Shell& shell, double altitude_m) {
     return std::clamp(altitude_m / 1000, 0.0, shell.thickness_km);

@@ -16,9 +16,9 @@
 #include <array>
 #include <cstddef>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/field/image.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/render/cloud_medium.h"
 #include "bakers/render/cloud_rays.h"
 #include "bakers/render/sky_tables.h"

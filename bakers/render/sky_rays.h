@@ -5,7 +5,7 @@
 
 #include "bakers/field/certify.h"
 #include "bakers/field/image.h"
-#include "bakers/light/sky_direction.h"
+#include "bakers/light/sky_ray.h"
 
 namespace skybake {
 

@@ -20,7 +20,7 @@
 // no air at all, one channel, albedo 0 and 1.
 #pragma once
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/render/sky_rays.h"
 #include "bakers/render/sky_tables.h"

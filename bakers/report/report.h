@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 

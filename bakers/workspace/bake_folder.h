@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/workspace/folder_plan.h"
 #include "config/diagnostics/diagnostic.h"
 

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "bakers/air/optical_depth_reference.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/referee.h"

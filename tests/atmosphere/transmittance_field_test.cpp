@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/air/ray_breaks.h"
+#include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
 

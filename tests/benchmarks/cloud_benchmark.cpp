@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "bakers/clouds/cloud_field.h"
-#include "bakers/math/aligned_floats.h"
-#include "bakers/math/keep_memory.h"
+#include "bakers/math/memory.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake::cloud {

@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "bakers/math/keep_memory.h"
+#include "bakers/math/memory.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/cloud_view.h"

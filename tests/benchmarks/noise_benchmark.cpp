@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/math/aligned_floats.h"
-#include "bakers/math/keep_memory.h"
+#include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/pointwise_kernel.h"

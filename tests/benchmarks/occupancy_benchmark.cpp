@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/math/aligned_floats.h"
-#include "bakers/math/keep_memory.h"
+#include "bakers/math/memory.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"

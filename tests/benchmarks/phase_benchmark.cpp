@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bakers/air/particles/lorenz_mie.h"
-#include "bakers/air/particles/lorenz_mie_kernel.h"
 #include "bakers/air/particles/particle_scattering.h"
 
 namespace skybake {

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/math/keep_memory.h"
+#include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {

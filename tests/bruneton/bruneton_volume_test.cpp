@@ -11,7 +11,7 @@
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/light/sky_light.h"
-#include "bakers/light/solver/solved_light_memory.h"
+#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/bruneton.h"
 #include "tests/io/files.h"

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "bakers/assets/bruneton/scattering_table.h"
-#include "bakers/light/solved_orders.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/solver/solve_light.h"
 #include "tests/sky/sky_media.h"
 

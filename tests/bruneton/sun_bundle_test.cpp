@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "bakers/light/solved_source.h"
+#include "bakers/light/higher_orders.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake {

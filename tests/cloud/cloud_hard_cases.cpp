@@ -9,7 +9,7 @@
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/clouds/cloud_specification.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"
 #include "tests/cloud/clouds.h"
 #include "tests/support/hard_case.h"

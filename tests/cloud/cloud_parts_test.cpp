@@ -6,7 +6,7 @@
 
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/cloud_reference.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/noise/noise_bounds.h"
 #include "bakers/noise/noise_reference.h"
 #include "tests/cloud/clouds.h"

@@ -1,4 +1,4 @@
-#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/quadrature.h"
 
 #include <gtest/gtest.h>
 

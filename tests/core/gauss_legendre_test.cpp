@@ -1,4 +1,4 @@
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 
 #include <gtest/gtest.h>
 

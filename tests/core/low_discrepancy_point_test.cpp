@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 
 #include <gtest/gtest.h>
 

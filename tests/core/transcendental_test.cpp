@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <limits>
 
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
 

@@ -4,7 +4,6 @@
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/solver/light_moments.h"
-#include "bakers/light/sun_columns.h"
 #include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/gradient_kernel.h"
 #include "bakers/noise/noise_reference.h"

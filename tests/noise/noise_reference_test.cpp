@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/noise/lattice_hash.h"
 #include "tests/noise/noises.h"
 

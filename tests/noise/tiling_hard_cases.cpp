@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/noise/lattice_hash.h"
 #include "bakers/noise/noise_reference.h"
 #include "tests/noise/every_target.h"

@@ -7,7 +7,7 @@
 #include <bit>
 #include <limits>
 
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/occupancy/cell_row_kernel.h"
 #include "bakers/occupancy/exact_extremes.h"
 #include "config/assets/occupancy.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"

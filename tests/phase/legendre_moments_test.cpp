@@ -1,4 +1,4 @@
-#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/air/particles/phase_function.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 namespace {

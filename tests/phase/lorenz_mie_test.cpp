@@ -8,8 +8,7 @@
 #include <complex>
 #include <numbers>
 
-#include "bakers/air/particles/lorenz_mie_kernel.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 #include "tests/phase/lorenz_mie_reference.h"
 
 namespace skybake {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bakers/air/particles/lorenz_mie.h"
-#include "bakers/air/particles/lorenz_mie_kernel.h"
 #include "bakers/air/particles/particle_scattering.h"
 #include "tests/phase/lorenz_mie_reference.h"
 #include "tests/support/hard_case.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/air/particles/phase_function.h"
 #include "bakers/air/particles/phase_source.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/registry.h"

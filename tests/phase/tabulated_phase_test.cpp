@@ -8,8 +8,7 @@
 #include <numbers>
 
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/air/particles/phase_interpolation.h"
-#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 namespace {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "bakers/field/image.h"
-#include "bakers/light/isotropic_orders.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/render/sky_rays.h"
 #include "tests/preview/multiple_scattering_grid.h"

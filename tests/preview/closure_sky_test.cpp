@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/quadrature.h"
 #include "tests/preview/skies.h"
 
 namespace skybake {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 #include "tests/reference/path_media.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "bakers/air/medium.h"
-#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/air/particles/phase_function.h"
 #include "tests/reference/path_media.h"
 #include "tests/support/hard_case.h"
 

@@ -9,7 +9,7 @@
 #include <ostream>
 #include <string>
 
-#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/air/particles/phase_function.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/light/path_tracer/random_numbers.h"
+#include "bakers/light/path_tracer/phase_sampling.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 
 namespace skybake::testing {
 

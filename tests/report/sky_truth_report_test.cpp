@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "bakers/light/isotropic_orders.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/truth/bruneton_sky.h"
 #include "bakers/report/truth/sky_truth_store.h"

@@ -1,4 +1,4 @@
-#include "bakers/light/solver/forward_peak_light.h"
+#include "bakers/light/solver/first_light.h"
 
 #include <gtest/gtest.h>
 

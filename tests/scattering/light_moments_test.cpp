@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/air/particles/legendre_moments.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/air/particles/phase_function.h"
+#include "bakers/math/quadrature.h"
 
 namespace skybake {
 namespace {

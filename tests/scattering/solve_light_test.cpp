@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
-#include "bakers/light/solved_orders.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "tests/sky/sky_media.h"
 

@@ -10,12 +10,10 @@
 #include <cmath>
 
 #include "bakers/assets/multiple_scattering/positive_least_squares.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/multiple_scattering_mapping.h"
-#include "bakers/light/solved_orders.h"
-#include "bakers/light/solved_source.h"
 #include "bakers/light/solver/solve_light.h"
-#include "bakers/light/table_orders.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -2,7 +2,7 @@
 
 #include "bakers/assets/irradiance/irradiance_table.h"
 #include "bakers/light/sky_irradiance.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 #include "config/assets/irradiance.h"
 #include "tests/sky/sky_media.h"
 

@@ -1,9 +1,9 @@
-#include "bakers/light/scene_sun_range.h"
+#include "bakers/light/multiple_scattering_mapping.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "bakers/light/camera_ray.h"
+#include "bakers/light/sky_ray.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/light/isotropic_orders.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "tests/support/atmospheres.h"

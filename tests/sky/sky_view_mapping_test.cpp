@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "bakers/field/image.h"
-#include "bakers/light/camera_ray.h"
+#include "bakers/light/sky_ray.h"
 #include "tests/sky/sky_media.h"
 
 namespace skybake {

@@ -8,8 +8,7 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
-#include "bakers/air/ray_breaks.h"
-#include "bakers/math/adaptive_quadrature.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

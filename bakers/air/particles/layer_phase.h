@@ -7,7 +7,9 @@
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/math/vectors.h"
+#include "config/diagnostics/diagnostic.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 
@@ -31,5 +33,14 @@ std::vector<Spectrum> legendre_moments(const LayerPhase& phase, int degree);
 
 // The layer with the coefficients that follow from its particles; any other as it is.
 config::Layer with_coefficients(config::Layer layer);
+
+// --- Checks --------------------------------------------------------------------------------------
+
+// Whether particles are such that their scattering is known to be right, and layers of them such as
+// bakers can take.
+
+// E0144 of each kind of particles whose largest spheres are beyond kLargestSizeParameter, and of
+// each layer whose extinction is beyond what coefficients may be.
+[[nodiscard]] std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters);
 
 }  // namespace skybake

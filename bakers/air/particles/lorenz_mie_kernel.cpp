@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "bakers/air/particles/lorenz_mie_kernel.h"
+#include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/math/parallel.h"
 
 #undef HWY_TARGET_INCLUDE

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
-#include "bakers/air/particles/lorenz_mie_kernel.h"
-#include "bakers/air/particles/phase_interpolation.h"
+#include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/air/particles/size_distribution.h"
+#include "bakers/air/particles/tabulated_phase.h"
 #include "bakers/air/particles/water_refractive_index.h"
-#include "bakers/air/particles/weighted_spheres.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -206,6 +208,47 @@ ParticleScattering particle_scattering(const config::Particles& particles,
     result.radii = static_cast<int>(average.spheres.count());
     result.angles = 2 * static_cast<int>(by_angle.phase.forward.size()) - 1;
     return result;
+}
+
+namespace {
+
+// All that the result depends on.
+auto key_of(const config::Particles& particles, config::Length wavelength, double accuracy) {
+    return std::tuple{particles.material,
+                      particles.refractive_index,
+                      particles.absorption_index,
+                      particles.sizes,
+                      particles.radius.meters,
+                      particles.geometric_deviation,
+                      particles.effective_radius.meters,
+                      particles.effective_variance,
+                      particles.alpha,
+                      particles.gamma,
+                      wavelength.meters,
+                      accuracy};
+}
+
+using Key = decltype(key_of({}, {}, 0));
+using Results = std::map<Key, std::shared_ptr<const ParticleScattering>>;
+
+}  // namespace
+
+std::shared_ptr<const ParticleScattering> remembered_particle_scattering(
+    const config::Particles& particles, config::Length wavelength, double accuracy, int threads) {
+    static std::mutex mutex;
+    static Results results;
+    const Key key = key_of(particles, wavelength, accuracy);
+    {
+        const std::lock_guard lock(mutex);
+        const auto known = results.find(key);
+        if (known != results.end()) return known->second;
+    }
+    // Not under the lock: a thread that waits inside parallel_for may be given another task of the
+    // pool, which may ask for particles too.
+    auto made = std::make_shared<const ParticleScattering>(
+        particle_scattering(particles, wavelength, accuracy, threads));
+    const std::lock_guard lock(mutex);
+    return results.try_emplace(key, std::move(made)).first->second;
 }
 
 }  // namespace skybake

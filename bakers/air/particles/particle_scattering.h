@@ -17,7 +17,7 @@
 
 #include <memory>
 
-#include "bakers/air/particles/complex_number.h"
+#include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/air/particles/tabulated_phase.h"
 #include "config/sections/particles.h"
 

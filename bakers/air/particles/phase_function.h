@@ -14,6 +14,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "bakers/air/particles/tabulated_phase.h"
 #include "config/sections/atmosphere.h"
@@ -43,5 +44,20 @@ double draine(double g, double alpha, double one_minus_cosine, double one_plus_c
 // Rayleigh's of nu, in 1/sr, in the words of the lookups by which runtimes multiply. It rounds
 // otherwise than a + b nu^2.
 double rayleigh_phase(double nu);
+
+// --- Legendre moments ----------------------------------------------------------------------------
+
+// The Legendre moments of a phase function:
+//
+//   chi_l = integral over directions of p(nu) P_l(nu),   p(nu) = 1/4pi sum (2 l + 1) chi_l P_l(nu)
+//
+// chi_0 = 1 and chi_1 is the mean cosine, which for Cornette-Shanks is not its parameter g but
+// 3 g (4 + g^2) / (5 (2 + g^2)).
+
+// chi_0 .. chi_degree, in closed form or of a table.
+//
+// Henyey-Greenstein's are g^l. The forms of phase_function.h are Henyey-Greenstein's times
+// (a + b nu^2), and nu^2 P_l is a sum of P_(l+2), P_l and P_(l-2).
+std::vector<double> legendre_moments(const PhaseFunction& phase, int degree);
 
 }  // namespace skybake

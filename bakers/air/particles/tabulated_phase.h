@@ -39,7 +39,7 @@ TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double>
 double tabulated_phase_value(const TabulatedPhase& phase, double one_minus_cosine,
                              double one_plus_cosine);
 
-// The Legendre moments chi_0 = 1 ... chi_degree (legendre_moments.h); chi_1 is the mean cosine.
+// The Legendre moments chi_0 = 1 ... chi_degree (phase_function.h); chi_1 is the mean cosine.
 // Each cell's integral is by Gauss's rule with as many nodes as make it exact to rounding.
 std::vector<double> tabulated_moments(const TabulatedPhase& phase, int degree);
 
@@ -61,5 +61,38 @@ struct MeasuredPhase {
 // The table of a function, scaled to an integral of 1. Cells double until interpolation between
 // them is within `bound`, or there are 2^13.
 MeasuredPhase make_tabulated_phase(const PhaseAtAngles& values, double bound);
+
+// --- Interpolation -------------------------------------------------------------------------------
+
+// A phase function between the nodes at which a series was summed: uniform in the fourth root of
+// 1 - cos (forward half) and 1 + cos (backward half), as in tabulated_phase.h.
+//
+// Polynomials through the logarithms of six nodes, which keep the phase function positive. It is
+// an analytic function of 1 - cos, hence an even one of its root: at the poles nodes are mirrored,
+// at 90 degrees the polynomials are one-sided.
+
+// Values from the pole to 90 degrees, of both halves.
+struct PhaseHalves {
+    std::vector<double> forward, backward;
+};
+
+// The largest |after - before| / after of all values.
+double largest_difference(const PhaseHalves& before, const PhaseHalves& after);
+
+// The values between neighbours, by interpolation.
+PhaseHalves interpolated_middles(const PhaseHalves& nodes);
+
+// Nodes and the values in their middles, in order.
+PhaseHalves interleaved(const PhaseHalves& nodes, const PhaseHalves& middles);
+
+class PhaseInterpolation {
+  public:
+    explicit PhaseInterpolation(const PhaseHalves& nodes);
+
+    std::vector<double> values(const std::vector<ScatteringAngle>& angles) const;
+
+  private:
+    PhaseHalves logarithms_;
+};
 
 }  // namespace skybake

@@ -10,7 +10,7 @@
 // degrees.
 #pragma once
 
-#include "bakers/air/particles/complex_number.h"
+#include "bakers/air/particles/lorenz_mie.h"
 #include "config/text/quantity.h"
 
 namespace skybake {

@@ -17,7 +17,7 @@
 // falls from 1 about linearly with distance; a runtime scales by distance there.
 #pragma once
 
-#include "bakers/light/sky_direction.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/math/vectors.h"
 #include "config/assets/aerial_perspective.h"
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "bakers/field/finish_volume.h"
-#include "bakers/light/camera_ray.h"
-#include "bakers/math/tiles.h"
+#include "bakers/light/sky_ray.h"
+#include "bakers/math/parallel.h"
 #include "config/assets/aerial_perspective.h"
 
 namespace skybake {
@@ -20,8 +20,6 @@ using config::AerialContent;
 using config::AerialPerspectiveBake;
 
 namespace {
-
-constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 
 // The channels of a voxel.
 std::vector<double> channels_of(const SkyLight& light, const SkyRadiance& radiance,
@@ -150,9 +148,9 @@ std::string content_text(const AerialPerspectiveBake& bake) {
 // The camera in the digits that people write. Distance is view_distance_km times w to the
 // `exponent`.
 void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, Baked& volume) {
-    const double heading = to_digits(bake.heading.radians * kDegrees, 9);
-    const double pitch = to_digits(bake.pitch.radians * kDegrees, 9);
-    const double fov = to_digits(bake.fov.radians * kDegrees, 9);
+    const double heading = to_digits(bake.heading.radians * kDegreesPerRadian, 9);
+    const double pitch = to_digits(bake.pitch.radians * kDegreesPerRadian, 9);
+    const double fov = to_digits(bake.fov.radians * kDegreesPerRadian, 9);
     const bool squared = bake.slices == config::SliceSpacing::squared;
     volume.axes[0].constants = {
         {"heading_deg", heading}, {"fov_deg", fov}, {"aspect", bake.aspect}};
@@ -192,10 +190,10 @@ void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>&
         volume.details.emplace_back(name, to_digits(value, 9));
     };
     add("camera_altitude_km", bake.altitude.kilometers());
-    add("sun_elevation_deg", bake.sun_elevation.radians * kDegrees);
-    add("heading_deg", bake.heading.radians * kDegrees);
-    add("pitch_deg", bake.pitch.radians * kDegrees);
-    add("fov_deg", bake.fov.radians * kDegrees);
+    add("sun_elevation_deg", bake.sun_elevation.radians * kDegreesPerRadian);
+    add("heading_deg", bake.heading.radians * kDegreesPerRadian);
+    add("pitch_deg", bake.pitch.radians * kDegreesPerRadian);
+    add("fov_deg", bake.fov.radians * kDegreesPerRadian);
     add("aspect", bake.aspect);
     describe_axes(bake, colour_names.size(), volume);
 }

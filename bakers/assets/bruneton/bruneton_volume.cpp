@@ -14,10 +14,10 @@
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/light/check_light.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_light.h"
-#include "bakers/light/solved_orders.h"
-#include "bakers/light/solver/solved_light_memory.h"
+#include "bakers/light/solver/energy_balance.h"
+#include "bakers/light/solver/solve_light.h"
 #include "config/assets/takram_layers.h"
 
 namespace skybake {

@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/air/ray_breaks.h"
-#include "bakers/light/ray_pieces.h"
+#include "bakers/air/ray.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 
 namespace skybake {

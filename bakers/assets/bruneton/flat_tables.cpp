@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
@@ -17,7 +17,7 @@
 #include "bakers/field/image.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/light/solver/sun_axis.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 #include "config/assets/bruneton.h"
 
 namespace skybake {

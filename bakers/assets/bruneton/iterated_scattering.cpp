@@ -12,7 +12,7 @@
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/light/sky_radiance.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

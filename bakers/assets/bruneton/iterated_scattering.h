@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/math/bake_options.h"
 

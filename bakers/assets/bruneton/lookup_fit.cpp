@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "config/assets/bruneton.h"
 

@@ -12,9 +12,9 @@
 #include "bakers/field/certify.h"
 #include "bakers/field/image.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/relative_error.h"
-#include "bakers/math/tiles.h"
 
 namespace skybake {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bakers/light/multiple_scattering_quadrature.h"
-#include "bakers/light/ray_pieces.h"
+#include "bakers/light/sky_ray.h"
 
 namespace skybake {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/sun_bundle.h"

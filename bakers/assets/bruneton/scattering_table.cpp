@@ -9,7 +9,7 @@
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/tiles.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake {
 

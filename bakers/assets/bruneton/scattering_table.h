@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/field/baked.h"

@@ -11,15 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/air/horizon_margin.h"
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_error.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/image.h"
-#include "bakers/light/solved_orders.h"
+#include "bakers/light/higher_orders.h"
 
 namespace skybake {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"

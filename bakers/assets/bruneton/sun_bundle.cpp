@@ -74,7 +74,7 @@ void AddSunlight(const TransmittanceField& field, const ScatteringView& view,
     }
 }
 
-// The solved light of one node, as solved_source.h has it, for the suns of a fan.
+// The solved light of one node, as higher_orders.h has it, for the suns of a fan.
 class SolvedNode {
   public:
     SolvedNode(const SolvedLight& light, const NodePlace& place, const SunBundle& suns)

@@ -12,7 +12,7 @@
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/clouds/cloud_specification.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake {

@@ -9,9 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/field/finish_table.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/math/relative_error.h"
 
 namespace skybake {
@@ -20,14 +21,12 @@ using config::EnvironmentBake;
 
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
-
 // The angle above the horizon, in radians, at a coordinate y, and back.
 double above_horizon(const SkyViewCamera& camera, double y) {
-    return environment_elevation_deg(y) / kDegrees + camera.dip();
+    return environment_elevation_deg(y) / kDegreesPerRadian + camera.dip();
 }
 double coordinate_of(const SkyViewCamera& camera, double above_horizon) {
-    return 0.5 - (above_horizon - camera.dip()) * kDegrees / 180;
+    return 0.5 - (above_horizon - camera.dip()) * kDegreesPerRadian / 180;
 }
 
 // Rays from space that pass above the air see nothing.
@@ -67,8 +66,8 @@ void describe(const EnvironmentBake& bake, const SkyViewCamera& camera, const Sh
     table.axes[0].constants = {{"range_deg", 360.0}};
     table.axes[1].constants = shell_constants(shell);
     const Facts numbers = {
-        {"dip_deg", camera.dip() * kDegrees},
-        {"sun_elevation_deg", to_digits(bake.sun_elevation.radians * kDegrees, 9)},
+        {"dip_deg", camera.dip() * kDegreesPerRadian},
+        {"sun_elevation_deg", to_digits(bake.sun_elevation.radians * kDegreesPerRadian, 9)},
         {"camera_altitude_km", to_digits(bake.altitude.kilometers(), 9)}};
     table.axes[1].constants.insert(table.axes[1].constants.end(), numbers.begin(), numbers.end());
     table.conventions.angle_unit = "deg";

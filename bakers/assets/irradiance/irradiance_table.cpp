@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_irradiance.h"

@@ -6,12 +6,12 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/view_ray.h"
-#include "bakers/light/camera_ray.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/sky_radiance.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/light/sky_view_mapping.h"
-#include "bakers/light/solved_source.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/light/solver/sun_axis.h"

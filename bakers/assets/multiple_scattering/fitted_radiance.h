@@ -14,7 +14,7 @@
 // 6.1, 4.0, 2.5 to 3.3, 2.5, 2.0 % at 94 degrees. What is left is the light about the sun that haze
 // scatters forward, which no isotropic table has: were haze's phase that of air, it would be less
 // than a third in red. What runtimes derive from Psi at the ground about the light that the ground
-// receives (isotropic_orders.h), too bright with E0 / 4pi already, becomes brighter.
+// receives (higher_orders.h), too bright with E0 / 4pi already, becomes brighter.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 #include "bakers/assets/multiple_scattering/fit_equations.h"
 #include "bakers/field/image.h"
 #include "bakers/field/table_model.h"
-#include "bakers/light/sun_columns.h"
+#include "bakers/light/multiple_scattering_mapping.h"
 
 namespace skybake {
 

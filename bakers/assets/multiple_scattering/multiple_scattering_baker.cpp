@@ -12,7 +12,6 @@
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/solver/light_moments.h"
-#include "bakers/light/sun_columns.h"
 #include "config/assets/multiple_scattering.h"
 
 namespace skybake {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "bakers/air/azimuth_rules.h"
+#include "bakers/air/quadrature_rules.h"
 #include "bakers/air/transmittance_row-inl.h"
 #include "bakers/math/transcendental-inl.h"
 

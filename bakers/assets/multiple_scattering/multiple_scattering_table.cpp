@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "bakers/field/finish_table.h"

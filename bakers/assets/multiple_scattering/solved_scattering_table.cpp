@@ -10,16 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/assets/multiple_scattering/fitted_radiance.h"
 #include "bakers/assets/multiple_scattering/sky_error.h"
 #include "bakers/field/finish_table.h"
-#include "bakers/light/check_light.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/path_tracer/path_tracer.h"
-#include "bakers/light/solved_orders.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/light/solver/solve_light.h"
-#include "bakers/light/table_orders.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/multiple_scattering.h"
 

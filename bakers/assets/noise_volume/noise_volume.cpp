@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "bakers/field/finish_volume.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/noise_specification.h"

@@ -12,7 +12,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/io/manifest/asset_files.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/parameters.h"

@@ -5,11 +5,10 @@
 #include <cstddef>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/air/optical_depth_reference.h"
 #include "bakers/air/particles/layer_phase.h"
-#include "bakers/air/ray_breaks.h"
+#include "bakers/air/ray.h"
 #include "bakers/field/certify.h"
-#include "bakers/math/low_discrepancy.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "bakers/air/particles/layer_phase.h"
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/field/finish_volume.h"

@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-#include "bakers/air/particles/legendre_moments.h"
+#include "bakers/air/particles/phase_function.h"
 #include "bakers/air/particles/phase_source.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/field/finish_table.h"

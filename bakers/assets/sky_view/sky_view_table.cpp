@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/air/shell_constants.h"
+#include "bakers/air/ray.h"
 #include "bakers/field/finish_table.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/light/sky_row.h"
 #include "bakers/math/relative_error.h"
 #include "bakers/math/transcendental.h"
@@ -22,13 +23,11 @@ using config::SkyViewBake;
 
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
-
 // The suns whose tables stand one below the other, and the camera, in the digits that people write.
 Facts sky_view_facts(const SkyViewBake& bake) {
     std::vector<double> elevations;
     for (const config::Angle& elevation : bake.sun_elevations) {
-        elevations.push_back(elevation.radians * kDegrees);
+        elevations.push_back(elevation.radians * kDegreesPerRadian);
     }
     return {{"sun_elevations_deg", to_digits(std::move(elevations), 9)},
             {"camera_altitude_km", to_digits(bake.altitude.kilometers(), 9)}};
@@ -38,9 +37,9 @@ void describe_axes(const SkyViewBake& bake, const SkyViewCamera& camera, const S
                    Baked& table) {
     table.axes[0].constants = {{"range_deg", 180.0}};
     table.axes[1].constants = shell_constants(shell);
-    const Facts numbers = {{"dip_deg", camera.dip() * kDegrees},
-                           {"range_below_deg", camera.range_below() * kDegrees},
-                           {"range_above_deg", camera.range_above() * kDegrees},
+    const Facts numbers = {{"dip_deg", camera.dip() * kDegreesPerRadian},
+                           {"range_below_deg", camera.range_below() * kDegreesPerRadian},
+                           {"range_above_deg", camera.range_above() * kDegreesPerRadian},
                            {"tables", static_cast<double>(bake.sun_elevations.size())}};
     for (const Facts& more : {numbers, sky_view_facts(bake)}) {
         table.axes[1].constants.insert(table.axes[1].constants.end(), more.begin(), more.end());
@@ -78,10 +77,10 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell&
         fmt::format("y = 1/2 + 1/2 sign(l) sqrt(|l| / range), l the angle above the horizon, which "
                     "is {:.9g} degrees below the horizontal, range {:.9g} degrees below and {:.9g} "
                     "above it{}",
-                    camera.dip() * kDegrees, camera.range_below() * kDegrees,
-                    camera.range_above() * kDegrees, stacked),
-        "end points on texel centres", -camera.range_below() * kDegrees,
-        camera.range_above() * kDegrees};
+                    camera.dip() * kDegreesPerRadian, camera.range_below() * kDegreesPerRadian,
+                    camera.range_above() * kDegreesPerRadian, stacked),
+        "end points on texel centres", -camera.range_below() * kDegreesPerRadian,
+        camera.range_above() * kDegreesPerRadian};
     set_files(bake, table);
     table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
     table.certificate.scale = kRelativeErrorScale;
@@ -141,8 +140,8 @@ config::Outcome<Baked> bake_sky_view(const SkyLight& light, const SkyViewBake& b
     for (const config::Angle& elevation : bake.sun_elevations) {
         const auto place_of = [&camera, elevation](double x, double y) {
             return Place{{"azimuth_deg", 180 * x},
-                         {"above_horizon_deg", camera.angle_at(y) * kDegrees},
-                         {"sun_elevation_deg", elevation.radians * kDegrees}};
+                         {"above_horizon_deg", camera.angle_at(y) * kDegreesPerRadian},
+                         {"sun_elevation_deg", elevation.radians * kDegreesPerRadian}};
         };
         const TableModel model = sky_view_model(light, camera, sun_at_elevation(elevation.radians));
         config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);

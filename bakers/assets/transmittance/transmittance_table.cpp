@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/air/optical_depth_reference.h"
 #include "bakers/air/ray.h"
-#include "bakers/air/shell_constants.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/math/transcendental.h"

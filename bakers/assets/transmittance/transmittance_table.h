@@ -13,7 +13,7 @@
 namespace skybake {
 
 // The table as a function: transmittance, or optical depth, of the ray at (x_mu, x_r). The
-// reference is optical_depth_reference.h. `medium` must outlive the model.
+// reference is optical_depth.h. `medium` must outlive the model.
 TableModel transmittance_model(const Medium& medium, const config::TransmittanceBake& bake);
 
 // Transmittance from a point to the top of the atmosphere, transmittance_mapping.h. `table` brings

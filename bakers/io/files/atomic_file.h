@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

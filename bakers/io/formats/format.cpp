@@ -11,7 +11,7 @@
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/formats/png/png_file.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {

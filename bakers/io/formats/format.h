@@ -14,7 +14,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/sheet.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/files.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/math/aligned_floats.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/math/memory.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/files.h"
 

@@ -8,7 +8,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

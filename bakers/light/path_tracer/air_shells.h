@@ -17,8 +17,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "bakers/air/medium.h"
 #include "bakers/air/ray.h"
-#include "bakers/air/sky_medium.h"
 #include "bakers/math/channels.h"
 
 namespace skybake {

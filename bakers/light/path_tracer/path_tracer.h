@@ -9,9 +9,9 @@
 #include <array>
 #include <cstdint>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/path_walk.h"
-#include "bakers/light/sky_direction.h"
+#include "bakers/light/sky_ray.h"
 
 namespace skybake {
 

@@ -16,10 +16,9 @@
 #include <array>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/air_shells.h"
 #include "bakers/light/path_tracer/phase_sampling.h"
-#include "bakers/light/path_tracer/random_numbers.h"
 #include "bakers/math/channels.h"
 #include "bakers/math/vectors.h"
 

@@ -1,11 +1,62 @@
-// Directions distributed as a phase function scatters them.
+// Random numbers, and directions distributed as a phase function scatters them.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/light/path_tracer/random_numbers.h"
 #include "bakers/math/vectors.h"
 
 namespace skybake {
+
+// Counter-based random numbers: a value is a function of its address alone, so that any number of
+// threads draws the same ones.
+//
+// Philox-4x32-10 (Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3").
+
+using RandomWords = std::array<std::uint32_t, 4>;
+
+inline RandomWords philox_4x32_10(RandomWords counter, std::array<std::uint32_t, 2> key) {
+    for (int round = 0; round < 10; ++round) {
+        const std::uint64_t a = std::uint64_t{0xD2511F53} * counter[0];
+        const std::uint64_t b = std::uint64_t{0xCD9E8D57} * counter[2];
+        const auto high = [](std::uint64_t product) {
+            return static_cast<std::uint32_t>(product >> 32);
+        };
+        counter = {high(b) ^ counter[1] ^ key[0], static_cast<std::uint32_t>(b),
+                   high(a) ^ counter[3] ^ key[1], static_cast<std::uint32_t>(a)};
+        key[0] += 0x9E3779B9;  // the golden ratio's and sqrt(3) - 1's bits
+        key[1] += 0xBB67AE85;
+    }
+    return counter;
+}
+
+// The random numbers of one path, dimension by dimension.
+class RandomStream {
+  public:
+    RandomStream(std::uint64_t seed, std::uint32_t ray, std::uint64_t path)
+        : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
+          counter_{0, static_cast<std::uint32_t>(path), static_cast<std::uint32_t>(path >> 32),
+                   ray} {}
+
+    // In (0, 1), symmetric about 1/2: the middles of 2^32 equal intervals.
+    double next() {
+        if (used_ == 4) {
+            words_ = philox_4x32_10(counter_, key_);
+            ++counter_[0];
+            used_ = 0;
+        }
+        return (words_[used_++] + 0.5) * 0x1p-32;
+    }
+
+  private:
+    std::array<std::uint32_t, 2> key_;
+    RandomWords counter_;
+    RandomWords words_{};
+    unsigned used_ = 4;
+};
+
+// Directions distributed as a phase function scatters them.
 
 // nu with density 2 pi p(nu).
 //

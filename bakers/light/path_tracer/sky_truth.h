@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/path_walk.h"
 
 namespace skybake {

@@ -11,8 +11,8 @@
 
 #include <functional>
 
-#include "bakers/light/solver/light_field.h"
-#include "bakers/math/progress.h"
+#include "bakers/light/solver/light_moments.h"
+#include "bakers/math/bake_options.h"
 
 namespace skybake {
 

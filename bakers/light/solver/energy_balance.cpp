@@ -1,13 +1,16 @@
 #include "bakers/light/solver/energy_balance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -105,6 +108,48 @@ EnergyBalance energy_balance(const SkyMedium& medium, const SolvedLight& light) 
     add_ground(medium.air, light, balance);
     add_top(medium.air, light, balance);
     return balance;
+}
+
+namespace {
+
+// What goes in and what comes out may differ by this share: ten times what Earth's do.
+constexpr double kEnergyTolerance = 0.03;
+constexpr double kMostLeftOut = 0.01;
+
+config::Diagnostic failure(std::string message) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0405";
+    diagnostic.message = std::move(message);
+    return diagnostic;
+}
+
+}  // namespace
+
+std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
+                                              const SolvedLight& light, const std::string& name) {
+    if (!(light.left_out <= kMostLeftOut)) {
+        return failure(fmt::format(
+            "`{}`: after {} orders of scattering {:.2g} of the light is still missing, more than "
+            "{:.2g}: air this dense, or a phase function this sharp, is beyond the solver",
+            name, light.applications + 1, light.left_out, kMostLeftOut));
+    }
+    if (!(balance.largest_error() <= kEnergyTolerance)) {
+        return failure(fmt::format(
+            "`{}`: a share of {:.3g} of the light that enters is not accounted for, more than "
+            "{:.3g}: air this dense, or a phase function this sharp, is beyond the solver",
+            name, balance.largest_error(), kEnergyTolerance));
+    }
+    for (int level = 0; level < light.light.levels; ++level) {
+        for (int sun = 0; sun < light.light.suns; ++sun) {
+            const double* mean = light.light.at(level, sun);
+            if (*std::min_element(mean, mean + kMaxChannels) >= 0) continue;
+            return failure(
+                fmt::format("`{}`: light at altitude_km {:.6g}, sun_cos_zenith {:.6g} is negative",
+                            name, light.altitudes_km[static_cast<std::size_t>(level)],
+                            light.suns.cosines[static_cast<std::size_t>(sun)]));
+        }
+    }
+    return std::nullopt;
 }
 
 }  // namespace skybake

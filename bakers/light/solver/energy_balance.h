@@ -10,8 +10,12 @@
 //             ground
 #pragma once
 
-#include "bakers/air/sky_medium.h"
+#include <optional>
+#include <string>
+
+#include "bakers/air/medium.h"
 #include "bakers/light/solver/solved_light.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 
@@ -25,5 +29,12 @@ struct EnergyBalance {
 };
 
 EnergyBalance energy_balance(const SkyMedium& medium, const SolvedLight& light);
+
+// Whether what was solved for is light: before any asset is made of it.
+
+// E0405 where orders are left out, energy is lost or light is negative. `name` of the asset.
+[[nodiscard]] std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
+                                                            const SolvedLight& light,
+                                                            const std::string& name);
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-#include "bakers/light/solver/forward_peak_light.h"
+#include "bakers/light/solver/first_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
-#include "bakers/light/solver/light_field.h"
+#include "bakers/light/solver/light_moments.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

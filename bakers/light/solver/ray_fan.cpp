@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/air/cell_rule.h"
+#include "bakers/air/quadrature_rules.h"
 #include "bakers/air/view_ray.h"
-#include "bakers/air/zenith_parts.h"
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

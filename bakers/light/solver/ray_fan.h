@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 
 namespace skybake {
 

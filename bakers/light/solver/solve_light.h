@@ -1,10 +1,13 @@
 // All orders of scattering in a spherical atmosphere, solved.
 #pragma once
 
-#include "bakers/air/sky_medium.h"
+#include <memory>
+#include <vector>
+
+#include "bakers/air/medium.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/solved_light.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 
 namespace skybake {
 
@@ -32,5 +35,20 @@ SolverSettings finer(SolverSettings settings);
 // its own phase function and by the ground. The same bits for any number of threads.
 SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
                         Progress* progress = nullptr);
+
+// Light that was solved for once in a run, for all assets that ask for it.
+
+// solve_light, or the last one's result where that was asked the same. After an interruption the
+// light is not to be used, and is not remembered.
+std::shared_ptr<const SolvedLight> remembered_light(const SkyMedium& medium,
+                                                    const SolverSettings& settings, int threads,
+                                                    Progress* progress);
+
+// The altitudes of a solution.
+
+// Ascending, from the ground to the top, with every kink of the medium among them: closest where
+// densities change and where the air is opaque, so that light is nearly linear between neighbours.
+// `scale` multiplies their number.
+std::vector<double> solution_levels_km(const Medium& medium, double scale);
 
 }  // namespace skybake

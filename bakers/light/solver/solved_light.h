@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
-#include "bakers/light/solver/light_field.h"
+#include "bakers/light/solver/light_moments.h"
 #include "bakers/light/solver/sun_axis.h"
 
 namespace skybake {

@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "bakers/light/solver/light_field.h"
+#include "bakers/light/solver/light_moments.h"
 #include "bakers/light/solver/ray_fan.h"
 #include "bakers/light/solver/sun_axis.h"
 

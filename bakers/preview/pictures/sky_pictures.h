@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/render/sky_tables.h"
 #include "config/sections/atmosphere.h"

@@ -8,7 +8,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/field/image.h"
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/light/sun_columns.h"
+#include "bakers/light/multiple_scattering_mapping.h"
 
 namespace skybake {
 

@@ -12,7 +12,7 @@
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/flat_tables.h"
 #include "bakers/io/files/to_string.h"
-#include "bakers/light/solved_orders.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/bruneton.h"

@@ -21,7 +21,7 @@
 #include "bakers/assets/bruneton/scattering_error.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/io/files/to_string.h"
-#include "bakers/light/solved_orders.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/bruneton.h"

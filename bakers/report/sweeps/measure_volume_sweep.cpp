@@ -15,7 +15,7 @@
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/io/manifest/asset_files.h"
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/noise/combine_kernel.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_plan.h"

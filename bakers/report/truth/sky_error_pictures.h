@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/truth/sky_truth_report.h"
 #include "config/diagnostics/diagnostic.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/higher_orders.h"
-#include "bakers/light/sky_direction.h"
+#include "bakers/light/sky_ray.h"
 
 namespace skybake {
 

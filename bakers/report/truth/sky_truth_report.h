@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/sky_truth.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "bakers/report/truth/sky_methods.h"
 
 namespace skybake {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "bakers/air/sky_medium.h"
+#include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/sky_truth.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

@@ -29,7 +29,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/formats/exr/attribute_pieces.h"
 #include "bakers/io/formats/format.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

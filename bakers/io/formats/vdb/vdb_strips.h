@@ -11,7 +11,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
-#include "bakers/math/aligned_floats.h"
+#include "bakers/math/memory.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

@@ -20,7 +20,7 @@
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_strips.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
-#include "bakers/math/progress.h"
+#include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {

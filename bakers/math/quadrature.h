@@ -1,12 +1,26 @@
-// Adaptive Gauss-Kronrod quadrature: slow, and right wherever its caller splits at the kinks. What
-// the fast kernels are measured against.
+// Where functions are sampled: by Gauss-Legendre rules, adaptively, and at points spread evenly.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace skybake {
+
+// Gauss-Legendre quadrature on [0, 1].
+
+struct QuadratureRule {
+    std::vector<double> nodes;    // ascending, in (0, 1)
+    std::vector<double> weights;  // positive, their sum is 1
+};
+
+// The rule with `count` >= 1 nodes: exact for polynomials up to degree 2 count - 1. Nodes and
+// weights within 1e-15, the same bits everywhere.
+QuadratureRule gauss_legendre(int count);
+
+// Adaptive Gauss-Kronrod quadrature: slow, and right wherever its caller splits at the kinks. What
+// the fast kernels are measured against.
 
 // The integral of a vector-valued function from a to b. Intervals are halved until Kronrod's 15
 // points and Gauss' 7 agree within `relative` of the interval's own integral of |f| plus
@@ -61,5 +75,21 @@ T adaptive_integral(const Function& f, double a, double b, double relative, doub
     for (std::size_t c = 0; c < kCount; ++c) sum[c] += right[c];
     return sum;
 }
+
+// The fixed points at which errors are measured: the same on every run and machine.
+
+// Points of the unit square that share their y.
+struct PointRow {
+    double y = 0;
+    std::vector<double> x;
+};
+
+// rows * per_row points, spread evenly in [0, 1)^2 for any first so many rows: the additive
+// recurrence with the plastic number (M. Roberts, "The unreasonable effectiveness of quasirandom
+// sequences", 2018), each coordinate counted on by itself. With one point a row it is his sequence.
+std::vector<PointRow> low_discrepancy_points(int rows, int per_row);
+
+// Roberts' sequence in three dimensions: point `index`, from 0 on, of the unit cube [0, 1)^3.
+std::array<double, 3> low_discrepancy_point(int index);
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-// Floats at the start of a cache line, as vector loads like them.
+// Memory as vector loads and repeated bakes like it.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,8 @@
 #include <vector>
 
 namespace skybake {
+
+// Floats at the start of a cache line, as vector loads like them.
 
 template <class T>
 struct CacheLineAllocator {
@@ -25,5 +27,12 @@ struct CacheLineAllocator {
 };
 
 using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
+
+// For programs, at their start.
+
+// Has the process keep the memory that it frees rather than give it back: bakes free and ask for
+// the same buffers over and over, and faulting in fresh pages costs as much as octaves of noise do.
+// Nothing else depends on it; a no-op where the C library is not glibc.
+void keep_freed_memory();
 
 }  // namespace skybake

@@ -1,7 +1,7 @@
-#include "bakers/light/camera_ray.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "bakers/light/sky_ray.h"
 
 namespace skybake {
 

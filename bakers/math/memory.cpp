@@ -1,6 +1,6 @@
-#include "bakers/math/keep_memory.h"
-
 #include <malloc.h>
+
+#include "bakers/math/memory.h"
 
 namespace skybake {
 

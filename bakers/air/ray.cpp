@@ -1,8 +1,8 @@
-#include "bakers/air/ray_breaks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+
+#include "bakers/air/ray.h"
 
 namespace skybake {
 

@@ -1,10 +1,10 @@
-#include "bakers/air/azimuth_rules.h"
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
-#include "bakers/math/gauss_legendre.h"
+#include "bakers/air/quadrature_rules.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -44,6 +44,29 @@ const AzimuthRule& lit_part_rule(int count) {
     static const std::array<AzimuthRule, 4> rules = {make_lit_part_rule(4), make_lit_part_rule(4),
                                                      make_lit_part_rule(4), make_lit_part_rule(8)};
     return rules[index_of(count)];
+}
+
+const ClimbRule& climb_rule() {
+    static const ClimbRule rule = [] {
+        const QuadratureRule gauss = gauss_legendre(kClimbNodes);
+        ClimbRule result{};
+        for (int i = 0; i < kClimbNodes; ++i) {
+            result.nodes[i] = gauss.nodes[static_cast<std::size_t>(i)];
+            result.half_weights[i] = 0.5 * gauss.weights[static_cast<std::size_t>(i)];
+        }
+        return result;
+    }();
+    return rule;
+}
+
+std::vector<ZenithPart> zenith_parts(double horizon, double height, int zenith_nodes) {
+    const auto share = [&](double part) {
+        return std::max(2, static_cast<int>(std::lround(part * zenith_nodes)));
+    };
+    std::vector<ZenithPart> parts = {{horizon, -1, true, share(0.5 + 0.2 * height)}};
+    if (horizon < 0) parts.push_back({horizon, 0, false, share(0.7 + 0.7 * height)});
+    parts.push_back({0, 1, false, share(0.7 - 0.4 * height)});
+    return parts;
 }
 
 }  // namespace skybake

@@ -1,0 +1,218 @@
+#include "bakers/light/higher_orders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/field/image.h"
+#include "bakers/field/interpolation.h"
+#include "bakers/light/solver/light_moments.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// What a km of air scatters towards an eye, from moments of the light (light_moments.h).
+
+// A moment L_lm, and the factor of cos(m phi) that it stands with for the view at hand.
+struct WeightedMoment {
+    double weight = 0;
+    Spectrum value{};
+};
+
+// Sum over layers of sigma_s sum over l of chi_l sum over m of weight L_lm cos(m phi), l up to the
+// degree. `phase_moments` are chi of each layer, `moment(l, m)` gives a WeightedMoment.
+template <class Moment>
+Spectrum moment_sum(int degree, double azimuth_cosine,
+                    const std::vector<Spectrum>& scattering_per_km,
+                    const std::vector<std::vector<Spectrum>>& phase_moments, const Moment& moment) {
+    Spectrum sum{};
+    for (int l = 0; l <= degree; ++l) {
+        Spectrum of_degree{};
+        double last = 1;  // cos(m phi), by Chebyshev's recursion
+        double before = azimuth_cosine;
+        for (int m = 0; m <= l; ++m) {
+            const WeightedMoment of = moment(l, m);
+            of_degree += of.weight * last * of.value;
+            const double next = 2 * azimuth_cosine * last - before;
+            before = last;
+            last = next;
+        }
+        for (std::size_t k = 0; k < scattering_per_km.size(); ++k) {
+            const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
+            sum += scattering_per_km[k] * chi * of_degree;
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+IsotropicOrders::IsotropicOrders(const Medium& medium, MeanRadiance mean_radiance)
+    : medium_(medium), mean_radiance_(std::move(mean_radiance)) {}
+
+Spectrum IsotropicOrders::scattered(const ScatteringPoint& point,
+                                    const std::vector<Spectrum>& scattering_per_km) const {
+    const Spectrum psi = mean_radiance_(point.altitude_km, point.sun_cos_zenith);
+    Spectrum sum{};
+    for (const Spectrum& layer : scattering_per_km) {
+        sum += layer * psi;
+    }
+    return sum;
+}
+
+Spectrum IsotropicOrders::sky_irradiance(double sun_cos_zenith) const {
+    constexpr double kPi = std::numbers::pi;
+    const Spectrum psi = mean_radiance_(0, sun_cos_zenith);
+    const Spectrum& albedo = medium_.ground_albedo;
+    Spectrum sun{};
+    if (sun_cos_zenith > 0) {
+        const double s_km = medium_.ground_radius_km * sun_cos_zenith;
+        sun = sun_cos_zenith * exponential(-optical_depth_to_top(medium_, 0, s_km)) / kPi;
+    }
+    // Not negative but for what the table's interpolation leaves.
+    return kPi * maximum(2.0 * psi - albedo * sun, Spectrum(0.0)) / (1.0 + albedo);
+}
+
+SolvedOrders::SolvedOrders(const SkyMedium& medium, const SolvedLight& light, int degree)
+    : light_(light), degree_(std::min(degree, light.degree())) {
+    for (const SkyLayer& layer : medium.layers) {
+        phase_moments_.push_back(legendre_moments(layer.phase, degree_));
+    }
+}
+
+Spectrum SolvedOrders::scattered(const ScatteringPoint& point,
+                                 const std::vector<Spectrum>& scattering_per_km) const {
+    std::vector<Spectrum> moments(static_cast<std::size_t>(moment_count(light_.degree())));
+    light_.moments_at(point.altitude_km, point.sun_cos_zenith, moments.data());
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree_)));
+    zenith_harmonics(degree_, point.view_cos_zenith, harmonics.data());
+    return moment_sum(degree_, point.azimuth_cosine, scattering_per_km, phase_moments_,
+                      [&](int l, int m) {
+                          const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                          return WeightedMoment{harmonics[lm], moments[lm]};
+                      });
+}
+
+Spectrum SolvedOrders::sky_irradiance(double sun_cos_zenith) const {
+    return light_.sky_irradiance_at(sun_cos_zenith);
+}
+
+TableOrders::TableOrders(const SkyMedium& medium, const Image2<float>& table, int degree,
+                         PlaceInTable place)
+    : table_(table),
+      degree_(degree),
+      place_(std::move(place)),
+      mean_(medium.air, [this](double altitude_km, double sun_cos_zenith) {
+          return moment_at({altitude_km, sun_cos_zenith, 0, 0}, 0);
+      }) {
+    for (const SkyLayer& layer : medium.layers) {
+        phase_moments_.push_back(legendre_moments(layer.phase, degree));
+    }
+}
+
+Spectrum TableOrders::moment_at(const ScatteringPoint& point, int part) const {
+    const int parts = moment_count(degree_);
+    const TablePlace at = place_(point.altitude_km, point.sun_cos_zenith);
+    const auto convention = TexelConvention::end_points_on_texel_centres;
+    const double v = texture_coordinate(convention, at.y, table_.height / parts);
+    Spectrum value{};
+    bilinear(table_, texture_coordinate(convention, at.x, table_.width), (part + v) / parts,
+             data(value));
+    return value;
+}
+
+Spectrum TableOrders::scattered(const ScatteringPoint& point,
+                                const std::vector<Spectrum>& scattering_per_km) const {
+    if (degree_ == 0) return mean_.scattered(point, scattering_per_km);
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree_)));
+    zenith_harmonics(degree_, point.view_cos_zenith, harmonics.data());
+    return moment_sum(
+        degree_, point.azimuth_cosine, scattering_per_km, phase_moments_, [&](int l, int m) {
+            const int lm = moment_index(l, m);
+            return WeightedMoment{harmonics[static_cast<std::size_t>(lm)] / harmonic_norm(l, m),
+                                  moment_at(point, lm)};
+        });
+}
+
+Spectrum TableOrders::sky_irradiance(double sun_cos_zenith) const {
+    return mean_.sky_irradiance(sun_cos_zenith);
+}
+
+namespace {
+
+// Sum over layers of scattering and phase moment, times the view's harmonic: [lm].
+std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
+                                   const std::vector<Spectrum>& scattering,
+                                   const std::vector<std::vector<Spectrum>>& phase_moments) {
+    const auto count = static_cast<std::size_t>(moment_count(degree));
+    std::vector<double> harmonics(count);
+    zenith_harmonics(degree, view_cos_zenith, harmonics.data());
+    std::vector<Spectrum> factors(count);
+    for (int l = 0; l <= degree; ++l) {
+        for (int m = 0; m <= l; ++m) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            for (std::size_t k = 0; k < scattering.size(); ++k) {
+                const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
+                factors[lm] += scattering[k] * chi * harmonics[lm];
+            }
+        }
+    }
+    return factors;
+}
+
+}  // namespace
+
+SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
+                           const std::vector<Spectrum>& scattering,
+                           const std::vector<std::vector<Spectrum>>& phase_moments)
+    : light_(light) {
+    const int degree = light.degree();
+    const auto orders = static_cast<std::size_t>(degree) + 1;
+    const LevelPlace at = light.level_at(altitude_km);
+    const std::vector<Spectrum> factors =
+        view_factors(degree, view_cos_zenith, scattering, phase_moments);
+    values_.resize(static_cast<std::size_t>(light.suns.count()) * orders);
+    for (int sun = 0; sun < light.suns.count(); ++sun) {
+        const double* below = light.light.at(at.level, sun);
+        const double* over = light.light.at(at.level + 1, sun);
+        Spectrum* values = values_.data() + static_cast<std::size_t>(sun) * orders;
+        for (int l = 0; l <= degree; ++l) {
+            for (int m = 0; m <= l; ++m) {
+                const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                values[m] +=
+                    factors[lm] * ((1 - at.fraction) * packet_at(below + lm * kChannelSlots) +
+                                   at.fraction * packet_at(over + lm * kChannelSlots));
+            }
+        }
+    }
+}
+
+Spectrum SolvedSource::scattered(double sun_cos_zenith, double azimuth_cosine) const {
+    const SunStencil stencil = light_.stencil(sun_cos_zenith);
+    const auto orders = static_cast<std::size_t>(light_.degree()) + 1;
+    const Spectrum* values = values_.data() + static_cast<std::size_t>(stencil.column) * orders;
+    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
+    Spectrum sum{};
+    double power = 1;  // sine^m
+    double last = 1;   // cos(m phi), by Chebyshev's recursion
+    double before = azimuth_cosine;
+    for (std::size_t m = 0; m < orders; ++m) {
+        const Spectrum* at = values + m;
+        sum += power * last *
+               (stencil.weights[0] * at[0] + stencil.weights[1] * at[orders] +
+                stencil.weights[2] * at[2 * orders] + stencil.weights[3] * at[3 * orders]);
+        const double next = 2 * azimuth_cosine * last - before;
+        before = last;
+        last = next;
+        power *= sine;
+    }
+    return sum;
+}
+
+}  // namespace skybake
