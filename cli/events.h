@@ -34,6 +34,6 @@ std::string print_json_lines(std::span<const config::Diagnostic> diagnostics);
 std::string print_sarif(std::span<const config::Diagnostic> diagnostics);
 
 // The JSON Schema of all events: event_schema.json.
-std::string_view event_schema();
+std::string event_schema();
 
 }  // namespace skybake::cli

@@ -23,9 +23,9 @@ struct Schema {
 
 constexpr std::array schemas = {
     Schema{"recipe", config::recipe_schema},
-    Schema{"manifest", [] { return std::string(manifest_schema()); }},
+    Schema{"manifest", manifest_schema},
     Schema{"sweep", [] { return std::string(sweep_schema()); }},
-    Schema{"events", [] { return std::string(event_schema()); }},
+    Schema{"events", event_schema},
 };
 
 ExitCode run_schema(const Invocation& invocation, Console& console) {

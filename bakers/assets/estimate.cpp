@@ -21,7 +21,7 @@ double seconds_per_byte(config::FileFormat format, const AssetFiles& files) {
         return files.compression == config::Compression::none ? kCopy : kDeflate;
     }
     const bool deflates =
-        format == config::FileFormat::png ||
+        config::facts_of(format).deflates ||
         (format == config::FileFormat::vdb && files.vdb_compression == config::VdbCompression::zip);
     return deflates ? kDeflate : kCopy;
 }

@@ -1,9 +1,8 @@
 // Where multiple scattering stands in its table: u from the sun's cosine, v from altitude, both
 // with end points on texel centres, u = 1/2N + x (1 - 1/N).
 //
-//   hillaire  x = (mu_s + 1) / 2                                the paper's, linear in the cosine
-//   twilight  x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2             spends its texels about the
-//   terminator
+//   hillaire  x = (mu_s + 1) / 2                      the paper's, linear in the cosine
+//   twilight  x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2   spends its texels about the terminator
 //
 // and y = altitude / thickness in both. Column 0 is mu_s = -1, row 0 the ground.
 #pragma once

@@ -7,7 +7,7 @@
 // of the cosine of the azimuth: with more than kAzimuthNodes rays it is made at that many
 // Chebyshev nodes of it and interpolated (Berrut & Trefethen 2004).
 //
-// Against SkyIntegrator: tests/sky/sky_row_test.cpp.
+// Against SkyIntegrator: tests/light/sky_row_test.cpp.
 #pragma once
 
 #include <functional>

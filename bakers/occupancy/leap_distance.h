@@ -19,8 +19,7 @@ namespace skybake::occupancy {
 //   along y  d(x, y) = min(d(x, y), 1 + the least of d(x - 1 ... x + 1, y -+ 1)), upwards, then
 //            downwards, each going on around the tile until a row does not change.
 //   along z  d(x, y, z) = min(d(x, y, z), 1 + the least of the 3 x 3 of plane z -+ 1), upwards,
-//   then
-//            downwards.
+//            then downwards.
 // Proof. Every value is the length of some way to an occupied cell, so never too small. A shortest
 // way of n steps between cells dx, dy, dz apart, n = max(|dx|, |dy|, |dz|), can be ordered to first
 // go |dx| - max(|dy|, |dz|) steps along x alone, if that is positive, then max(|dy|, |dz|) - |dz|

@@ -2,9 +2,9 @@
 // sun's light and all further scattering from the two baked tables.
 //
 //   L = sum over segments of T (1 - e^(-sigma_t dt)) / sigma_t
-//           [ sum over layers of sigma_s p(nu) T_sun + sigma_s Psi ]        [1/sr, solar irradiance
-//           1]
+//           [ sum over layers of sigma_s p(nu) T_sun + sigma_s Psi ]
 //
+// in 1/sr for a solar irradiance of 1,
 // with densities at the middle of each segment and the integral over it exact for them (Hillaire
 // 2020, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique", section 5.2). The
 // sun is a point; where the planet hides it T_sun is 0, tested before the lookup.

@@ -25,6 +25,7 @@ struct FormatFacts {
     bool is_image = false;            // volumes lie in it slice by slice
     bool only_volumes = false;        // and no tables
     bool has_all_levels = false;      // in one file
+    bool deflates = false;            // always; EXR and VDB do what their `compression` says
 
     constexpr bool holds(PixelType type) const {
         return pixel_types[static_cast<std::size_t>(type)];
@@ -51,6 +52,9 @@ inline constexpr std::array file_formats = {
                 "png",
                 "PNG, slices in one image; unorm8 or unorm16",
                 {false, false, true, true},
+                true,
+                false,
+                false,
                 true},
     FormatFacts{FileFormat::dds,
                 "dds",

@@ -4,7 +4,7 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/light/solver/solve_light.h"
 #include "config/assets/bruneton.h"
-#include "tests/sky/sky_media.h"
+#include "tests/light/sky_media.h"
 #include "tests/support/hard_case.h"
 
 namespace skybake {

@@ -4,7 +4,7 @@
 
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/light/solver/solve_light.h"
-#include "tests/sky/sky_media.h"
+#include "tests/light/sky_media.h"
 
 namespace skybake {
 namespace {

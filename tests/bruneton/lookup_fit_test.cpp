@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "tests/sky/sky_media.h"
+#include "tests/light/sky_media.h"
 
 namespace skybake {
 namespace {

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "bakers/field/image.h"
-#include "tests/sky/sky_media.h"
+#include "tests/light/sky_media.h"
 
 namespace skybake {
 namespace {

@@ -6,7 +6,7 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/solver/solve_light.h"
-#include "tests/sky/sky_media.h"
+#include "tests/light/sky_media.h"
 
 namespace skybake {
 namespace {

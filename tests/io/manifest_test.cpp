@@ -330,7 +330,11 @@ TEST(Manifest, ClaimsItsFilesAndItself) {
 }
 
 TEST(Manifest, SchemaTravelsInTheProgram) {
-    EXPECT_NE(manifest_schema().find("\"title\": \"skybake manifest\""), std::string_view::npos);
+    const std::string schema = manifest_schema();
+    EXPECT_NE(schema.find("\"title\": \"skybake manifest\""), std::string::npos);
+    EXPECT_NE(schema.find(R"("enum": ["exr", "vdb", "bin", "png", "dds", "json"])"),
+              std::string::npos);
+    EXPECT_NE(schema.find(R"("enum": ["exr", "png"])"), std::string::npos);
 }
 
 TEST(Manifest, MissingOneIsNotADamagedOne) {

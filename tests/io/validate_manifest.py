@@ -1,6 +1,6 @@
 """Validates manifests against their JSON Schema, and that the schema refuses what is wrong.
 
-usage: validate_manifest.py SCHEMA COMMAND...   COMMAND FOLDER writes FOLDER/manifest.json
+usage: validate_manifest.py SKYBAKE COMMAND...   SKYBAKE prints the schema, COMMAND FOLDER writes FOLDER/manifest.json
 """
 
 import copy
@@ -29,7 +29,8 @@ def set_at(document, path, value):
 
 
 def main():
-    schema = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    schema = json.loads(subprocess.run([sys.argv[1], "schema", "manifest"], check=True,
+                                       capture_output=True).stdout)
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
 
@@ -41,6 +42,7 @@ def main():
     wrong = {
         "a path that leaves the folder": (("assets", 0, "files", 0, "path"), "../a.exr"),
         "an absolute path": (("assets", 0, "files", 0, "path"), "/a.exr"),
+        "a format": (("assets", 0, "files", 0, "format"), "tiff"),
         "a pixel type": (("assets", 0, "files", 0, "pixel_type"), "double"),
         "a hash": (("assets", 0, "files", 0, "xxh3"), "xyz"),
         "a size": (("assets", 0, "size"), [16]),

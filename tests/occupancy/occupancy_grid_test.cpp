@@ -14,7 +14,7 @@
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy.h"
-#include "tests/cloud/clouds.h"
+#include "tests/clouds/clouds.h"
 
 namespace skybake::occupancy {
 namespace {

@@ -16,8 +16,8 @@
 //                       its ratios come from downwards instead; a_n and b_n then are accurate at
 //                       any x > 0 without the series of powers of x
 //   huge spheres        10^5 steps and more of a recurrence. psi goes upwards where it oscillates
-//   (n < x),
-//                       chi upwards and D downwards everywhere: errors add up, none is magnified
+//                       (n < x), chi upwards and D downwards everywhere: errors add up, none is
+//                       magnified
 //   strong absorption   psi_n(m x) overflows; its logarithmic derivative does not
 //   weak absorption     Q_ext - Q_sca cancels. What is absorbed is a sum of its own, of positive
 //                       terms: with A for D_n / m or m D_n, the Wronskian of psi and chi gives

@@ -1,14 +1,12 @@
 // How many spheres have which radius: n(r) of config::Particles, with an integral over r of 1.
 //
 //   log_normal      s = ln(geometric_deviation)
-//   gamma           Hansen & Travis 1974, 2.56; a modified gamma of alpha = (1 - 3 v) / v, gamma =
-//   1
-//                   and the scale radius effective_radius v
-//   modified_gamma  Deirmendjian 1969, whose mode radius is radius (alpha / gamma)^(1 / gamma):
-//   with
-//                   the scale radius in its place alpha may be 0. Marshall & Palmer's rain (1948)
-//                   is alpha = 0, gamma = 1 and the radius 1 / (2 Lambda), Lambda = 4.1 / mm times
-//                   (rain rate in mm/h)^-0.21
+//   gamma           Hansen & Travis 1974, 2.56; a modified gamma of alpha = (1 - 3 v) / v,
+//                   gamma = 1 and the scale radius effective_radius v
+//   modified_gamma  Deirmendjian 1969, whose mode radius is radius (alpha / gamma)^(1 / gamma);
+//                   with the scale radius in its place alpha may be 0. Marshall & Palmer's rain
+//                   (1948) is alpha = 0, gamma = 1 and the radius 1 / (2 Lambda), where Lambda is
+//                   4.1 / mm times (rain rate in mm/h)^-0.21
 //
 // Over u = ln r all of them are of one kind: r^c n is the exponential of a concave function of u.
 // It has one maximum and falls ever faster on both sides of it.

@@ -164,7 +164,11 @@ Manifest claims_of(const Manifest& manifest);
 bool claims(const Manifest& manifest, const std::filesystem::path& file);
 
 // The JSON Schema that manifest_json's texts satisfy.
-std::string_view manifest_schema();
+std::string manifest_schema();
+
+// The text of a JSON Schema with the names of all formats in place of "@formats@", and those of
+// images in place of "@image_formats@": "exr", "vdb", ...
+std::string with_formats(std::string_view schema);
 
 // Resolved values as one JSON object, nested by path: {"atmosphere": {"ground_radius": "6360000
 // m"}}.

@@ -18,8 +18,9 @@ struct BrunetonSkySize {
 // function has a g, and those of spheres, are Mie's. `combined`: their light is in A of the table,
 // red alone, and its colours are guessed as the implementation of 2017 does:
 //
-//   mie = A (colour / red) (rayleigh_red / mie_red) (mie_colour / rayleigh_colour), coefficients
-//   those at the ground
+//   mie = A (colour / red) (rayleigh_red / mie_red) (mie_colour / rayleigh_colour)
+//
+// with the coefficients at the ground.
 AirRadiance bruneton_sky(const SkyMedium& medium, const BrunetonSkySize& size, bool combined);
 
 }  // namespace skybake

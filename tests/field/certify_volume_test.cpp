@@ -1,0 +1,120 @@
+#include "bakers/field/certify.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/survey_volume.h"
+#include "tests/field/looked_up.h"
+#include "tests/support/volumes.h"
+
+namespace skybake {
+namespace {
+
+using config::PixelType;
+using testing::FunctionVoxels;
+using testing::looked_up;
+using testing::plain_volume;
+using testing::sample_voxel;
+using Place = std::array<double, 3>;
+
+// The level of a volume whose statistics are known.
+Level level_of(const std::array<int, 3>& size, int channels, PixelType type,
+               FunctionVoxels::Function function) {
+    Baked volume = plain_volume(size, channels, type, std::move(function));
+    const std::vector<std::array<double, 2>> ranges(static_cast<std::size_t>(channels), {0, 1});
+    EXPECT_TRUE(survey_level(volume, 0, ranges, {}).empty());
+    return volume.levels[0];
+}
+
+TEST(CertifyVolume, ConstantsAreExact) {
+    for (const PixelType type : {PixelType::float32, PixelType::half, PixelType::unorm8}) {
+        const float value = round_to_pixel_type(0.4, type);
+        const Level level = level_of({7, 5, 1}, 1, type, [=](int, int, int, int) { return value; });
+        const auto reference = [=](const Place&) { return std::vector<double>{double{value}}; };
+        EXPECT_LT(measure_lookups(level, type, reference, 200, {}).figures.max, 1e-15);
+        EXPECT_EQ(measure_voxels(level, type, reference, 200, {}).points, 200);
+        EXPECT_LT(measure_voxels(level, type, reference, 200, {}).figures.max, 1e-15);
+        // Without a range, the difference itself.
+        const auto other = [=](const Place&) { return std::vector<double>{double{value} + 0.25}; };
+        EXPECT_NEAR(measure_lookups(level, type, other, 50, {}).figures.max, 0.25, 1e-12);
+        EXPECT_NEAR(measure_lookups(level, type, other, 50, {}).figures.rms, 0.25, 1e-12);
+    }
+}
+
+// A bump a t (1 - t) between voxels along x, and nothing at them, is what a trilinear lookup
+// misses: a / 4 at most, sqrt(1/30) a of root mean square.
+TEST(CertifyVolume, FindsAKnownErrorBetweenVoxels) {
+    const std::array<int, 3> size = {8, 6, 4};
+    const Level level = level_of(size, 1, PixelType::float32, sample_voxel);
+    const double range = level.statistics[0].max - level.statistics[0].min;
+    const double a = 0.01;
+    const auto reference = [&](const Place& uvw) {
+        const double position = uvw[0] * size[0] - 0.5;
+        const double t = position - std::floor(position);
+        return std::vector<double>{looked_up(sample_voxel, size, PixelType::float32, 0, uvw) +
+                                   a * t * (1 - t)};
+    };
+    const VolumeErrors errors = measure_lookups(level, PixelType::float32, reference, 2000, {});
+    EXPECT_EQ(errors.points, 2000);
+    EXPECT_NEAR(errors.figures.max, a / 4 / range, 1e-6);
+    EXPECT_NEAR(errors.figures.rms, a / std::sqrt(30.0) / range, 0.01 * a / range);
+    // The worst is in the middle between two voxels.
+    const double position = errors.worst[0] * size[0] - 0.5;
+    EXPECT_NEAR(position - std::floor(position), 0.5, 0.01);
+    // At voxels there is none of it.
+    EXPECT_LT(measure_voxels(level, PixelType::float32, reference, 192, {}).figures.max, 1e-12);
+}
+
+TEST(CertifyVolume, CountsRoundingAtVoxels) {
+    const std::array<int, 3> size = {16, 16, 16};
+    for (const PixelType type : {PixelType::half, PixelType::unorm8, PixelType::unorm16}) {
+        const Level level = level_of(size, 3, type, sample_voxel);
+        const auto exact = [&](const Place& uvw) {
+            std::vector<double> values;
+            for (int c = 0; c < 3; ++c) {
+                values.push_back(double{sample_voxel(static_cast<int>(uvw[0] * 16),
+                                                     static_cast<int>(uvw[1] * 16),
+                                                     static_cast<int>(uvw[2] * 16), c)});
+            }
+            return values;
+        };
+        const double range = level.statistics[0].max - level.statistics[0].min;
+        const VolumeErrors errors = measure_voxels(level, type, exact, 3000, {});
+        // Half a step at values near 1: 2^-12 of halves.
+        const double half_step = type == PixelType::half ? 0x1p-12 : rounding_error(type);
+        EXPECT_LE(errors.figures.max, half_step / range * 1.01);
+        EXPECT_GE(errors.figures.max, half_step * 0.98);
+        EXPECT_LT(errors.figures.rms, errors.figures.max);
+    }
+}
+
+TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
+    const std::array<int, 3> size = {5, 7, 9};
+    const Level level = level_of(size, 3, PixelType::half, sample_voxel);
+    const auto reference = [](const Place& uvw) {
+        return std::vector<double>{uvw[0] + uvw[1] * uvw[2], uvw[2], uvw[0]};
+    };
+    BakeOptions two_threads;
+    two_threads.threads = 2;
+    const VolumeErrors errors =
+        measure_lookups(level, PixelType::half, reference, 500, two_threads);
+    double worst = 0;
+    for (int c = 0; c < 3; ++c) {
+        const auto channel = static_cast<std::size_t>(c);
+        const double range = level.statistics[channel].max - level.statistics[channel].min;
+        const double found = looked_up(sample_voxel, size, PixelType::half, c, errors.worst);
+        worst = std::max(worst, std::fabs(found - reference(errors.worst)[channel]) / range);
+    }
+    EXPECT_NEAR(errors.figures.max, worst, 1e-12);
+    BakeOptions one_thread;
+    one_thread.threads = 1;
+    const VolumeErrors again = measure_lookups(level, PixelType::half, reference, 500, one_thread);
+    EXPECT_EQ(again.figures.max, errors.figures.max);
+    EXPECT_EQ(again.figures.rms, errors.figures.rms);
+    EXPECT_EQ(again.worst, errors.worst);
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include "bakers/assets/irradiance/irradiance_table.h"
+#include "bakers/light/sky_irradiance.h"
+#include "bakers/math/quadrature.h"
+#include "config/assets/irradiance.h"
+#include "tests/light/sky_media.h"
+
+namespace skybake {
+namespace {
+
+// What a baker is given of a table before it makes one.
+Baked colours() {
+    Baked table;
+    table.channel_names = {"R", "G", "B"};
+    return table;
+}
+
+using config::SkyOrders;
+using test::kDegree;
+using test::TestSky;
+
+// The integral over the hemisphere by other nodes: evenly spaced azimuths, Gauss in the cosine.
+Spectrum brute_force(const SkyLight& light, double altitude_km, const SunZenith& sun) {
+    const QuadratureRule rule = gauss_legendre(32);
+    constexpr int kAzimuths = 48;
+    Spectrum sum{};
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        const double mu = rule.nodes[i];
+        for (int k = 0; k < kAzimuths; ++k) {
+            const double azimuth = std::numbers::pi * (k + 0.5) / kAzimuths;
+            const SkyDirection direction =
+                sky_direction(sun, mu, std::sqrt(1 - mu * mu), std::cos(azimuth));
+            const Spectrum radiance =
+                light.wanted(light.integrator().radiance(altitude_km, sun, direction));
+            const double weight = rule.weights[i] * mu * 2 * std::numbers::pi / kAzimuths;
+            sum += weight * radiance;
+        }
+    }
+    return sum;
+}
+
+TEST(SkyIrradiance, IsTheIntegralOverTheSky) {
+    for (const char* preset : {"earth", "tiny_planet"}) {
+        const TestSky sky(test::preset_atmosphere(preset), SkyOrders::all);
+        for (const double elevation : {90.0, 40.0, 2.0, -5.0}) {
+            const SunZenith sun = sun_at_elevation(elevation * kDegree);
+            const Spectrum wanted = brute_force(sky.light(), 0.5, sun);
+            const Spectrum found = sky_irradiance(sky.light(), 0.5, sun.cosine, {16});
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(found[c] / wanted[c], 1, 4e-3) << preset << ' ' << elevation;
+            }
+        }
+    }
+}
+
+TEST(SkyIrradiance, PartsAddUp) {
+    const config::Atmosphere earth = test::preset_atmosphere("earth");
+    const TestSky all(earth, SkyOrders::all);
+    const TestSky rest(earth, SkyOrders::multiple);
+    const TestSky mie(earth, SkyOrders::single, {"mie"});
+    const TestSky rayleigh(earth, SkyOrders::single, {"rayleigh"});
+    const auto of = [](const TestSky& sky) { return sky_irradiance(sky.light(), 3, 0.4, {8}); };
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(of(rest)[c] + of(mie)[c] + of(rayleigh)[c], of(all)[c], 1e-13);
+    }
+}
+
+TEST(SkyIrradiance, IsNothingAtTheTopInVacuumAndAtNight) {
+    const TestSky earth(test::preset_atmosphere("earth"), SkyOrders::all);
+    EXPECT_EQ(sky_irradiance(earth.light(), 100, 0.5, {6}), Spectrum{});
+    const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::all);
+    EXPECT_EQ(sky_irradiance(vacuum.light(), 0, 0.5, {6}), Spectrum{});
+    const TestSky single(test::preset_atmosphere("earth"), SkyOrders::single);
+    EXPECT_EQ(sky_irradiance(single.light(), 0, -1, {6}), Spectrum{});
+    for (const double mu : {-1.0, -0.1, 0.0, 1e-12, 1.0}) {
+        const Spectrum irradiance = sky_irradiance(earth.light(), 0, mu, {6});
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            EXPECT_TRUE(std::isfinite(irradiance[c]) && irradiance[c] >= 0) << mu;
+        }
+    }
+}
+
+// The solver finds the irradiance of the ground by its own directions, with its own rays.
+TEST(SkyIrradiance, IsThatOfTheSolvedLightAtTheGround) {
+    const SkyLight light(test::preset_atmosphere("earth"), SkyOrders::all, {}, {});
+    for (const double mu : {1.0, 0.5, 0.1, 0.0, -0.05}) {
+        const Spectrum wanted = light.higher_orders()->sky_irradiance(mu);
+        const Spectrum found = sky_irradiance(light, 0, mu, {16});
+        for (std::size_t c = 0; c < 3; ++c) {
+            // It looks in few directions: haze about a high sun costs it a thousandth of sunlight.
+            EXPECT_NEAR(found[c], wanted[c], 0.004 * wanted[c] + 1e-3) << mu;
+        }
+    }
+}
+
+// Dust of an optical depth of 0.5 up to where the air ends: light scattered before is as sharp at
+// the horizon as light scattered once, so that the finest level looks in as many directions.
+TEST(IrradianceTable, HoldsItsErrorInTheDustOfMars) {
+    const SkyLight light(test::preset_atmosphere("mars"), SkyOrders::multiple, {}, {});
+    config::IrradianceBake bake;
+    bake.size = {8, 2};
+    bake.content = config::IrradianceContent::sky;
+    bake.orders = SkyOrders::multiple;
+    bake.max_texel_error = 0.002;
+    const auto table = bake_irradiance(light, bake, {.threads = 2}, colours());
+    ASSERT_TRUE(table.value) << table.diagnostics.at(0).message;
+    EXPECT_LE(table.value->certificate.texel.max, 0.002);
+}
+
+TEST(SunIrradiance, IsTheCosineTimesTheTransmittance) {
+    const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::single);
+    EXPECT_EQ(sun_irradiance(vacuum.light(), 0, 0.25), Spectrum(0.25));
+    EXPECT_EQ(sun_irradiance(vacuum.light(), 50, -0.01), Spectrum{});
+    EXPECT_EQ(sun_irradiance(vacuum.light(), 0, 0), Spectrum{});
+}
+
+TEST(IrradianceTable, HoldsItsErrorAndAddsUp) {
+    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::single);
+    config::IrradianceBake bake;
+    bake.size = {12, 4};
+    bake.orders = SkyOrders::single;
+    bake.max_texel_error = 0.005;
+    const auto table = [&](config::IrradianceContent content) {
+        bake.content = content;
+        return bake_irradiance(sky.light(), bake, {.threads = 2}, colours());
+    };
+    const auto direct = table(config::IrradianceContent::direct);
+    const auto diffuse = table(config::IrradianceContent::sky);
+    const auto total = table(config::IrradianceContent::total);
+    ASSERT_TRUE(direct.value && diffuse.value && total.value);
+    EXPECT_LE(diffuse.value->certificate.texel.max, 0.005);
+    EXPECT_LT(direct.value->certificate.texel.max, 1e-6);
+    const double brightest =
+        *std::max_element(total.value->image().texels.begin(), total.value->image().texels.end());
+    for (std::size_t i = 0; i < total.value->image().texels.size(); ++i) {
+        const double sum =
+            double{direct.value->image().texels[i]} + double{diffuse.value->image().texels[i]};
+        // Each within half a percent of itself or of a thousandth of the largest.
+        EXPECT_NEAR(total.value->image().texels[i], sum, 0.01 * sum + 1e-5 * brightest);
+    }
+    const Shell& shell = sky.light().shell();
+    EXPECT_DOUBLE_EQ(irradiance_coordinate(shell, irradiance_altitude_km(shell, 0.3)), 0.3);
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,89 @@
+// The grid of a solution: its altitudes and its suns.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bakers/light/solver/solve_light.h"
+#include "bakers/light/solver/sun_axis.h"
+#include "tests/light/sky_media.h"
+
+namespace skybake {
+namespace {
+
+RC_GTEST_PROP(SolutionLevels, HoldTheEndsAndEveryKink, ()) {
+    const Medium medium = make_medium(test::random_atmosphere());
+    const std::vector<double> levels = solution_levels_km(medium, test::uniform(0.3, 2));
+    RC_ASSERT(levels.front() == 0);
+    RC_ASSERT(levels.back() == medium.thickness_km);
+    RC_ASSERT(levels.size() >= 3U);
+    for (std::size_t i = 0; i + 1 < levels.size(); ++i) RC_ASSERT(levels[i] < levels[i + 1]);
+    for (const double kink : kink_altitudes_km(medium)) {
+        RC_ASSERT(std::find(levels.begin(), levels.end(), kink) != levels.end());
+    }
+}
+
+TEST(SolutionLevels, OfVacuum) {
+    Medium medium;
+    medium.channels = 3;
+    medium.ground_radius_km = 6360;
+    medium.thickness_km = 100;
+    const std::vector<double> levels = solution_levels_km(medium, 1);
+    EXPECT_EQ(levels.front(), 0);
+    EXPECT_EQ(levels.back(), 100);
+}
+
+RC_GTEST_PROP(SunAxis, ColumnsStandAtWholePositions, ()) {
+    const double radius = test::log_uniform(10, 1e6);
+    const Shell shell{radius, radius * test::log_uniform(1e-4, 0.5)};
+    const SunAxis axis = make_sun_axis(shell, 8 * *rc::gen::inRange(1, 12));
+    RC_ASSERT(axis.darkest >= -1 && axis.darkest < 0);
+    for (int i = 0; i < axis.count(); ++i) {
+        const double cosine = axis.cosines[static_cast<std::size_t>(i)];
+        RC_ASSERT(cosine > axis.darkest && cosine < 1);
+        RC_ASSERT(std::fabs(axis.position(cosine) - i) < 1e-9);
+    }
+    RC_ASSERT(std::fabs(axis.position(1) - (axis.count() - 0.5)) < 1e-9);
+    RC_ASSERT(std::fabs(axis.position(axis.darkest) + 0.5) < 1e-9);
+}
+
+RC_GTEST_PROP(SunAxis, StencilsAreExactForCubics, ()) {
+    const SunAxis axis = make_sun_axis({6360, 100}, 48);
+    const double cosine = test::uniform(axis.darkest, 1);
+    const SunStencil stencil = sun_stencil(axis, cosine);
+    RC_ASSERT(stencil.column >= 0 && stencil.column + 3 < axis.count());
+    const double u = axis.position(cosine);
+    for (int power = 0; power <= 3; ++power) {
+        double sum = 0;
+        for (int j = 0; j < 4; ++j) {
+            sum += stencil.weights[j] * std::pow((stencil.column + j) / 48.0, power);
+        }
+        RC_ASSERT(std::fabs(sum - std::pow(u / 48, power)) < 1e-12);
+    }
+}
+
+// Between the two columns around, up to the first and the last; beyond them the nearest one.
+RC_GTEST_PROP(SunAxis, LinearStencilsAreExactForLinesUpToTheEnds, ()) {
+    const SunAxis axis = make_sun_axis({6360, 100}, 24);
+    const double cosine =
+        *rc::gen::inRange(0, 4) == 0
+            ? axis.cosines[static_cast<std::size_t>(*rc::gen::inRange(0, axis.count()))]
+            : test::uniform(axis.darkest, 1);
+    const SunStencil stencil = linear_stencil(axis, cosine, sun_stencil(axis, cosine).column);
+    const double u = std::clamp(axis.position(cosine), 0.0, axis.count() - 1.0);
+    double sum = 0;
+    double first = 0;
+    for (int j = 0; j < 4; ++j) {
+        RC_ASSERT(stencil.weights[j] >= 0);
+        // Nothing from columns that are a step away or further.
+        if (std::fabs(stencil.column + j - u) >= 1) RC_ASSERT(stencil.weights[j] < 1e-12);
+        sum += stencil.weights[j];
+        first += stencil.weights[j] * (stencil.column + j);
+    }
+    RC_ASSERT(std::fabs(sum - 1) < 1e-12);
+    RC_ASSERT(std::fabs(first - u) < 1e-12);
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,201 @@
+// What must hold of light, whatever the atmosphere.
+#include "bakers/light/solver/solve_light.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bakers/light/higher_orders.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/light/solver/energy_balance.h"
+#include "tests/light/sky_media.h"
+
+namespace skybake {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+SolverSettings coarse() {
+    SolverSettings settings;
+    settings.degree = 2;
+    settings.suns = 24;
+    settings.level_scale = 0.6;
+    settings.zenith_nodes = 5;
+    settings.ray_tolerance = 0.1;
+    settings.sunlight = {128, 64};
+    return settings;
+}
+
+SkyMedium preset(const std::string& name, const std::vector<std::string>& settings = {}) {
+    return make_sky_medium(test::preset_atmosphere(name, settings));
+}
+
+RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
+    const SkyMedium medium = make_sky_medium(test::random_atmosphere());
+    const SolvedLight light = solve_light(medium, coarse(), 1);
+    RC_ASSERT(light.left_out <= 1e-3);
+    for (const double value : light.light.moments) RC_ASSERT(std::isfinite(value));
+    for (const double value : light.light.sky_irradiance) RC_ASSERT(std::isfinite(value));
+    for (int level = 0; level < light.light.levels; ++level) {
+        for (int sun = 0; sun < light.light.suns; ++sun) {
+            for (std::size_t c = 0; c < 3; ++c) RC_ASSERT(light.light.at(level, sun)[c] >= 0);
+        }
+    }
+}
+
+TEST(SolvedLight, LosesNoEnergy) {
+    for (const std::string name :
+         {"earth", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
+        // All but one over ground of a colour, whose channels must not take each other's share.
+        const SkyMedium medium = name == "earth"
+                                     ? preset(name)
+                                     : preset(name, {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
+        const EnergyBalance balance = energy_balance(medium, solve_light(medium, {}, 0));
+        EXPECT_LT(balance.largest_error(), 0.01) << name;
+        EXPECT_GT(balance.in[2], 0) << name;
+    }
+}
+
+TEST(SolvedLight, DoesNotDependOnThreads) {
+    const SkyMedium medium = preset("mars");
+    const SolvedLight one = solve_light(medium, coarse(), 1);
+    const SolvedLight three = solve_light(medium, coarse(), 3);
+    EXPECT_EQ(one.light.moments, three.light.moments);
+    EXPECT_EQ(one.light.sky_irradiance, three.light.sky_irradiance);
+}
+
+TEST(SolvedLight, LayersMayBeSplit) {
+    config::Atmosphere atmosphere = test::preset_atmosphere("earth");
+    const SolvedLight whole = solve_light(make_sky_medium(atmosphere), coarse(), 0);
+    std::vector<config::Layer> halves;
+    for (config::Layer layer : atmosphere.layers) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            layer.scattering[c].per_meter *= 0.5;
+            layer.extinction[c].per_meter *= 0.5;
+        }
+        halves.push_back(layer);
+        halves.push_back(layer);
+    }
+    atmosphere.layers = halves;
+    SolverSettings settings = coarse();
+    // More layers ask for more levels.
+    const SolvedLight split = solve_light(make_sky_medium(atmosphere), settings, 0);
+    for (const double altitude : {0.0, 1.0, 8.0, 30.0}) {
+        for (const double zenith : {10.0, 60.0, 88.0, 93.0}) {
+            const double cosine = std::cos(zenith * test::kDegree);
+            const Spectrum a = whole.mean_radiance_at(altitude, cosine);
+            const Spectrum b = split.mean_radiance_at(altitude, cosine);
+            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(b[c] / a[c], 1, 0.01);
+        }
+    }
+}
+
+// Helmholtz: what a flat layer sends from the sun's direction to the eye's it sends back alike,
+// radiance over the cosine of the sun's zenith angle.
+TEST(SolvedLight, IsReciprocalOverFlatGround) {
+    config::Atmosphere atmosphere = test::preset_atmosphere(
+        "earth", {"atmosphere.ground_albedo=0.3", "atmosphere.ground_radius=\"636000 km\"",
+                  "atmosphere.top_radius=\"636100 km\""});
+    const SkyMedium medium = make_sky_medium(atmosphere);
+    SolverSettings settings;
+    settings.degree = 6;
+    const SolvedLight light = solve_light(medium, settings, 0);
+    const SolvedOrders orders(medium, light, 6);
+    const SkyIntegrator integrator(medium, &orders);
+    const auto sent = [&](double sun_cosine, double view_cosine, double azimuth) {
+        const SunZenith sun{sun_cosine, std::sqrt(1 - sun_cosine * sun_cosine)};
+        const SkyRadiance radiance = integrator.radiance(
+            100, sun,
+            sky_direction(sun, -view_cosine, std::sqrt(1 - view_cosine * view_cosine),
+                          std::cos(azimuth)));
+        return radiance.total() / sun_cosine;
+    };
+    for (const double azimuth : {0.0, 1.0, kPi}) {
+        for (const auto& [a, b] : {std::pair{0.9, 0.4}, {0.7, 0.25}, {0.95, 0.6}}) {
+            const Spectrum there = sent(a, b, azimuth);
+            const Spectrum back = sent(b, a, azimuth);
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(there[c] / back[c], 1, 0.01) << a << ' ' << b << ' ' << azimuth;
+            }
+        }
+    }
+}
+
+// Over ground that is nearly black in red and nearly white in green each channel is the light that
+// it is by itself. The air is the same in all, and so are the grids of both solutions.
+TEST(SolvedLight, EachChannelIsThatOfItsWavelengthAlone) {
+    config::Atmosphere together = test::preset_atmosphere("earth");
+    together.ground_albedo = {0.05, 0.9, 0.4};
+    config::Atmosphere alone = together;
+    for (std::size_t i = 0; i < together.layers.size(); ++i) {
+        const config::Layer green = together.layers[i];
+        together.layers[i].scattering.assign(3, green.scattering[1]);
+        together.layers[i].extinction.assign(3, green.extinction[1]);
+        alone.layers[i].scattering = {green.scattering[1]};
+        alone.layers[i].extinction = {green.extinction[1]};
+    }
+    const SolvedLight of_three = solve_light(make_sky_medium(together), coarse(), 0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        alone.ground_albedo = {together.ground_albedo[c]};
+        const SolvedLight of_one = solve_light(make_sky_medium(alone), coarse(), 0);
+        for (const double zenith : {10.0, 60.0, 80.0}) {
+            const double cosine = std::cos(zenith * test::kDegree);
+            for (const double altitude : {0.0, 1.0, 8.0, 30.0}) {
+                EXPECT_NEAR(of_three.mean_radiance_at(altitude, cosine)[c] /
+                                of_one.mean_radiance_at(altitude, cosine)[0],
+                            1, 5e-3)
+                    << c << ' ' << zenith << ' ' << altitude;
+            }
+            EXPECT_NEAR(of_three.sky_irradiance_at(cosine)[c] / of_one.sky_irradiance_at(cosine)[0],
+                        1, 5e-3)
+                << c << ' ' << zenith;
+        }
+    }
+}
+
+// Air that does next to nothing: the ground's light alone, half of all directions.
+TEST(SolvedLight, OfThinAirIsTheGrounds) {
+    const SkyMedium medium =
+        preset("earth", {"atmosphere.layers.mie.enabled=false",
+                         "atmosphere.layers.ozone.enabled=false", "atmosphere.ground_albedo=0.5",
+                         "atmosphere.layers.rayleigh.scattering=\"1e-12 /m\""});
+    const SolvedLight light = solve_light(medium, {}, 0);
+    for (const double cosine : {0.2, 0.7, 0.98}) {
+        EXPECT_NEAR(light.mean_radiance_at(0, cosine)[1], 0.5 * 0.5 * cosine / kPi, 2e-4 * cosine);
+    }
+    EXPECT_EQ(light.applications <= 3, true);
+}
+
+TEST(SolvedLight, OfNothingIsNothing) {
+    const SkyMedium medium = preset("vacuum", {"atmosphere.ground_albedo=0"});
+    const SolvedLight light = solve_light(medium, coarse(), 1);
+    for (const double value : light.light.moments) EXPECT_EQ(value, 0);
+}
+
+// The order series and the search for directions end at the same light.
+TEST(SolvedLight, SearchFindsTheSumOfOrders) {
+    const SkyMedium medium =
+        preset("earth", {"atmosphere.layers.rayleigh.scattering=[\"2e-5 /m\", \"5e-5 /m\", \"1e-4 "
+                         "/m\"]"});
+    SolverSettings search = coarse();
+    search.tolerance = 1e-6;  // beyond the plain orders
+    SolverSettings plain = search;
+    plain.plain_orders = 300;
+    const SolvedLight found = solve_light(medium, search, 0);
+    const SolvedLight summed = solve_light(medium, plain, 0);
+    EXPECT_LT(found.applications, summed.applications);
+    for (int level = 0; level < found.light.levels; ++level) {
+        for (int sun = 0; sun < found.light.suns; ++sun) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double value = summed.light.at(level, sun)[c];
+                if (value < 1e-9) continue;
+                EXPECT_NEAR(found.light.at(level, sun)[c] / value, 1, 1e-4);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skybake
