@@ -21,7 +21,7 @@ constexpr double kStripWidth = std::numbers::pi / StripOrders::kStrips;  // of a
 constexpr int kSuns = 64;
 constexpr int kAltitudes = 32;
 constexpr auto kMapping = config::MultipleScatteringMapping::twilight;
-constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+constexpr auto kStripConvention = TexelConvention::end_points_on_texel_centres;
 
 SunZenith strip_sun(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
 
@@ -77,11 +77,11 @@ StripOrders::StripOrders(const SkyMedium& medium, const BakeOptions& options)
     const SkyIntegrator single(medium, nullptr);
     const double sine = std::sqrt(0.75);  // 60 degrees from the zenith
     for_each_tile(kAltitudes, options, "strips", [&](int y) {
-        const double root = texel_coordinate(kConvention, y, kAltitudes);
+        const double root = texel_coordinate(kStripConvention, y, kAltitudes);
         const double altitude_km = root * root * thickness_km_;
         for (int x = 0; x < kSuns; ++x) {
-            const SunZenith sun =
-                strip_sun(sun_cos_zenith_at(kMapping, texel_coordinate(kConvention, x, kSuns)));
+            const SunZenith sun = strip_sun(
+                sun_cos_zenith_at(kMapping, texel_coordinate(kStripConvention, x, kSuns)));
             for (int i = 0; i < kStrips; ++i) {
                 const SkyDirection middle = sky_direction(sun, 0.5, sine, middle_cosine(i));
                 const Spectrum light =
@@ -98,9 +98,9 @@ StripOrders::StripOrders(const SkyMedium& medium, const BakeOptions& options)
 std::array<Spectrum, StripOrders::kStrips> StripOrders::radiances(double altitude_km,
                                                                   double sun_cos_zenith) const {
     const double u =
-        texture_coordinate(kConvention, sun_coordinate(kMapping, sun_cos_zenith), kSuns);
+        texture_coordinate(kStripConvention, sun_coordinate(kMapping, sun_cos_zenith), kSuns);
     const double v = texture_coordinate(
-        kConvention, std::sqrt(std::clamp(altitude_km / thickness_km_, 0.0, 1.0)), kAltitudes);
+        kStripConvention, std::sqrt(std::clamp(altitude_km / thickness_km_, 0.0, 1.0)), kAltitudes);
     std::array<Spectrum, kStrips> result{};
     for (std::size_t i = 0; i < result.size(); ++i) bilinear(grid_[i], u, v, data(result[i]));
     return result;

@@ -8,6 +8,7 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/voxel_bytes.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/folder_plan.h"
@@ -33,12 +34,11 @@ std::vector<float> stored_voxels(const Baked& volume, const Level& level,
         std::vector<float*> targets;
         for (std::size_t c = 0; c < channels; ++c) targets.push_back(made.data() + c * count);
         level.voxels->fill({{0, 0, z}, {level.size[0], level.size[1], planes}}, targets);
-        float* out = voxels.data() + static_cast<std::size_t>(z) * slice * channels;
-        for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t c = 0; c < channels; ++c) {
-                *out++ = round_to_pixel_type(made[c * count + i], volume.pixel_type);
-            }
-        }
+        std::vector<char> stored(made.size() *
+                                 static_cast<std::size_t>(bytes_per_value(volume.pixel_type)));
+        store_voxels({targets.begin(), targets.end()}, count, volume.pixel_type, stored.data());
+        load_values(stored.data(), made.size(), volume.pixel_type,
+                    voxels.data() + static_cast<std::size_t>(z) * slice * channels);
     });
     return voxels;
 }

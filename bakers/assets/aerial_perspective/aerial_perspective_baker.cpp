@@ -5,6 +5,7 @@
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
 #include "bakers/assets/baker.h"
+#include "bakers/assets/sky_asset.h"
 #include "bakers/light/sky_light.h"
 #include "config/assets/aerial_perspective.h"
 
@@ -23,10 +24,10 @@ Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& a
     const SkyLight light(parameters.atmosphere,
                          has_light ? asset.orders : config::SkyOrders::single, asset.layers,
                          options);
-    if (options.cancelled()) return {};
-    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
-    return bake_aerial_perspective(light, asset, options, colour_names(parameters),
-                                   labelled_sky_volume(parameters, std::move(label)));
+    return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
+        return bake_aerial_perspective(found, asset, options, colour_names(parameters),
+                                       labelled_sky_volume(parameters, std::move(label)));
+    });
 }
 
 Estimate estimate(const Parameters&, const AerialPerspectiveBake& asset) {

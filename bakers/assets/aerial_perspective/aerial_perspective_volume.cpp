@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
-#include <numbers>
 #include <utility>
 
+#include "bakers/assets/sky_asset.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"

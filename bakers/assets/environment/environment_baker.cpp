@@ -5,6 +5,7 @@
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/environment/environment_table.h"
+#include "bakers/assets/sky_asset.h"
 #include "bakers/light/sky_light.h"
 #include "config/assets/environment.h"
 
@@ -19,9 +20,10 @@ namespace {
 Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     const SkyLight light(parameters.atmosphere, asset.orders, asset.layers, options);
-    if (options.cancelled()) return {};
-    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
-    return bake_environment(light, asset, options, labelled_table(parameters, std::move(label)));
+    return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
+        return bake_environment(found, asset, options,
+                                labelled_table(parameters, std::move(label)));
+    });
 }
 
 Estimate estimate(const Parameters&, const EnvironmentBake& asset) {

@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "bakers/air/ray.h"
+#include "bakers/assets/sky_asset.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
-#include "bakers/field/finish_table.h"
 #include "bakers/light/sky_ray.h"
-#include "bakers/math/relative_error.h"
 
 namespace skybake {
 
@@ -70,12 +68,8 @@ void describe(const EnvironmentBake& bake, const SkyViewCamera& camera, const Sh
         {"sun_elevation_deg", to_digits(bake.sun_elevation.radians * kDegreesPerRadian, 9)},
         {"camera_altitude_km", to_digits(bake.altitude.kilometers(), 9)}};
     table.axes[1].constants.insert(table.axes[1].constants.end(), numbers.begin(), numbers.end());
-    table.conventions.angle_unit = "deg";
-    table.conventions.radiance_unit = "1/sr";
-    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     set_files(bake, table);
-    table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
-    table.certificate.scale = kRelativeErrorScale;
+    describe_sky_table(table);
 }
 
 }  // namespace
@@ -114,17 +108,13 @@ config::Outcome<Baked> bake_environment(const SkyLight& light, const Environment
                                         const BakeOptions& options, Baked table) {
     const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
     describe(bake, camera, light.shell(), table);
-    AccuracyRequest request;
-    request.size = bake.size;
-    request.quick = {256, 1};
-    request.full = {4096, 1};
     const auto place_of = [](double x, double y) {
         return Place{{"azimuth_deg", environment_azimuth_deg(x)},
                      {"elevation_deg", environment_elevation_deg(y)}};
     };
     const TableModel model =
         environment_model(light, camera, sun_at_elevation(bake.sun_elevation.radians));
-    return finish_table(model, request, options, place_of, std::move(table));
+    return finish_table(model, sky_table_request(bake.size), options, place_of, std::move(table));
 }
 
 }  // namespace skybake

@@ -5,7 +5,9 @@
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/irradiance/irradiance_table.h"
+#include "bakers/assets/sky_asset.h"
 #include "bakers/field/image.h"
+#include "bakers/field/texel_axis.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_light.h"
 #include "config/assets/irradiance.h"
@@ -22,9 +24,9 @@ using config::IrradianceBake;
 Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     const SkyLight light(parameters.atmosphere, orders_of(asset), asset.layers, options);
-    if (options.cancelled()) return {};
-    if (const auto problem = light.problem(label.name)) return {{}, {*problem}};
-    return bake_irradiance(light, asset, options, labelled_table(parameters, std::move(label)));
+    return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
+        return bake_irradiance(found, asset, options, labelled_table(parameters, std::move(label)));
+    });
 }
 
 Estimate estimate(const Parameters&, const IrradianceBake& asset) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/assets/baker.h"
+#include "bakers/assets/sky_asset.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/field/image.h"
 #include "bakers/light/sky_light.h"
@@ -39,9 +40,9 @@ std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphe
 Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     const auto light = light_of_view(parameters.atmosphere, asset, options);
-    if (options.cancelled()) return {};
-    if (const auto problem = light->problem(label.name)) return {{}, {*problem}};
-    return bake_sky_view(*light, asset, options, labelled_table(parameters, std::move(label)));
+    return bake_of_light(*light, label.name, options, [&](const SkyLight& found) {
+        return bake_sky_view(found, asset, options, labelled_table(parameters, std::move(label)));
+    });
 }
 
 Estimate estimate(const Parameters&, const SkyViewBake& asset) {

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/field/finish_table.h"
+#include "bakers/assets/sky_asset.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/light/sky_row.h"
 #include "bakers/math/relative_error.h"
@@ -44,9 +43,6 @@ void describe_axes(const SkyViewBake& bake, const SkyViewCamera& camera, const S
     for (const Facts& more : {numbers, sky_view_facts(bake)}) {
         table.axes[1].constants.insert(table.axes[1].constants.end(), more.begin(), more.end());
     }
-    table.conventions.angle_unit = "deg";
-    table.conventions.radiance_unit = "1/sr";
-    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
 }
 
 void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell& shell,
@@ -82,8 +78,7 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell&
         "end points on texel centres", -camera.range_below() * kDegreesPerRadian,
         camera.range_above() * kDegreesPerRadian};
     set_files(bake, table);
-    table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
-    table.certificate.scale = kRelativeErrorScale;
+    describe_sky_table(table);
     describe_axes(bake, camera, shell, table);
     const Facts facts = sky_view_facts(bake);
     table.details.insert(table.details.end(), facts.begin(), facts.end());
@@ -131,10 +126,7 @@ config::Outcome<Baked> bake_sky_view(const SkyLight& light, const SkyViewBake& b
                                      const BakeOptions& options, Baked table) {
     const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
     describe(bake, camera, light.shell(), table);
-    AccuracyRequest request;
-    request.size = bake.size;
-    request.quick = {256, 1};
-    request.full = {4096, 1};
+    const AccuracyRequest request = sky_table_request(bake.size);
     config::Outcome<Baked> outcome;
     std::vector<TablePart> parts;
     for (const config::Angle& elevation : bake.sun_elevations) {

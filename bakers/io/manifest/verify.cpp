@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "bakers/field/finish_table.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
@@ -20,15 +21,6 @@
 
 namespace skybake {
 namespace {
-
-// "altitude_km 0.5, cos_zenith -0.01".
-std::string place_of(const Probe& probe) {
-    std::string place;
-    for (const auto& [quantity, value] : probe.at) {
-        place += fmt::format("{}{} {}", place.empty() ? "" : ", ", quantity, value);
-    }
-    return place;
-}
 
 std::int64_t voxel_index(const std::array<int, 3>& size, const std::array<int, 3>& voxel) {
     return (std::int64_t{voxel[2]} * size[1] + voxel[1]) * size[0] + voxel[0];
@@ -101,7 +93,7 @@ class VoxelCheck {
         for (const Probe& probe : level_.probes) {
             probes.push_back({lookups_of(probe), probe.value, probe.tolerance});
             check_within(examination, probe);
-            check_lookup(examination, place_of(probe), look_up(texture, probes.back().lookups),
+            check_lookup(examination, place_text(probe.at), look_up(texture, probes.back().lookups),
                          probe.value, probe.tolerance);
         }
         check_catches(examination, texture, dimensions_, probes, level_.catches);
@@ -117,7 +109,7 @@ class VoxelCheck {
         }
         examination.expect(within, "probe",
                            fmt::format("uvw ({}) of {} is outside of [0, 1]",
-                                       fmt::join(probe.uvw, ", "), place_of(probe)));
+                                       fmt::join(probe.uvw, ", "), place_text(probe.at)));
     }
 
     void want(const TextureUse& use, const std::array<double, 3>& uvw) {

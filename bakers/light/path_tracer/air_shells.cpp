@@ -63,8 +63,8 @@ Real cubic(Real value, Real slope, Real next_value, Real next_slope, double leng
 
 // Gauss-Legendre on [0, 1].
 constexpr int kGaussNodes = 4;
-constexpr double kNodes[kGaussNodes] = {0.069431844202973712, 0.33000947820757187,
-                                        0.66999052179242813, 0.93056815579702629};
+constexpr double kShellNodes[kGaussNodes] = {0.069431844202973712, 0.33000947820757187,
+                                             0.66999052179242813, 0.93056815579702629};
 constexpr double kWeights[kGaussNodes] = {0.17392742256872693, 0.32607257743127307,
                                           0.32607257743127307, 0.17392742256872693};
 
@@ -307,7 +307,7 @@ double AirShells::shell_depth(const AirShell& shell, double s_top_km, double len
                               std::size_t channel) const {
     double sum = 0;
     for (int i = 0; i < kGaussNodes; ++i) {
-        const double y = length_km * kNodes[i];
+        const double y = length_km * kShellNodes[i];
         const double t = 1 + y * (y - 2 * s_top_km) * shell.inverse_half_width;
         double value = shell.extinction[kDegree][channel];
         for (std::size_t n = kDegree; n-- > 0;) value = value * t + shell.extinction[n][channel];
@@ -325,7 +325,7 @@ Channels AirShells::depth_to_top(const Point& point) const {
     const double length = sum_of_s > 0 ? std::max(q, 0.0) / sum_of_s : 0;
     Channels within(0.0);
     for (int i = 0; i < kGaussNodes; ++i) {
-        const double y = length * kNodes[i];
+        const double y = length * kShellNodes[i];
         const Channels t(1 + y * (y - 2 * s_top) * shell.inverse_half_width);
         Channels value = shell.extinction[kDegree];
         for (std::size_t n = kDegree; n-- > 0;) value = value * t + shell.extinction[n];

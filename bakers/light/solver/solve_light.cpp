@@ -110,7 +110,7 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
 
 namespace {
 
-struct Remembered {
+struct RememberedLight {
     SkyMedium medium;
     SolverSettings settings;
     std::shared_ptr<const SolvedLight> light;
@@ -122,7 +122,7 @@ std::shared_ptr<const SolvedLight> remembered_light(const SkyMedium& medium,
                                                     const SolverSettings& settings, int threads,
                                                     Progress* progress) {
     static std::mutex mutex;
-    static Remembered last;
+    static RememberedLight last;
     {
         const std::lock_guard lock(mutex);
         if (last.light && last.settings == settings && last.medium == medium) return last.light;

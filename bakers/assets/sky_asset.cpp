@@ -1,0 +1,23 @@
+#include "bakers/assets/sky_asset.h"
+
+#include "bakers/math/relative_error.h"
+
+namespace skybake {
+
+AccuracyRequest sky_table_request(const std::array<int, 2>& size) {
+    AccuracyRequest request;
+    request.size = size;
+    request.quick = {256, 1};
+    request.full = {4096, 1};
+    return request;
+}
+
+void describe_sky_table(Baked& table) {
+    table.conventions.angle_unit = "deg";
+    table.conventions.radiance_unit = "1/sr";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+    table.certificate.reference = "quadrature of each ray, exact sunlight and transmittance";
+    table.certificate.scale = kRelativeErrorScale;
+}
+
+}  // namespace skybake
