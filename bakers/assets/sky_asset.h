@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <numbers>
 #include <utility>
 
 #include "bakers/assets/asset_label.h"
@@ -11,8 +10,6 @@
 #include "bakers/light/sky_light.h"
 
 namespace skybake {
-
-inline constexpr double kDegrees = 180 / std::numbers::pi;  // of a radian
 
 // make(light), unless the bake was interrupted while the light was solved for or what was found is
 // no light: then nothing, or E0405 of the asset of that name.

@@ -10,14 +10,14 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
-#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
 
 namespace {
 
-// What a km of air scatters towards an eye, from moments of the light (light_moments.h).
+// What a km of air scatters towards an eye, from moments of the light (solved_light.h).
 
 // A moment L_lm, and the factor of cos(m phi) that it stands with for the view at hand.
 struct WeightedMoment {

@@ -1,6 +1,8 @@
 // Memory as vector loads and repeated bakes like it.
 #pragma once
 
+#include <malloc.h>
+
 #include <cstddef>
 #include <new>
 #include <vector>
@@ -33,6 +35,14 @@ using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
 // Has the process keep the memory that it frees rather than give it back: bakes free and ask for
 // the same buffers over and over, and faulting in fresh pages costs as much as octaves of noise do.
 // Nothing else depends on it; a no-op where the C library is not glibc.
-void keep_freed_memory();
+inline void keep_freed_memory() {
+#ifdef __GLIBC__
+    // The most that glibc takes: half of what it maps for a thread's heap.
+    constexpr int kLargestHeapBlock = 32 << 20;
+    constexpr int kKeptAtTheTop = 512 << 20;
+    mallopt(M_MMAP_THRESHOLD, kLargestHeapBlock);
+    mallopt(M_TRIM_THRESHOLD, kKeptAtTheTop);
+#endif
+}
 
 }  // namespace skybake

@@ -67,6 +67,12 @@ OWN_VECTOR = re.compile(r"^ *(?:struct|class) Vector(?:3\w*)? *\{"
                         r"|^ *using \w*(?:Vector|Direction)\w* = std::array<double, 3>", re.M)
 own_vectors = [name for name in product if OWN_VECTOR.search(texts[name])]
 
+# A kernel's numbers are lanes of many items (lanes-inl.h) or the channels of one spectrum
+# (channels-inl.h); the rest is Highway as it comes. Whoever wraps a vector again writes a third kind.
+OWN_LANES = re.compile(r"^ *hn::Vec<\w+> \w+(?:\[\w+\])?;|vector_size\(", re.M)
+MOST_KINDS_OF_LANES = 2
+own_lanes = [name for name in product if OWN_LANES.search(texts[name])]
+
 rows = [
     ("assets", str(len(assets))),
     ("product files", str(len(product))),
@@ -77,6 +83,7 @@ rows = [
      f"{recompiled[worst_product][0]} ({worst_product})"),
     ("… tests", f"{recompiled[worst_tests][1]} ({worst_tests})"),
     ("files with a vector type of their own", str(len(own_vectors))),
+    ("kinds of vectors of a processor", str(len(own_lanes))),
 ]
 for what, count in rows:
     print(f"{what:66} {count}")
@@ -89,4 +96,6 @@ if "--check" in sys.argv:
               f"{MOST_PRODUCT_UNITS} and {MOST_TEST_UNITS} are allowed")
     for name in own_vectors:
         print(f"{name}: has a type of vectors of its own; bakers/math/vectors.h has GLM's")
-    sys.exit(1 if failures or own_vectors or len(assets) < 11 else 0)
+    if len(own_lanes) > MOST_KINDS_OF_LANES:
+        print(f"{', '.join(own_lanes)}: lanes-inl.h and channels-inl.h of bakers/math serve")
+    sys.exit(1 if failures or own_vectors or len(own_lanes) > MOST_KINDS_OF_LANES or len(assets) < 11 else 0)

@@ -6,7 +6,7 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/interpolation.h"
-#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/solver/solved_light.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -3,7 +3,7 @@
 
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
-#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 

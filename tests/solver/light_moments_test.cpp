@@ -1,4 +1,4 @@
-#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/solver/solved_light.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

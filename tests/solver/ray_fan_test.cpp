@@ -1,4 +1,4 @@
-#include "bakers/light/solver/ray_fan.h"
+#include "bakers/light/solver/transport.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -11,7 +11,7 @@
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
-#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/solver/solved_light.h"
 #include "config/assets/multiple_scattering.h"
 
 namespace skybake {

@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {

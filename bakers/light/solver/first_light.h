@@ -10,9 +10,9 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/air/transmittance_field.h"
-#include "bakers/light/solver/light_moments.h"
-#include "bakers/light/solver/ray_fan.h"
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/light/solver/sun_axis.h"
+#include "bakers/light/solver/transport.h"
 
 namespace skybake {
 

@@ -6,7 +6,7 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
-#include "bakers/light/solver/light_moments.h"
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -10,7 +10,6 @@
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/accelerated_orders.h"
 #include "bakers/light/solver/first_light.h"
-#include "bakers/light/solver/ray_fan.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"

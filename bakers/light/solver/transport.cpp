@@ -5,7 +5,145 @@
 #include <cstddef>
 #include <numbers>
 
+#include "bakers/air/quadrature_rules.h"
+#include "bakers/air/view_ray.h"
+#include "bakers/math/quadrature.h"
+#include "bakers/math/transcendental.h"
+
 namespace skybake {
+
+namespace {
+
+// 1 - e^-x: where the difference would cancel by its series, whose first term left out is x^8 / 9!.
+double one_minus_exponential(double x) {
+    if (x > 0.03) return 1 - exponential(-x);
+    double series = 1;
+    for (int n = 8; n >= 2; --n) series = 1 - series * x / n;
+    return series * x;
+}
+
+FanPoint point_at(const std::vector<double>& levels_km, double distance_km, double altitude_km,
+                  int level) {
+    const int last = static_cast<int>(levels_km.size()) - 1;
+    if (level >= 0) {
+        return level < last ? FanPoint{distance_km, altitude_km, level, 0}
+                            : FanPoint{distance_km, altitude_km, last - 1, 1};
+    }
+    const auto above = std::upper_bound(levels_km.begin(), levels_km.end(), altitude_km);
+    const int below = std::clamp(static_cast<int>(above - levels_km.begin()) - 1, 0, last - 1);
+    const auto i = static_cast<std::size_t>(below);
+    return {distance_km, altitude_km, below,
+            (altitude_km - levels_km[i]) / (levels_km[i + 1] - levels_km[i])};
+}
+
+void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray) {
+    const Shell shell = shell_of(medium.air);
+    const std::size_t layers = medium.layers.size();
+    std::vector<double> altitudes;
+    for (const RayCell& cell : view.cells) {
+        const double width = cell.to.distance_km - cell.from.distance_km;
+        for (const double node : cell_rule::kNodes) {
+            altitudes.push_back(std::clamp(altitude_along_km(shell, view.altitude_km, view.s_km,
+                                                             cell.from.distance_km + width * node),
+                                           0.0,
+                                           shell.thickness_km));  // rounding at the ends of the ray
+        }
+    }
+    std::vector<std::vector<Coefficients>> of_layer;
+    for (const SkyLayer& layer : medium.layers) {
+        of_layer.push_back(coefficients_at(layer.alone, altitudes));
+    }
+    ray.near.assign(view.cells.size() * layers, Spectrum(0.0));
+    ray.far.assign(view.cells.size() * layers, Spectrum(0.0));
+    Spectrum depth{};
+    for (std::size_t i = 0; i < view.cells.size(); ++i) {
+        const double width = view.cells[i].to.distance_km - view.cells[i].from.distance_km;
+        Spectrum extinction[cell_rule::kGauss] = {};
+        for (std::size_t k = 0; k < layers; ++k) {
+            for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+                extinction[j] += of_layer[k][i * cell_rule::kGauss + j].extinction_per_km;
+            }
+        }
+        Spectrum cell_depth{};
+        Spectrum lost{};  // by the nodes
+        Spectrum share[cell_rule::kGauss] = {};
+        for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+            Spectrum up_to{};
+            for (std::size_t k = 0; k < cell_rule::kGauss; ++k) {
+                up_to += cell_rule::kUpTo[j][k] * extinction[k];
+            }
+            share[j] = cell_rule::kWeights[j] * exponential(-width * up_to);
+            lost += share[j] * extinction[j];
+            cell_depth += width * cell_rule::kWeights[j] * extinction[j];
+        }
+        // The nodes share out exactly what the cell takes from the light.
+        const Spectrum before = exponential(-depth);
+        Spectrum factor{};
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            if (!(lost[c] > 0)) continue;
+            factor[c] = before[c] * one_minus_exponential(cell_depth[c]) / lost[c];
+            depth[c] += cell_depth[c];
+        }
+        for (std::size_t k = 0; k < layers; ++k) {
+            for (std::size_t j = 0; j < cell_rule::kGauss; ++j) {
+                const Spectrum scattered =
+                    factor * share[j] * of_layer[k][i * cell_rule::kGauss + j].scattering_per_km;
+                ray.near[i * layers + k] += scattered * (1 - cell_rule::kNodes[j]);
+                ray.far[i * layers + k] += scattered * cell_rule::kNodes[j];
+            }
+        }
+    }
+    ray.end_transmittance = exponential(-depth);
+}
+
+}  // namespace
+
+RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                    int zenith_nodes, double tolerance) {
+    const Shell shell = shell_of(medium.air);
+    const double altitude = levels_km[static_cast<std::size_t>(level)];
+    const double r = shell.ground_radius_km + altitude;
+    const double horizon = -horizon_distance_km(shell, altitude) / r;
+    RayFan fan;
+    fan.altitude_km = altitude;
+    std::vector<ViewRay> views;
+    Spectrum whole{};  // scattering over all directions
+    for (const ZenithPart& part :
+         zenith_parts(horizon, altitude / shell.thickness_km, zenith_nodes)) {
+        const QuadratureRule rule = gauss_legendre(part.nodes);
+        const double range = part.to - part.from;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            // mu = from + range x^2 puts nodes where paths grow long.
+            const double x = rule.nodes[i];
+            FanRay ray;
+            ray.mu = part.from + range * x * x;
+            ray.sine = std::sqrt((1 - ray.mu) * (1 + ray.mu));
+            ray.weight = rule.weights[i] * x * std::fabs(range);
+            views.push_back(
+                trace_view_ray(medium.air, levels_km, altitude, r * ray.mu, part.below_horizon));
+            ray.hits_ground = part.below_horizon;
+            ray.length_km = views.back().length_km;
+            for (const RayCell& cell : views.back().cells) {
+                whole += ray.weight * (cell.near_weight + cell.far_weight);
+            }
+            fan.rays.push_back(std::move(ray));
+        }
+    }
+    for (std::size_t i = 0; i < fan.rays.size(); ++i) {
+        FanRay& ray = fan.rays[i];
+        const Spectrum whole_per_ray = whole / (ray.weight * static_cast<double>(fan.rays.size()));
+        refine_view_ray(medium.air, whole_per_ray, tolerance, views[i]);
+        ray.points.push_back(point_at(levels_km, 0, altitude, level));
+        for (const RayCell& cell : views[i].cells) {
+            const double at = std::clamp(
+                altitude_along_km(shell, altitude, views[i].s_km, cell.to.distance_km), 0.0,
+                shell.thickness_km);  // rounding
+            ray.points.push_back(point_at(levels_km, cell.to.distance_km, at, cell.to.level));
+        }
+        integrate_layers(medium, views[i], ray);
+    }
+    return fan;
+}
 
 namespace {
 
