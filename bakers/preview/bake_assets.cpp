@@ -8,7 +8,6 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/field/voxel_bytes.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/folder_plan.h"

@@ -7,7 +7,6 @@
 #include "bakers/assets/irradiance/irradiance_table.h"
 #include "bakers/assets/sky_asset.h"
 #include "bakers/field/image.h"
-#include "bakers/field/texel_axis.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_light.h"
 #include "config/assets/irradiance.h"
