@@ -39,7 +39,7 @@ std::string term(const std::string& markup, std::string_view text) {
 }
 
 std::string page_head(const std::string& name, std::string_view what) {
-    return fmt::format(".TH {} 1 \"\" \"skybake {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n",
+    return fmt::format(".TH {} 1 \"\" \"skybake {}\" \"User Commands\"\n.nh\n.SH NAME\n{} \\- {}\n",
                        replaced(name, {{'-', "\\-"}}), release(), roff(name), roff(what));
 }
 

@@ -26,8 +26,8 @@ inline void bilinear(const Image2<float>& image, double u, double v, double* out
     const float* high_left = image.texel(x0, y1);
     const float* high_right = image.texel(x1, y1);
     for (int channel = 0; channel < image.channels; ++channel) {
-        const double low = low_left[channel] * (1 - s) + low_right[channel] * s;
-        const double high = high_left[channel] * (1 - s) + high_right[channel] * s;
+        const double low = double{low_left[channel]} * (1 - s) + double{low_right[channel]} * s;
+        const double high = double{high_left[channel]} * (1 - s) + double{high_right[channel]} * s;
         out[channel] = low * (1 - t) + high * t;
     }
 }

@@ -166,10 +166,10 @@ TEST(SurveyVolume, TakesWhatIsJustInRange) {
 TEST(SurveyVolume, CountsValuesThatLoseDigits) {
     const auto tiny = [](int x, int, int, int) { return x == 0 ? 0.0F : 1e-5F; };
     Baked half = plain_volume({3, 4, 4}, 1, PixelType::half, tiny);
-    survey_level(half, 0, {{0, 1}}, {1});
+    EXPECT_TRUE(survey_level(half, 0, {{0, 1}}, {1}).empty());
     EXPECT_EQ(half.range.below_normal, 32);
     Baked single = plain_volume({3, 4, 4}, 1, PixelType::float32, tiny);
-    survey_level(single, 0, {{0, 1}}, {1});
+    EXPECT_TRUE(survey_level(single, 0, {{0, 1}}, {1}).empty());
     EXPECT_EQ(single.range.below_normal, 0);
 }
 

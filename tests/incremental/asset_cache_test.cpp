@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 class Cache : public ::testing::Test {
   protected:
-    Cache() { bake_.run(); }
+    Cache() { EXPECT_TRUE(bake_.run().value); }
 
     ReadyAsset asset(std::size_t i) const {
         return {bake_.bake.folder, read_manifest(bake_.bake.folder).value->assets.at(i)};
@@ -189,7 +189,7 @@ TEST_F(Cache, GarbageIsWhatKilledProcessesLeft) {
     const FileDescriptor writer(
         ::open((folder_ / "cache/pending/1-0").c_str(), O_RDONLY | O_DIRECTORY));
     ASSERT_EQ(::flock(writer.get(), LOCK_EX), 0);
-    collect_garbage(folder_ / "cache", 1u << 30);
+    EXPECT_TRUE(collect_garbage(folder_ / "cache", 1u << 30).value);
     EXPECT_FALSE(fs::exists(folder_ / "cache/pending/99999999-0"));
     EXPECT_TRUE(fs::exists(folder_ / "cache/pending/1-0")) << "somebody is writing it";
     EXPECT_EQ(cache_entries(folder_ / "cache").value->size(), 1U);

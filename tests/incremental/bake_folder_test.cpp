@@ -41,7 +41,7 @@ TEST(BakeFolder, MakesEverythingOnceAndNothingTwice) {
 TEST(BakeFolder, MakesJustWhatDependsOnAChange) {
     const TemporaryFolder folder;
     TestBake first(recipe_of(small_recipe), folder / "out");
-    first.run();
+    EXPECT_TRUE(first.run().value);
     const auto before = time_stamps(folder / "out");
     TestBake second(recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"}),
                     folder / "out");
@@ -59,7 +59,7 @@ TEST(BakeFolder, MakesJustWhatDependsOnAChange) {
 TEST(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");
-    bake.run();
+    EXPECT_TRUE(bake.run().value);
     const fs::path table = folder / "out/transmittance.exr";
     const std::string whole = read_bytes(table);
     std::string damaged = whole;
@@ -85,7 +85,7 @@ void link_outputs(const fs::path& folder, const fs::path& far) {
 TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
     const TemporaryFolder folder;
     AssetCache cache(folder / "cache");
-    TestBake(recipe_of(small_recipe), folder / "out").run();
+    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "out").run().value);
     link_outputs(folder / "out", folder / "far");
     std::map<std::string, std::string> before;
     for (const auto& file : fs::directory_iterator(folder / "far")) {
@@ -103,7 +103,7 @@ TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
     }
 
     // Nor by copies from a cache.
-    TestBake(recipe_of(small_recipe), folder / "second").run();
+    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "second").run().value);
     link_outputs(folder / "second", folder / "further");
     TestBake copied_there(recipe_of(small_recipe, {}, other), folder / "second");
     copied_there.bake.sources = {&cache};
@@ -135,7 +135,7 @@ TEST(BakeFolder, ForceReplacesLinksAndNotTheirTargets) {
 TEST(BakeFolder, LeftOversGoWhereNothingIsStale) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");
-    bake.run();
+    EXPECT_TRUE(bake.run().value);
     const auto before = time_stamps(folder / "out");
     write_bytes(folder / "out/.transmittance.exr.skybake-1-0.tmp", "half");
     write_bytes(folder / "out/.of_another_recipe.exr.skybake-1-0.tmp", "half");
@@ -147,9 +147,9 @@ TEST(BakeFolder, IncrementalAndCleanBakesEndWithTheSameFiles) {
     const TemporaryFolder folder;
     const std::vector<std::string> settings = {"atmosphere.ground_albedo=0.7",
                                                "noise.shape.seed=9"};
-    TestBake(recipe_of(small_recipe), folder / "grown").run();
-    TestBake(recipe_of(small_recipe, {}, settings), folder / "grown").run();
-    TestBake(recipe_of(small_recipe, {}, settings), folder / "clean").run();
+    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "grown").run().value);
+    EXPECT_TRUE(TestBake(recipe_of(small_recipe, {}, settings), folder / "grown").run().value);
+    EXPECT_TRUE(TestBake(recipe_of(small_recipe, {}, settings), folder / "clean").run().value);
     for (const char* file :
          {"transmittance.exr", "multiple_scattering.exr", "shape.exr", "shape.bin"}) {
         EXPECT_EQ(read_bytes(folder / "grown" / file), read_bytes(folder / "clean" / file)) << file;
@@ -159,7 +159,7 @@ TEST(BakeFolder, IncrementalAndCleanBakesEndWithTheSameFiles) {
 TEST(BakeFolder, AnotherCertificationIsAnotherAsset) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");
-    bake.run();
+    EXPECT_TRUE(bake.run().value);
     bake.bake.certification = Certification::off;
     EXPECT_EQ(bake.states(), (States{baked, baked, baked}));
     EXPECT_EQ(bake.observer.reasons[0], (std::vector<std::string>{"--certify quick → off"}));
@@ -168,7 +168,7 @@ TEST(BakeFolder, AnotherCertificationIsAnotherAsset) {
 TEST(BakeFolder, AFailureLeavesTheFolderAsItWas) {
     const TemporaryFolder folder;
     TestBake good(recipe_of(small_recipe), folder / "out");
-    good.run();
+    EXPECT_TRUE(good.run().value);
     const auto before = time_stamps(folder / "out");
     // A noise beyond what unorm8 holds: found after the tables have been baked.
     TestBake bad(recipe_of(small_recipe, {},
@@ -205,7 +205,7 @@ TEST(BakeFolder, AnInterruptionLeavesTheFolderAsItWas) {
 
 TEST(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
     const TemporaryFolder folder;
-    TestBake(recipe_of(small_recipe), folder / "out").run();
+    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "out").run().value);
     TestBake less(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out");
     const auto first = less.run();
     ASSERT_TRUE(first.value.has_value());
@@ -216,7 +216,9 @@ TEST(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
     const auto back = TestBake(recipe_of(small_recipe), folder / "out").run();
     ASSERT_TRUE(back.value.has_value());  // no file of somebody else's
     EXPECT_TRUE(back.value->retired.empty());
-    TestBake(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out").run();
+    EXPECT_TRUE(TestBake(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out")
+                    .run()
+                    .value);
     fs::remove(folder / "out/shape.bin");
     EXPECT_TRUE(less.run().value->retired.empty());
 }
@@ -251,7 +253,7 @@ struct WithoutNoise {
         less.bake.prune = true;
         TestBake all(recipe_of(two_tables + and_a_noise), folder / "out");
         all.bake.certification = Certification::off;
-        all.run();
+        EXPECT_TRUE(all.run().value);
     }
     bool has(const char* name) const {
         return fs::exists(fs::symlink_status(folder / "out" / name));
@@ -333,7 +335,7 @@ TEST(BakeFolder, CountsTheTimeOfCertifying) {
 TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");
-    bake.run();
+    EXPECT_TRUE(bake.run().value);
     bake.bake.bakes = {bake.recipe.parameters.bakes[1]};
     EXPECT_EQ(bake.states(), (States{up_to_date}));
     EXPECT_EQ(read_manifest(folder / "out").value->assets.size(), 3U);

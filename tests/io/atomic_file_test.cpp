@@ -234,14 +234,14 @@ TEST(AtomicFile, StagedFilesAppearTogetherOrNotAtAll) {
     const TemporaryFolder folder;
     {
         AtomicFiles files;
-        files.stage(folder / "a", "1");
-        files.stage(folder / "b", "2");
+        EXPECT_TRUE(files.stage(folder / "a", "1").value);
+        EXPECT_TRUE(files.stage(folder / "b", "2").value);
         EXPECT_FALSE(fs::exists(folder / "a"));
     }
     EXPECT_TRUE(folder.names().empty());
     AtomicFiles files;
-    files.stage(folder / "a", "1");
-    files.stage(folder / "b", "2");
+    EXPECT_TRUE(files.stage(folder / "a", "1").value);
+    EXPECT_TRUE(files.stage(folder / "b", "2").value);
     EXPECT_TRUE(files.commit().empty());
     EXPECT_EQ(folder.names(), (Names{"a", "b"}));
     EXPECT_EQ(read_bytes(folder / "a"), "1");
@@ -382,7 +382,9 @@ TEST(AtomicFile, KilledInTheMiddleLeavesTheOldOrTheNewFile) {
     for (int round = 0; round < 8; ++round) {
         const pid_t child = ::fork();
         if (child == 0) {
-            for (int i = 1;; ++i) write_file_atomically(folder / "a", texts[i % 2]);
+            for (int i = 1;; ++i) {
+                static_cast<void>(write_file_atomically(folder / "a", texts[i % 2]));
+            }
         }
         std::this_thread::sleep_for(std::chrono::microseconds(3000 + 3700 * round));
         ::kill(child, SIGKILL);

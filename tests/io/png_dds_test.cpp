@@ -288,8 +288,9 @@ TEST(PngAndDds, RefuseDamagedFiles) {
             std::string bytes = whole;
             bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
             testing::write_bytes(folder / "changed", bytes);
-            format_of(format).inspect(folder / "changed");  // any answer but a crash
-            format_of(format).read(folder / "changed", shape, 0, visit);
+            // Any answer is right but a crash.
+            static_cast<void>(format_of(format).inspect(folder / "changed"));
+            static_cast<void>(format_of(format).read(folder / "changed", shape, 0, visit));
         }
         testing::write_bytes(folder / "whole", whole);
         FileShape other = shape;
