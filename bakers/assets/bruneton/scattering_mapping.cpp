@@ -9,7 +9,7 @@ namespace skybake {
 
 namespace {
 
-constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+constexpr auto kScatteringTexels = TexelConvention::end_points_on_texel_centres;
 
 }  // namespace
 
@@ -87,16 +87,16 @@ int ScatteringMapping::v_of(int half_index, bool meets_ground) const {
 ScatteringView ScatteringMapping::view_of_texel(int v, int w) const {
     const bool meets_ground = v < half_size();
     const int index = meets_ground ? half_size() - 1 - v : v - half_size();
-    return view(texel_coordinate(kConvention, index, half_size()), meets_ground,
-                texel_coordinate(kConvention, w, size_[2]));
+    return view(texel_coordinate(kScatteringTexels, index, half_size()), meets_ground,
+                texel_coordinate(kScatteringTexels, w, size_[2]));
 }
 
 double ScatteringMapping::sun_of_texel(int u) const {
-    return sun_cos_zenith(texel_coordinate(kConvention, u % sun_size(), sun_size()));
+    return sun_cos_zenith(texel_coordinate(kScatteringTexels, u % sun_size(), sun_size()));
 }
 
 double ScatteringMapping::nu_of_texel(int u) const {
-    return nu(texel_coordinate(kConvention, u / sun_size(), nu_size_));
+    return nu(texel_coordinate(kScatteringTexels, u / sun_size(), nu_size_));
 }
 
 FeasibleCosines feasible_cosines(double view_cos_zenith, double sun_cos_zenith) {

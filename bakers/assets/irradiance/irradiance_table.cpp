@@ -27,7 +27,7 @@ namespace {
 // Of each level, and of the reference.
 constexpr std::array<IrradianceNodes, 5> kNodes = {
     {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}}};
-constexpr IrradianceNodes kReferenceNodes = {28, 32, 12};
+constexpr IrradianceNodes kReferenceZenithNodes = {28, 32, 12};
 
 Spectrum irradiance(const SkyLight& light, IrradianceContent content, double altitude_km,
                     double sun_cos_zenith, const IrradianceNodes& nodes) {
@@ -69,7 +69,7 @@ void describe(const IrradianceBake& bake, const Shell& shell, Baked& table) {
     set_files(bake, table);
     table.certificate.reference =
         fmt::format("the same integral with {} directions above and below the sun, and around",
-                    kReferenceNodes.single);
+                    kReferenceZenithNodes.single);
     table.certificate.scale = kRelativeErrorScale;
 }
 
@@ -109,7 +109,7 @@ TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
         values_at(kNodes[static_cast<std::size_t>(level)], y, x, values);
     };
     model.reference = [values_at](double y, const std::vector<double>& x, double* values) {
-        values_at(kReferenceNodes, y, x, values);
+        values_at(kReferenceZenithNodes, y, x, values);
     };
     model.error = relative_error;
     return model;

@@ -29,7 +29,7 @@ using config::OpticalDepthTable;
 
 namespace {
 
-constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+constexpr auto kColumnTexels = TexelConvention::end_points_on_texel_centres;
 constexpr const char* kCentres = "end points on texel centres; lookups are clamped";
 
 // A texel's value in the channel of a kind.
@@ -154,7 +154,7 @@ using AxisPlace = std::function<std::pair<std::string, double>(double x)>;
 Contents along_axis(std::size_t kinds, int size, AlongAxis value, AxisPlace place) {
     Contents result;
     result.value = [value, size](std::size_t k, const std::array<int, 3>& texel) {
-        return value(k, texel_coordinate(kConvention, texel[0], size));
+        return value(k, texel_coordinate(kColumnTexels, texel[0], size));
     };
     result.finish.reference = [kinds, value, size](const std::array<double, 3>& uvw) {
         std::vector<double> values;
@@ -170,7 +170,7 @@ Contents along_axis(std::size_t kinds, int size, AlongAxis value, AxisPlace plac
     result.finish.probe_place = [place = std::move(place), size](const std::array<double, 3>& uvw,
                                                                  int) {
         const double x = std::clamp(unit_coordinate(uvw[0], size), 0.0, 1.0);
-        return ProbePlace{{place(x)}, {{{texture_coordinate(kConvention, x, size), 0.5, 0.5}}}};
+        return ProbePlace{{place(x)}, {{{texture_coordinate(kColumnTexels, x, size), 0.5, 0.5}}}};
     };
     return result;
 }
