@@ -91,7 +91,7 @@ HWY_INLINE Real distance_to_top(const SunlightRow& at, Real s_km) {
 // The transmittances towards a sun in whose direction the top is so far. Suns that are down read
 // the row's nearest end.
 template <class Real>
-HWY_INLINE void read_sunlight(const SunlightRow& at, Real distance_km, Real* value) {
+HWY_INLINE void sunlight_towards(const SunlightRow& at, Real distance_km, Real* value) {
     const Real column = (distance_km - Real(at.nearest_top_km)) * Real(at.columns_per_km);
     const Real inside = minimum(maximum(column, Real(0.0)), Real(at.last_column));
     read_row(at.values, at.stride, inside, at.channels, value);

@@ -59,7 +59,7 @@ void AddSunlight(const TransmittanceField& field, const ScatteringView& view,
             const Lanes distance =
                 select(s > Lanes(0.0), Lanes(sunlight_at.q) / (root + absolute(s)), root - s);
             Lanes value[kMaxChannels];
-            read_sunlight(sunlight_at, distance, value);
+            sunlight_towards(sunlight_at, distance, value);
             for (int c = 0; c < field.channels(); ++c) {
                 const auto channel = static_cast<std::size_t>(c);
                 const Lanes sunlight = value[c] * here;

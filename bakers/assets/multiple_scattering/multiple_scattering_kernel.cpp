@@ -34,7 +34,7 @@ HWY_INLINE LitPoint lit_point(const TransmittanceField& field, double altitude_k
 template <class Real>
 HWY_INLINE void add_sunlight(const LitPoint& point, Real s, Real weight, int channels, Real* sum) {
     Real value[kMaxChannels];
-    read_sunlight(point.sunlight, distance_to_top(point.sunlight, s), value);
+    sunlight_towards(point.sunlight, distance_to_top(point.sunlight, s), value);
     if (point.horizontal_ground) weight = weight * maximum(s, Real(0.0)) * Real(1.0 / point.r_km);
     for (int c = 0; c < channels; ++c) sum[c] = sum[c] + weight * value[c];
 }

@@ -92,7 +92,7 @@ class FirstLightPass {
     void add_moments(const FanRay& ray);
     HWY_INLINE void read_sunlight(const Place& place, Lanes s, Lanes* value) const {
         for (int c = 0; c < kMaxChannels; ++c) value[c] = Lanes(0.0);
-        HWY_NAMESPACE::read_sunlight(place.sunlight, distance_to_top(place.sunlight, s), value);
+        sunlight_towards(place.sunlight, distance_to_top(place.sunlight, s), value);
     }
     double* sums(int azimuth, std::size_t layer, std::size_t channel) {
         return sums_.data() +
