@@ -1,9 +1,10 @@
+#include "bakers/air/quadrature_rules.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/air/quadrature_rules.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 

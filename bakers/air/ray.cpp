@@ -1,8 +1,8 @@
+#include "bakers/air/ray.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include "bakers/air/ray.h"
 
 namespace skybake {
 

@@ -114,8 +114,8 @@ class TableOrders : public HigherOrders {
 
 // --- One point under many suns -------------------------------------------------------------------
 
-// What the solved light sends along a view ray from one point of it, for any sun: higher_orders.h
-// with all contracted that the sun does not change, for those who ask under many suns.
+// What the solved light sends along a view ray from one point of it, for any sun: SolvedOrders with
+// all contracted that the sun does not change, for those who ask under many suns.
 
 class SolvedSource {
   public:

@@ -14,8 +14,6 @@ namespace skybake {
 
 inline constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
-// A view direction and where the sun is from it.
-
 // A direction at a camera, and the angle to the sun by two sums without cancellation.
 struct SkyDirection {
     double mu = 0;  // cosine of the zenith angle
@@ -47,8 +45,6 @@ inline SkyDirection sky_direction(const SunZenith& sun, double mu, double sine,
     direction.one_plus_cosine = half_square(mu + sun.cosine, along + sun.sine);
     return direction;
 }
-
-// Straight rays of a camera through the air, with the sun.
 
 // The part of a view ray that is in the air. Whether it meets the ground is told, not found out:
 // next to the horizon rounding would decide about it.

@@ -1,7 +1,8 @@
+#include "bakers/math/quadrature.h"
+
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -12,7 +12,7 @@
 //                sum over layers of sigma_s sum over l of chi_l sum over m of
 //                    M_lm P_l^m(mu) cos(m phi)
 //
-//              with the layer's Legendre moments chi_l (phase/legendre_moments.h) and associated
+//              with the layer's Legendre moments chi_l (phase_function.h) and associated
 //              Legendre functions without the sign (-1)^m: P_1^1 = sqrt(1 - mu^2).
 #pragma once
 

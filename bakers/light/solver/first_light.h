@@ -16,7 +16,7 @@
 
 namespace skybake {
 
-// Light that was scattered once, into the forward peaks of spheres (atmosphere/forward_peak.h).
+// Light that was scattered once, into the forward peaks of spheres (forward_peak.h).
 //
 // It comes from next to the sun. On the ray to the sun itself each point sends T_sun sigma_s,
 // whatever its distance, since the way on from there is the way that sunlight would have taken: the
