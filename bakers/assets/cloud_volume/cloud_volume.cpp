@@ -186,8 +186,9 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
          .expensive = reference->is_expensive(),
          .comparison = {},
          .measure = {},
-         .probe_place = [&cloud](const std::array<double, 3>& uvw,
-                                 int) { return place_of(cloud, uvw); }},
+         .probe_place = [spanned = config::stretched(cloud, bake)](
+                            const std::array<double, 3>& uvw,
+                            int) { return place_of(spanned, uvw); }},
         options);
 }
 

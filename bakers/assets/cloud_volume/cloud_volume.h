@@ -49,6 +49,10 @@ std::vector<InputFile> cloud_volume_inputs(const config::Parameters& parameters,
 // Of a volume of this extent over the cloud's base.
 AssetPlaces cloud_places(const config::Cloud& cloud, const Uvw& extent_m);
 
+// The cloud of a volume, as the volume spans it.
+config::Cloud spanned_cloud(const config::Parameters& parameters,
+                            const config::CloudVolumeBake& asset);
+
 Uvw extent_m_of(const config::Cloud& cloud);
 
 }  // namespace skybake

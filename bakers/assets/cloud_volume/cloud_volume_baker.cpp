@@ -27,7 +27,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
 
 AssetPlaces places(const Parameters& parameters, const CloudVolumeBake& asset,
                    const StoredTexels&) {
-    const Cloud& cloud = cloud_named(parameters, asset.cloud);
+    const Cloud cloud = spanned_cloud(parameters, asset);
     return cloud_places(cloud, extent_m_of(cloud));
 }
 
@@ -67,12 +67,16 @@ AssetPlaces cloud_places(const Cloud& cloud, const Uvw& extent_m) {
     });
 }
 
+Cloud spanned_cloud(const Parameters& parameters, const CloudVolumeBake& asset) {
+    return config::stretched(cloud_named(parameters, asset.cloud), asset);
+}
+
 Uvw extent_m_of(const Cloud& cloud) {
     return {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters};
 }
 
 const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
-    static const Baker<CloudVolumeBake> row = {.version = 2,
+    static const Baker<CloudVolumeBake> row = {.version = 3,
                                                .bake = bake,
                                                .estimate = estimate_cloud_volume,
                                                .places = places,

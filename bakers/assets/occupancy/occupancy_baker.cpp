@@ -53,7 +53,7 @@ Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
 // The cells of a level may go on beyond the volume that they are of.
 AssetPlaces places(const Parameters& parameters, const OccupancyBake& asset, const StoredTexels&) {
     const CloudVolumeBake of = volume_of(parameters, asset);
-    const Cloud cloud = cloud_named(parameters, of.cloud);
+    const Cloud cloud = spanned_cloud(parameters, of);
     AssetPlaces places = cloud_places(cloud, extent_m_of(cloud));
     places.lookups = [cloud, of, cell = asset.cell](const Probe& probe, int level) {
         Uvw extent_m = extent_m_of(cloud);
