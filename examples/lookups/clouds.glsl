@@ -21,17 +21,28 @@ vec2 cloud_layer(float height, float from_z, float ray_z) {
     return vec2(max(min(face.x, face.y), 0.0), max(face.x, face.y));
 }
 
+// The place of p in its tile, in voxels; `voxels` is the cloud's size.
+vec3 cloud_voxel(vec3 voxels, vec3 p, vec3 tile) {
+    vec3 place = p / tile;
+    return (place - vec3(floor(place.x), floor(place.y), 0.0)) * voxels;
+}
+
+// The cell of a grid that p is in, to be fetched without filtering. `cell` is the recipe's: a cell's edge
+// in voxels.
+ivec3 cloud_cell(sampler3D cells, float cell, vec3 voxels, vec3 p, vec3 tile) {
+    vec3 at = floor(cloud_voxel(voxels, p, tile) / cell);
+    return clamp(ivec3(at), ivec3(0), textureSize(cells, 0) - 1);
+}
+
 // How far the ray goes on from p, in metres, before it leaves the box of cells that `leap` calls empty; 0
-// where p is in a cell that is not. `cell` is the recipe's: a cell's edge in voxels. `full` is the leap
-// that a texel of 1 stands for: 255 for unorm8, else 1. The box is `leap` - 1 cells about the one that p
-// is in. Tiles follow each other along x and y; the last cell of each is smaller where `cell` does not
-// divide the cloud's size.
-float cloud_leap(sampler3D cloud, sampler3D leaps, float cell, float full, vec3 p, vec3 ray, vec3 tile) {
-    vec3 voxels = vec3(textureSize(cloud, 0)), place = p / tile;
-    ivec3 cells = textureSize(leaps, 0);
-    vec3 of_tile = vec3(floor(place.x), floor(place.y), 0.0), inside = (place - of_tile) * voxels;
-    ivec3 at = clamp(ivec3(floor(inside / cell)), ivec3(0), cells - 1);
-    float leap = floor(texelFetch(leaps, at, 0).r * full + 0.5);
+// where p is in a cell that is not. `full` has, in the channel of `leap`, the leap that a texel of 1
+// stands for: 255 for unorm types, else 1; and 0 in the others. The box is `leap` - 1 cells about the one
+// that p is in. Tiles follow each other along x and y; the last cell of each is smaller where `cell` does
+// not divide the cloud's size.
+float cloud_leap(sampler3D cloud, sampler3D leaps, float cell, vec4 full, vec3 p, vec3 ray, vec3 tile) {
+    vec3 voxels = vec3(textureSize(cloud, 0)), inside = cloud_voxel(voxels, p, tile);
+    ivec3 cells = textureSize(leaps, 0), at = cloud_cell(leaps, cell, voxels, p, tile);
+    float leap = floor(dot(texelFetch(leaps, at, 0), full) + 0.5);
     if (leap == 0.0) return 0.0;
     vec3 along = ray / tile * voxels;                                   // voxels per metre
     vec3 face = vec3(at) + vec3(along.x < 0.0 ? 1.0 - leap : leap, along.y < 0.0 ? 1.0 - leap : leap,
@@ -45,7 +56,7 @@ float cloud_leap(sampler3D cloud, sampler3D leaps, float cell, float full, vec3 
 // The sum of densities times metres over `count` samples at from + ray * stride * i, i = 0, 1 ..., all of
 // them within the layer. It goes on at the last sample before the face of an empty box, so that no
 // rounding leaps over a sample: it is the sum of a march that looks everywhere.
-float cloud_march(sampler3D cloud, sampler3D leaps, float cell, float full, vec3 from, vec3 ray,
+float cloud_march(sampler3D cloud, sampler3D leaps, float cell, vec4 full, vec3 from, vec3 ray,
                   vec3 tile, float stride, int count) {
     float sum = 0.0;
     int i = 0;

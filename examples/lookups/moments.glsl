@@ -1,27 +1,29 @@
-// Lookup of asset = "multiple_scattering" with content = "moments" and degree = 2: six tables below each
-// other. Use a clamped, bilinear sampler. D, h, sun_mu, twilight and crop are those of multiple_scattering.glsl.
+// Lookup of asset = "multiple_scattering" with content = "moments": `tables` below each other, six with
+// degree = 2. Use a clamped, bilinear sampler. D, h, sun_mu, twilight and crop are those of
+// multiple_scattering.glsl.
 
 // The place in table 0, which is the uppermost.
-vec2 moment_place(sampler2D table, float D, float h, float sun_mu, bool twilight, vec2 crop) {
+vec2 moment_place(sampler2D table, float D, float h, float sun_mu, bool twilight, vec2 crop,
+                  float tables) {
     float x = 0.5 + 0.5 * (twilight ? sign(sun_mu) * sqrt(abs(sun_mu)) : sun_mu);
-    vec2 size = vec2(textureSize(table, 0)) / vec2(1.0, 6.0);
+    vec2 size = vec2(textureSize(table, 0)) / vec2(1.0, tables);
     vec2 place = clamp(vec2((x - crop.x) / crop.y, h / D), 0.0, 1.0);      // beyond is the next table
     return (0.5 + place * (size - 1.0)) / size;
 }
 
-vec3 moment(sampler2D table, vec2 place, float j) {
-    return texture(table, vec2(place.x, (j + place.y) / 6.0)).rgb;
+vec3 moment(sampler2D table, vec2 place, float tables, float j) {
+    return texture(table, vec2(place.x, (j + place.y) / tables)).rgb;
 }
 
 // mu is the cosine of the view's zenith angle at the point, c the cosine of its azimuth from the sun
-// there. chi are the layer's Legendre moments of degree 0 to 2: (1, 0, 0.1) for Rayleigh scattering,
-// (1, 0.8436, 0.7097) for Cornette-Shanks with g = 0.8. The result, in 1/sr, is to be multiplied by the
-// layer's scattering coefficient; its phase function is in it.
-vec3 scattered_again(sampler2D table, vec2 place, float mu, float c, vec3 chi) {
+// there. chi are the layer's Legendre moments of degree 0 to 2, as far as these tables go: (1, 0, 0.1) for
+// Rayleigh scattering, (1, 0.8436, 0.7097) for Cornette-Shanks with g = 0.8. The result, in 1/sr, is to
+// be multiplied by the layer's scattering coefficient; its phase function is in it.
+vec3 scattered_again(sampler2D table, vec2 place, float tables, float mu, float c, vec3 chi) {
     float s = sqrt(max(1.0 - mu * mu, 0.0));
-    return chi.x * moment(table, place, 0.0)
-         + chi.y * (mu * moment(table, place, 1.0) + s * c * moment(table, place, 2.0))
-         + chi.z * ((1.5 * mu * mu - 0.5) * moment(table, place, 3.0)
-                    + 3.0 * mu * s * c * moment(table, place, 4.0)
-                    + 3.0 * s * s * (2.0 * c * c - 1.0) * moment(table, place, 5.0));
+    return chi.x * moment(table, place, tables, 0.0)
+         + chi.y * (mu * moment(table, place, tables, 1.0) + s * c * moment(table, place, tables, 2.0))
+         + chi.z * ((1.5 * mu * mu - 0.5) * moment(table, place, tables, 3.0)
+                    + 3.0 * mu * s * c * moment(table, place, tables, 4.0)
+                    + 3.0 * s * s * (2.0 * c * c - 1.0) * moment(table, place, tables, 5.0));
 }

@@ -14,6 +14,9 @@ namespace {
 
 using gpu::vec3;
 
+// In the first channel, which is the only one.
+const gpu::vec4 kUnormLeap(255, 0, 0, 0);
+
 const std::string kShape = "[noise.shape]\npreset = 'nubis_shape'\nseed = 7\n";
 
 TEST(NoiseLookup, FloatLosesLittle) {
@@ -126,8 +129,8 @@ struct CloudTrial {
         return ray;
     }
     float march(const Ray& ray, const Texture& with) const {
-        return gpu::cloud_lookups::cloud_march({cloud}, {with}, 4, 255, ray.from, ray.ray, tile,
-                                               ray.stride, ray.count);
+        return gpu::cloud_lookups::cloud_march({cloud}, {with}, 4, kUnormLeap, ray.from, ray.ray,
+                                               tile, ray.stride, ray.count);
     }
     // In metres from the lower corner of the tile.
     glm::dvec3 place_of(const Probe& probe) const {
@@ -206,8 +209,8 @@ void expect_leaps_of_probe(const CloudTrial& trial, const Probe& probe, int leap
         const auto i = static_cast<std::size_t>(axis);
         vec3 ray(0);
         ray[axis] = direction % 2 == 0 ? 1.0f : -1.0f;
-        const float found = gpu::cloud_lookups::cloud_leap({trial.cloud}, {trial.leaps}, 4, 255,
-                                                           vec3(place), ray, trial.tile);
+        const float found = gpu::cloud_lookups::cloud_leap(
+            {trial.cloud}, {trial.leaps}, 4, kUnormLeap, vec3(place), ray, trial.tile);
         const int cells = trial.leaps.size[i];
         const int voxels = trial.cloud.size[i];
         const int face = face_of_box(static_cast<int>(probe.uvw[i] * cells), leap,

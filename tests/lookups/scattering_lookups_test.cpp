@@ -168,9 +168,9 @@ TEST(MomentsLookup, FloatLosesLittle) {
         const bool rayleigh = dice.one_in(2);
         const gpu::vec3 chi = rayleigh ? gpu::vec3(1, 0, 0.1f) : gpu::vec3(1, 0.8436f, 0.7097f);
         const gpu::vec2 place = gpu::sun_lookups::moment_place({table.texture}, table.D, h, mu_s,
-                                                               table.twilight(), table.crop());
+                                                               table.twilight(), table.crop(), 6);
         const gpu::vec3 found =
-            gpu::sun_lookups::scattered_again({table.texture}, place, mu, c, chi);
+            gpu::sun_lookups::scattered_again({table.texture}, place, 6, mu, c, chi);
         const double x = table.columns.coordinate(double{mu_s});
         const double y = double{h} / table.shell.thickness_km;
         const std::array<double, 4> wanted = scattered_in_double(
@@ -195,9 +195,9 @@ TEST(MomentsLookup, HoldsTheProbes) {
         const int part = moment_index(static_cast<int>(test::at(probe, "l")),
                                       static_cast<int>(test::at(probe, "m")));
         const gpu::vec2 place = gpu::sun_lookups::moment_place({table.texture}, table.D, h, mu_s,
-                                                               table.twilight(), table.crop());
+                                                               table.twilight(), table.crop(), 6);
         const gpu::vec3 found =
-            gpu::sun_lookups::moment({table.texture}, place, static_cast<float>(part));
+            gpu::sun_lookups::moment({table.texture}, place, 6, static_cast<float>(part));
         test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance,
                            "h " + std::to_string(h) + ", mu_s " + std::to_string(mu_s) +
                                ", table " + std::to_string(part));
