@@ -20,10 +20,16 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"
+#include "cli/info_lookup.h"
 #include "cli/table_printer.h"
 #include "config/text/key_path.h"
 
 namespace skybake::cli {
+
+namespace options {
+inline const Option<bool> lookup{"lookup"};
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -294,6 +300,7 @@ ExitCode show_manifest(const fs::path& folder, bool json, Console& console) {
 ExitCode run_info(const Invocation& invocation, Console& console) {
     const fs::path path = invocation.arguments()[0];
     const bool json = console.display().json;
+    if (invocation[options::lookup]) return show_lookup(path, json, console);
     std::error_code error;
     if (fs::is_directory(path, error)) return show_manifest(path, json, console);
     if (path.filename() == manifest_name) {
@@ -319,9 +326,12 @@ Command info_command() {
         .arguments = {{.name = "path",
                        .help =
                            "an EXR, PNG or VDB file, a folder of a bake, or its manifest.json"}},
+        .options = {options::lookup("print GLSL that reads this file, which may be of any format")},
         .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
                      {"skybake info out/transmittance.exr",
-                      "shows the mapping, units and parameters of a file"}},
+                      "shows the mapping, units and parameters of a file"},
+                     {"skybake info --lookup out/transmittance.exr",
+                      "prints the file's lookup with its own radii and sizes"}},
         .exit_codes = {ExitCode::io},
         .run = run_info};
 }

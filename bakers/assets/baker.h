@@ -11,6 +11,7 @@
 
 #include "bakers/assets/asset_label.h"
 #include "bakers/assets/estimate.h"
+#include "bakers/assets/glsl_lookup.h"
 #include "bakers/assets/probe_places.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
@@ -34,6 +35,9 @@ struct Baker {
     Estimate (*estimate)(const config::Parameters& parameters, const Asset& asset) = nullptr;
     // How a runtime looks up what the probes name, of a table or volume as it is stored.
     AssetPlaces (*places)(const config::Parameters& parameters, const Asset& asset,
+                          const StoredTexels& stored) = nullptr;
+    // The GLSL with which a runtime reads a file of it.
+    AssetLookup (*lookup)(const config::Parameters& parameters, const Asset& asset,
                           const StoredTexels& stored) = nullptr;
     // Makes the asset small enough for pictures in a second; the longest edge of a volume has at
     // most `most_voxels`. None: it is small already.

@@ -82,8 +82,8 @@ std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
         ++checks;
         return {"its parameters cannot be read as a recipe"};
     }
-    const AssetPlaces places =
-        baker_of(*own).places(recipe.value->parameters, *own, {asset.mapping, asset.size});
+    const AssetPlaces places = baker_of(*own).places(
+        recipe.value->parameters, *own, {asset.mapping, asset.size, asset.channels.size()});
     CheckedProbes checked;
     check_places(asset, places, checked);
     checks += checked.checks;

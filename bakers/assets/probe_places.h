@@ -20,6 +20,7 @@ namespace skybake {
 struct StoredTexels {
     std::string mapping;
     std::vector<int> size;
+    std::size_t channels = 0;
 };
 
 using Uvw = std::array<double, 3>;  // texture coordinates; w of a table is 1/2

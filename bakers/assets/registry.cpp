@@ -31,6 +31,10 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
                           const StoredTexels& stored) {
         return baker.places(parameters, bake.as<Asset>(), stored);
     };
+    any.lookup = [&baker](const Parameters& parameters, const Bake& bake,
+                          const StoredTexels& stored) {
+        return baker.lookup(parameters, bake.as<Asset>(), stored);
+    };
     any.draft = [&baker](Bake& bake, int most_voxels) {
         if (baker.draft) baker.draft(bake.as<Asset>(), most_voxels);
     };

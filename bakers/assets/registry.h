@@ -20,6 +20,8 @@ struct AnyBaker {
     std::function<Estimate(const config::Parameters&, const config::Bake&)> estimate;
     std::function<AssetPlaces(const config::Parameters&, const config::Bake&, const StoredTexels&)>
         places;
+    std::function<AssetLookup(const config::Parameters&, const config::Bake&, const StoredTexels&)>
+        lookup;
     std::function<void(config::Bake&, int most_voxels)> draft;
     std::function<config::Outcome<Baked>(const config::Parameters&, const config::Bake&,
                                          const BakeOptions&, AssetLabel)>

@@ -66,6 +66,8 @@ with tempfile.TemporaryDirectory() as folder:
     assert events("info", "other")[1]["missing"] == ["transmittance.exr"]
     assert events("info", "out/transmittance.exr")[0] == ["image"]
     assert events("info", "out/plain.vdb")[0] == ["grids"]
+    assert "vec3 baked_transmittance(" in events(
+        "info", "--lookup", "out/transmittance.exr")[1]["glsl"]
     with open("png.toml", "w", encoding="utf-8") as file:
         file.write('preset = "earth"\n[bake.transmittance]\nsize = [16, 4]\nformats = ["png"]\n'
                    'pixel_type = "unorm8"\n')

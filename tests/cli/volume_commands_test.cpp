@@ -131,6 +131,45 @@ TEST_F(VolumeBake, InfoShowsWhatFilesSay) {
     EXPECT_EQ(run_words({"info", file("absent.bin")}).code, 3);
 }
 
+TEST_F(VolumeBake, InfoPrintsTheLookupOfAFile) {
+    ASSERT_EQ(bake().code, 0);
+    const std::string function =
+        "\nvec3 baked_wisps(sampler3D table, vec3 p, vec3 tile) {\n"
+        "    return vec3(noise_volume(table, p, tile));\n}\n";
+    for (const char* name : {"wisps.exr", "wisps.bin", "wisps.mip1.bin"}) {
+        const Result result = run_words({"info", "--lookup", file(name)});
+        EXPECT_EQ(result.code, 0) << result.error;
+        EXPECT_TRUE(contains(result.out, function)) << result.out;
+        EXPECT_TRUE(contains(result.out, "// Sampler: linear along u, which repeats;"));
+        // Of the published file it has what the file needs.
+        EXPECT_TRUE(contains(result.out, "\nvec4 noise_volume("));
+        EXPECT_FALSE(contains(result.out, "noise_volume_at_corners"));
+    }
+    // A file describes itself, wherever it is and whatever it is called.
+    fs::copy(file("wisps.exr"), folder_ / "other.exr");
+    const std::string other = (folder_ / "other.exr").string();
+    const Result moved = run_words({"info", "--lookup", other});
+    EXPECT_TRUE(contains(moved.out, "other.exr: asset = \"noise_volume\" of [bake.wisps]"));
+    const json event = json::parse(run_words({"info", "--lookup", other, "--json"}).out);
+    EXPECT_EQ(event["event"], "lookup");
+    EXPECT_EQ(event["function"], "baked_wisps");
+    EXPECT_EQ(event["glsl"], moved.out);
+}
+
+TEST_F(VolumeBake, InfoSaysOfWhatItPrintsNoLookup) {
+    ASSERT_EQ(bake().code, 0);
+    for (const std::string& path : {out_, file("manifest.json")}) {
+        const Result folder = run_words({"info", "--lookup", path});
+        EXPECT_EQ(folder.code, 2);
+        EXPECT_TRUE(contains(folder.error, "--lookup takes one baked file")) << folder.error;
+    }
+    EXPECT_EQ(run_words({"info", "--lookup", file("absent.bin")}).code, 3);
+    write_bytes(file("mine.bin"), "1234");
+    const Result unknown = run_words({"info", "--lookup", file("mine.bin")});
+    EXPECT_EQ(unknown.code, 3);
+    EXPECT_TRUE(contains(unknown.error, "does not say what it holds")) << unknown.error;
+}
+
 TEST_F(VolumeBake, DiffComparesVoxels) {
     ASSERT_EQ(bake().code, 0);
     const std::string other = (folder_ / "other").string();

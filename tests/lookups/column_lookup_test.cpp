@@ -1,5 +1,4 @@
 #include "bakers/assets/optical_depth/column_kinds.h"
-#include "bakers/assets/optical_depth/column_table.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {
@@ -41,25 +40,14 @@ struct ColumnTrial {
         return columns;
     }
 
-    // What a lookup finds over a probe's path is the column of a texel within the probe's
-    // tolerance. Both ends of it are rounded to float, as the columns of some kinds are below all
-    // of its numbers.
+    // The lookup returns the column of a probe's path and the path's length.
     template <class Lookup>
     void expect_probes(const Lookup& lookup) const {
         const std::vector<Probe>& probes = baked.asset().levels.front().probes;
         EXPECT_FALSE(probes.empty());
         for (const Probe& probe : probes) {
             const auto [column, length_km] = lookup(probe);
-            for (std::size_t k = 0; k < 4; ++k) {
-                const auto column_of = [length = length_km](double stored) {
-                    return static_cast<float>(mean_density_of_stored(std::max(stored, 0.0)) *
-                                              length);
-                };
-                const float found = column[static_cast<gpu::vec4::length_type>(k)];
-                const std::string where = ::testing::PrintToString(probe.at) + ", channel ";
-                EXPECT_GE(found, column_of(probe.value[k] - probe.tolerance[k])) << where << k;
-                EXPECT_LE(found, column_of(probe.value[k] + probe.tolerance[k])) << where << k;
-            }
+            test::expect_column(column, length_km, probe);
         }
     }
 
@@ -148,10 +136,7 @@ TEST(ColumnLookup, HoldsTheProbesBetweenPoints) {
     trial.expect_probes([&](const Probe& probe) {
         const double low = test::at(probe, "low_altitude_km");
         const double high = test::at(probe, "high_altitude_km");
-        const double angle = test::at(probe, "angle_at_centre_deg") / 180 * std::numbers::pi;
-        const double R = trial.geometry.shell.ground_radius_km;
-        const double length_km =
-            std::hypot(high - low, 2 * std::sqrt((R + low) * (R + high)) * std::sin(0.5 * angle));
+        const double length_km = test::length_between_km(trial.geometry.shell, probe);
         return std::pair(gpu::column_lookups::column_between(
                              {trial.texture}, trial.air, static_cast<float>(high),
                              static_cast<float>(low), static_cast<float>(length_km)),

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Every published lookup compiles alone and with all others, as GLSL of OpenGL 4.5, of Vulkan and of
 # WebGL 2 (ES 3.00).
-#   compile.sh FOLDER
+#   compile.sh FOLDER [alone]      alone: not with all others
 set -euo pipefail
 if ! command -v glslangValidator >/dev/null; then
     echo "SKIPPED: glslangValidator is missing (Debian's glslang-tools), so no lookup was compiled" >&2
@@ -36,6 +36,6 @@ for file in "$1"/*.glsl; do
     compile_everywhere "$file"
     count=$((count + 1))
 done
-compile_everywhere "$1"/*.glsl
+[[ ${2:-} == alone ]] || compile_everywhere "$1"/*.glsl
 echo "$count lookups"
 ((count >= 10 && failures == 0))

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "bakers/air/ray.h"
+#include "bakers/assets/optical_depth/column_table.h"
 #include "tests/lookups/gpu.h"
 #include "tests/support/atmospheres.h"
 
@@ -145,6 +146,29 @@ inline void expect_probe(const gpu::vec4& found, const std::vector<double>& valu
         EXPECT_LE(std::fabs(double{found[channel]} - value[c]), tolerance[c])
             << where << ", channel " << c << ": " << value[c];
     }
+}
+
+// A lookup that finds the column of a path is one of a texel within the probe's tolerance. Both
+// ends of it are rounded to float, as the columns of some kinds are below all of its numbers.
+inline void expect_column(const gpu::vec4& column, double length_km, const Probe& probe) {
+    for (std::size_t k = 0; k < probe.value.size(); ++k) {
+        const auto column_of = [length_km](double stored) {
+            return static_cast<float>(mean_density_of_stored(std::max(stored, 0.0)) * length_km);
+        };
+        const float found = column[static_cast<gpu::vec4::length_type>(k)];
+        const std::string where = ::testing::PrintToString(probe.at) + ", channel ";
+        EXPECT_GE(found, column_of(probe.value[k] - probe.tolerance[k])) << where << k;
+        EXPECT_LE(found, column_of(probe.value[k] + probe.tolerance[k])) << where << k;
+    }
+}
+
+// How far apart two points are that a probe names by their altitudes and the angle between them.
+inline double length_between_km(const Shell& shell, const Probe& probe) {
+    const double R = shell.ground_radius_km;
+    const double low = at(probe, "low_altitude_km");
+    const double high = at(probe, "high_altitude_km");
+    const double angle = at(probe, "angle_at_centre_deg") / 180 * std::numbers::pi;
+    return std::hypot(high - low, 2 * std::sqrt((R + low) * (R + high)) * std::sin(0.5 * angle));
 }
 
 }  // namespace skybake::test

@@ -1,6 +1,9 @@
 // The baker of asset = "aerial_perspective".
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
@@ -49,6 +52,38 @@ AssetPlaces places(const Parameters&, const AerialPerspectiveBake& asset, const 
         });
 }
 
+AssetLookup lookup(const Parameters&, const AerialPerspectiveBake& asset,
+                   const StoredTexels& stored) {
+    const bool has_light = asset.content != config::AerialContent::transmittance;
+    const std::string arguments = fmt::format("air, picture, distance_km, {}, {}",
+                                              glsl_number(asset.view_distance.kilometers()),
+                                              asset.slices == config::SliceSpacing::squared);
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns {} over a distance of 0 to {} km along the view ray. `picture` is the place in "
+        "the camera's picture, (0, 0) at its upper left.",
+        has_light ? "the light that the air adds, in 1/sr for a solar irradiance of 1, and in the "
+                    "last of four channels the transmittance,"
+                  : "the transmittance",
+        glsl_number(asset.view_distance.kilometers()));
+    function.arguments = "sampler3D air, vec2 picture, float distance_km";
+    function.value =
+        fmt::format("{}({})", has_light ? "aerial_perspective" : "aerial_transmittance", arguments);
+    GlslFunction picture;
+    picture.comment =
+        "Returns the place of a view direction in the picture of the camera that has these axes of "
+        "length 1. The direction must lie in front of it.";
+    picture.result = "vec2";
+    picture.arguments = "vec3 dir, vec3 forward, vec3 right, vec3 up";
+    picture.value =
+        fmt::format("aerial_picture(dir, forward, right, up, {}, {})",
+                    glsl_number(std::tan(asset.fov.radians / 2)), glsl_number(asset.aspect));
+    picture.suffix = "_picture";
+    return {"aerial_perspective",
+            {with_channels(stored.channels, has_light ? 4 : 3, std::move(function)),
+             std::move(picture)}};
+}
+
 void draft(AerialPerspectiveBake& asset, int) {
     for (int& edge : asset.size) edge = std::min(edge, 16);
     asset.mips = 1;
@@ -57,8 +92,12 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 2,
+                                                             .bake = bake,
+                                                             .estimate = estimate,
+                                                             .places = places,
+                                                             .lookup = lookup,
+                                                             .draft = draft};
     return row;
 }
 

@@ -1,6 +1,9 @@
 // The baker of asset = "bruneton".
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "bakers/air/transmittance_mapping.h"
@@ -66,6 +69,51 @@ AssetPlaces places(const Parameters& parameters, const BrunetonBake& asset, cons
                        }};
 }
 
+AssetLookup flat_lookup(const Shell& shell, const BrunetonBake& asset, const StoredTexels& stored) {
+    const std::string thickness_km = glsl_number(shell.thickness_km);
+    GlslFunction function;
+    if (asset.table == BrunetonTable::transmittance) {
+        function.comment = fmt::format(
+            "Returns the transmittance from an altitude of 0 to {} km to the top of the air, along "
+            "a ray of this zenith angle that does not meet the ground.",
+            thickness_km);
+        function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
+        function.value = fmt::format("transmittance_to_top(table, {}, altitude_km, cos_zenith)",
+                                     glsl_shell(shell));
+        return {"transmittance", {with_channels(stored.channels, 3, std::move(function))}};
+    }
+    function.comment = fmt::format(
+        "Returns the irradiance by the sky without the sun of a level surface that faces up, times "
+        "the solar irradiance. altitude_km is from 0 to {}.",
+        thickness_km);
+    function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
+    function.value =
+        fmt::format("bruneton_irradiance(table, {}, altitude_km, sun_cos_zenith)", thickness_km);
+    return {"bruneton", {with_channels(stored.channels, 3, std::move(function))}};
+}
+
+AssetLookup lookup(const Parameters& parameters, const BrunetonBake& asset,
+                   const StoredTexels& stored) {
+    const Shell shell = shell_of(parameters.atmosphere);
+    if (asset.table == BrunetonTable::transmittance || asset.table == BrunetonTable::irradiance) {
+        return flat_lookup(shell, asset, stored);
+    }
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns the table's channels, of which the first lines above say what the sky is. "
+        "altitude_km is from 0 to {}, nu is the cosine of the angle between the view ray and the "
+        "direction to the sun, and `ground` says that the view ray meets the ground.",
+        glsl_number(shell.thickness_km));
+    function.arguments =
+        "sampler3D table, float altitude_km, float cos_zenith, float sun_cos_zenith, float nu, "
+        "bool ground";
+    function.value = fmt::format(
+        "bruneton_scattering(table, {}, altitude_km, cos_zenith, sun_cos_zenith, nu, ground, {}, "
+        "{})",
+        glsl_shell(shell), glsl_number(asset.sun_cos_zenith_min), glsl_number(asset.nu_size));
+    return {"bruneton", {with_channels(stored.channels, 4, std::move(function))}};
+}
+
 // The sub-images along u stay whole.
 void draft(BrunetonBake& asset, int) {
     if (asset.table == BrunetonTable::transmittance || asset.table == BrunetonTable::irradiance) {
@@ -80,8 +128,12 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::BrunetonBake> row = {.version = 2,
+                                                    .bake = bake,
+                                                    .estimate = estimate,
+                                                    .places = places,
+                                                    .lookup = lookup,
+                                                    .draft = draft};
     return row;
 }
 

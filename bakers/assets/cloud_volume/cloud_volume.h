@@ -1,6 +1,7 @@
 // The asset cloud_volume: a cloud over its extent.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "bakers/assets/baker.h"
@@ -54,5 +55,8 @@ config::Cloud spanned_cloud(const config::Parameters& parameters,
                             const config::CloudVolumeBake& asset);
 
 Uvw extent_m_of(const config::Cloud& cloud);
+
+// A statement of GLSL that declares its lower corner and its edges, `corner` and `tile`, in metres.
+std::string cloud_box_glsl(const config::Cloud& cloud);
 
 }  // namespace skybake

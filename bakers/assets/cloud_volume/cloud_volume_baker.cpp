@@ -1,4 +1,7 @@
 // The baker of asset = "cloud_volume".
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
@@ -29,6 +32,39 @@ AssetPlaces places(const Parameters& parameters, const CloudVolumeBake& asset,
                    const StoredTexels&) {
     const Cloud cloud = spanned_cloud(parameters, asset);
     return cloud_places(cloud, extent_m_of(cloud));
+}
+
+AssetLookup lookup(const Parameters& parameters, const CloudVolumeBake& asset,
+                   const StoredTexels& stored) {
+    const Cloud cloud = spanned_cloud(parameters, asset);
+    const bool at_runtime = cloud.threshold_at == config::ThresholdAt::runtime;
+    const std::string extinction = fmt::format("Times {} it is extinction in 1/m.",
+                                               glsl_number(cloud.extinction_scale.per_meter));
+    GlslFunction function;
+    function.comment =
+        fmt::format("Returns the {} at x and y in metres and at the altitude z in metres.{}",
+                    at_runtime ? "value before its threshold" : "density",
+                    at_runtime || stored.channels > 1 ? "" : " " + extinction);
+    function.arguments = "sampler3D cloud, vec3 p";
+    function.before = cloud_box_glsl(cloud);
+    function.value = stored.channels == 1 ? "cloud_density(cloud, p - corner, tile)"
+                                          : "texture(cloud, (p - corner) / tile)";
+    if (stored.channels == 1) {
+        function.result = "float";
+    } else {
+        function = with_channels(stored.channels, 4, std::move(function));
+    }
+    AssetLookup lookup = {"clouds", {function}};
+    if (at_runtime) {
+        function.comment = "Returns the density. " + extinction;
+        function.result = "float";
+        function.value =
+            fmt::format("cloud_edge(cloud_density(cloud, p - corner, tile), {}, {})",
+                        glsl_number(cloud.threshold), glsl_number(cloud.edge_softness));
+        function.suffix = "_density";
+        lookup.functions.push_back(std::move(function));
+    }
+    return lookup;
 }
 
 void draft(CloudVolumeBake& asset, int most_voxels) {
@@ -75,11 +111,18 @@ Uvw extent_m_of(const Cloud& cloud) {
     return {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters};
 }
 
+std::string cloud_box_glsl(const Cloud& cloud) {
+    return fmt::format("    vec3 corner = {}, tile = {};\n",
+                       glsl_vector({0, 0, cloud.base_altitude.meters}),
+                       glsl_vector(extent_m_of(cloud)));
+}
+
 const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
     static const Baker<CloudVolumeBake> row = {.version = 3,
                                                .bake = bake,
                                                .estimate = estimate_cloud_volume,
                                                .places = places,
+                                               .lookup = lookup,
                                                .draft = draft,
                                                .inputs = cloud_volume_inputs};
     return row;

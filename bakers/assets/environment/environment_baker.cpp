@@ -1,6 +1,9 @@
 // The baker of asset = "environment".
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 #include "bakers/assets/baker.h"
@@ -36,6 +39,19 @@ AssetPlaces places(const Parameters&, const EnvironmentBake&, const StoredTexels
     });
 }
 
+AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const StoredTexels& stored) {
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns the radiance of the sky or of the ground in 1/sr, for a solar irradiance of 1, "
+        "seen from an altitude of {} km. The unit vectors point along the view ray, away from the "
+        "planet's centre and to the sun, which is at an elevation of {} degrees.",
+        glsl_number(asset.altitude.kilometers()),
+        to_digits(asset.sun_elevation.radians * 180 / std::numbers::pi, 9));
+    function.arguments = "sampler2D table, vec3 dir, vec3 up, vec3 sun";
+    function.value = "environment(table, dir, up, sun)";
+    return {"environment", {with_channels(stored.channels, 3, std::move(function))}};
+}
+
 void draft(EnvironmentBake& asset, int) {
     asset.size = {std::min(asset.size[0], 128), std::min(asset.size[1], 64)};
 }
@@ -43,8 +59,12 @@ void draft(EnvironmentBake& asset, int) {
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {
-        .version = 1, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<EnvironmentBake> row = {.version = 1,
+                                               .bake = bake,
+                                               .estimate = estimate,
+                                               .places = places,
+                                               .lookup = lookup,
+                                               .draft = draft};
     return row;
 }
 

@@ -1,6 +1,9 @@
 // The baker of asset = "irradiance".
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "bakers/assets/baker.h"
@@ -45,6 +48,21 @@ AssetPlaces places(const Parameters& parameters, const IrradianceBake& asset,
     });
 }
 
+AssetLookup lookup(const Parameters& parameters, const IrradianceBake& asset,
+                   const StoredTexels& stored) {
+    const std::string thickness_km = glsl_number(shell_of(parameters.atmosphere).thickness_km);
+    const bool twilight = asset.mapping == config::MultipleScatteringMapping::twilight;
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns what falls on a level surface that faces up, for a solar irradiance of 1. "
+        "altitude_km is from 0 to {}.",
+        thickness_km);
+    function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
+    function.value = fmt::format("irradiance(table, {}, altitude_km, sun_cos_zenith, {})",
+                                 thickness_km, twilight);
+    return {"irradiance", {with_channels(stored.channels, 3, std::move(function))}};
+}
+
 void draft(IrradianceBake& asset, int) {
     asset.size = {std::min(asset.size[0], 32), std::min(asset.size[1], 16)};
     asset.max_texel_error = std::max(asset.max_texel_error, 0.02);
@@ -53,8 +71,12 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::IrradianceBake> row = {.version = 2,
+                                                      .bake = bake,
+                                                      .estimate = estimate,
+                                                      .places = places,
+                                                      .lookup = lookup,
+                                                      .draft = draft};
     return row;
 }
 

@@ -1,7 +1,10 @@
 // The baker of asset = "multiple_scattering".
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "bakers/air/medium.h"
@@ -73,6 +76,69 @@ AssetPlaces places(const Parameters& parameters, const MultipleScatteringBake& a
     });
 }
 
+// What the published lookups take between the table and the place in it, and behind.
+struct SunArguments {
+    std::string thickness_km;
+    std::string axis;  // the mapping and the crop
+};
+
+SunArguments sun_arguments(const Parameters& parameters, const MultipleScatteringBake& asset) {
+    const Shell shell = shell_of(parameters.atmosphere);
+    const SunColumns columns =
+        sun_columns(asset.mapping, is_solved(asset) ? parameters.scene : std::nullopt, shell);
+    const bool twilight = asset.mapping == config::MultipleScatteringMapping::twilight;
+    return {glsl_number(shell.thickness_km),
+            fmt::format("{}, vec2({}, {})", twilight, glsl_number(columns.first),
+                        glsl_number(columns.last - columns.first))};
+}
+
+AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArguments& sun,
+                          const StoredTexels& stored) {
+    const std::string tables = glsl_number(moment_count(asset.degree));
+    GlslFunction moment;
+    moment.comment = fmt::format(
+        "Returns the moment M_lm of the light, in 1/sr. `part` is l (l + 1) / 2 + m, from 0 to {}; "
+        "altitude_km is from 0 to {}.",
+        moment_count(asset.degree) - 1, sun.thickness_km);
+    moment.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith, int part";
+    moment.before = fmt::format(
+        "    vec2 place = moment_place(table, {}, altitude_km, sun_cos_zenith,\n"
+        "                              {}, {});\n",
+        sun.thickness_km, sun.axis, tables);
+    GlslFunction scattered = moment;
+    moment.value = fmt::format("moment(table, place, {}, float(part))", tables);
+    scattered.comment =
+        "Returns what a km of a layer with a scattering coefficient of 1/km and the Legendre "
+        "moments chi, of degree 0 to 2, scatters into the view ray, in 1/sr.";
+    scattered.arguments =
+        "sampler2D table, float altitude_km, float sun_cos_zenith, float view_cos_zenith, float "
+        "azimuth_cosine, vec3 chi";
+    scattered.value = fmt::format(
+        "scattered_again(table, place, {}, view_cos_zenith, azimuth_cosine, chi)", tables);
+    scattered.suffix = "_scattered";
+    AssetLookup lookup = {"moments", {with_channels(stored.channels, 3, std::move(moment))}};
+    // Of a higher degree it would leave moments out.
+    if (asset.degree == 2) {
+        lookup.functions.push_back(with_channels(stored.channels, 3, std::move(scattered)));
+    }
+    return lookup;
+}
+
+AssetLookup lookup(const Parameters& parameters, const MultipleScatteringBake& asset,
+                   const StoredTexels& stored) {
+    const SunArguments sun = sun_arguments(parameters, asset);
+    if (tables_of(asset) > 1) return moment_lookup(asset, sun, stored);
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns the light scattered twice or more in 1/sr, to be multiplied by the scattering "
+        "coefficient alone. altitude_km is from 0 to {}.",
+        sun.thickness_km);
+    function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
+    function.value = fmt::format("multiple_scattering(table, {}, altitude_km, sun_cos_zenith, {})",
+                                 sun.thickness_km, sun.axis);
+    return {"multiple_scattering", {with_channels(stored.channels, 3, std::move(function))}};
+}
+
 void draft(MultipleScatteringBake& asset, int) {
     reduce_table(asset, {32, 32});
     asset.max_texel_error = std::max(asset.max_texel_error, 0.02);
@@ -81,8 +147,12 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::MultipleScatteringBake> row = {.version = 2,
+                                                              .bake = bake,
+                                                              .estimate = estimate,
+                                                              .places = places,
+                                                              .lookup = lookup,
+                                                              .draft = draft};
     return row;
 }
 

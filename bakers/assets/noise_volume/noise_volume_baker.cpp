@@ -1,4 +1,6 @@
 // The baker of asset = "noise_volume".
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -32,12 +34,15 @@ Estimate estimate(const Parameters& parameters, const NoiseVolumeBake& asset) {
     return estimate_volume(asset, asset.size, channels, octaves_of(noise) * kSecondsPerOctave);
 }
 
+// Along which axes voxel i is at (i + 1/2) / size and not at i / size.
+std::array<bool, 3> centered_axes(const Noise& noise) {
+    const bool across = noise.sampling != config::NoiseSampling::corners;
+    return {across, across, noise.sampling == config::NoiseSampling::centers};
+}
+
 AssetPlaces places(const Parameters& parameters, const NoiseVolumeBake& asset,
                    const StoredTexels&) {
-    const config::NoiseSampling sampling = noise_named(parameters, asset.noise).sampling;
-    const bool across = sampling != config::NoiseSampling::corners;
-    const std::array<bool, 3> centered = {across, across,
-                                          sampling == config::NoiseSampling::centers};
+    const std::array<bool, 3> centered = centered_axes(noise_named(parameters, asset.noise));
     return single_lookup({"x_tile", "y_tile", "z_tile"},
                          [centered, size = asset.size](const Place& at) {
                              Uvw uvw;
@@ -48,6 +53,23 @@ AssetPlaces places(const Parameters& parameters, const NoiseVolumeBake& asset,
                          });
 }
 
+// Along z a noise may have its voxels elsewhere than along x and y.
+AssetLookup lookup(const Parameters& parameters, const NoiseVolumeBake& asset,
+                   const StoredTexels& stored) {
+    const std::array<bool, 3> centered = centered_axes(noise_named(parameters, asset.noise));
+    std::array<double, 3> shift{};
+    for (std::size_t i = 0; i < 3; ++i) shift[i] = centered[i] ? 0.0 : 0.5 / asset.size[i];
+    GlslFunction function;
+    function.comment =
+        "Returns the noise. p is a point and `tile` the edges of a tile, in one unit.";
+    function.arguments = "sampler3D table, vec3 p, vec3 tile";
+    function.value =
+        centered == std::array{true, true, true}
+            ? "noise_volume(table, p, tile)"
+            : fmt::format("noise_volume(table, p + tile * {}, tile)", glsl_vector(shift));
+    return {"noise", {with_channels(stored.channels, 4, std::move(function))}};
+}
+
 void draft(NoiseVolumeBake& asset, int most_voxels) {
     asset.size = reduced(asset.size, most_voxels);
     asset.mips = 1;
@@ -56,8 +78,12 @@ void draft(NoiseVolumeBake& asset, int most_voxels) {
 }  // namespace
 
 const Baker<config::NoiseVolumeBake>& baker(BakerTag<config::NoiseVolumeBake>) {
-    static const Baker<config::NoiseVolumeBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::NoiseVolumeBake> row = {.version = 2,
+                                                       .bake = bake,
+                                                       .estimate = estimate,
+                                                       .places = places,
+                                                       .lookup = lookup,
+                                                       .draft = draft};
     return row;
 }
 

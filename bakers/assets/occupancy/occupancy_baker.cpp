@@ -1,6 +1,11 @@
 // The baker of asset = "occupancy".
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -67,6 +72,91 @@ AssetPlaces places(const Parameters& parameters, const OccupancyBake& asset, con
     return places;
 }
 
+// Voxels along the edge of a cell of a level with so many cells. A file of a level does not say
+// which it is.
+int cell_of_level(const OccupancyBake& asset, const CloudVolumeBake& of,
+                  const std::vector<int>& cells) {
+    int cell = asset.cell;
+    const auto has_other_size = [&](std::size_t i) {
+        return (of.size[i] + cell - 1) / cell != cells[i];
+    };
+    for (int level = 1; level < asset.mips; ++level) {
+        if (has_other_size(0) || has_other_size(1) || has_other_size(2)) cell *= 2;
+    }
+    return cell;
+}
+
+// 255 or 1 in the channel of leaps; empty where the grid has none.
+std::string full_leap(const OccupancyBake& asset) {
+    const bool is_unorm = asset.pixel_type == config::PixelType::unorm8 ||
+                          asset.pixel_type == config::PixelType::unorm16;
+    const auto leap =
+        std::find(asset.contents.begin(), asset.contents.end(), config::OccupancyContent::leap);
+    if (leap == asset.contents.end()) return {};
+    std::array<std::string, 4> full = {"0.0", "0.0", "0.0", "0.0"};
+    full[static_cast<std::size_t>(leap - asset.contents.begin())] = is_unorm ? "255.0" : "1.0";
+    return fmt::format("vec4({})", fmt::join(full, ", "));
+}
+
+GlslFunction leap_function(const std::string& cell, const std::string& full,
+                           const std::string& box) {
+    GlslFunction function;
+    function.comment =
+        "Returns how far the ray goes on from p, in metres, before it leaves the cells that are "
+        "known to be empty; 0 where p is in a cell that is not. `cloud` is the volume.";
+    function.result = "float";
+    function.arguments = "sampler3D cloud, sampler3D cells, vec3 p, vec3 ray";
+    function.before = box;
+    function.value =
+        fmt::format("cloud_leap(cloud, cells, {}, {}, p - corner, ray, tile)", cell, full);
+    function.suffix = "_leap";
+    return function;
+}
+
+GlslFunction march_function(const std::string& cell, const std::string& full,
+                            const std::string& box) {
+    GlslFunction function;
+    function.comment =
+        "Returns the sum of densities times metres over `count` samples, all of them within the "
+        "layer, at from, from + ray * stride and so on.";
+    function.result = "float";
+    function.arguments =
+        "sampler3D cloud, sampler3D cells, vec3 from, vec3 ray, float stride, int count";
+    function.before = box + fmt::format("    vec4 full = {};\n", full);
+    function.value = fmt::format(
+        "cloud_march(cloud, cells, {}, full, from - corner, ray, tile, stride, count)", cell);
+    function.suffix = "_march";
+    return function;
+}
+
+AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
+                   const StoredTexels& stored) {
+    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const Cloud cloud = spanned_cloud(parameters, of);
+    const std::string box = cloud_box_glsl(cloud);
+    const std::string cell = glsl_number(cell_of_level(asset, of, stored.size));
+    GlslFunction function;
+    function.comment =
+        "Returns the channels of the cell at x and y in metres and at the altitude z in metres.";
+    function.arguments = "sampler3D cells, vec3 p";
+    std::array<double, 3> voxels{};
+    std::copy(of.size.begin(), of.size.end(), voxels.begin());
+    function.before =
+        box + fmt::format("    ivec3 at = cloud_cell(cells, {}, {}, p - corner, tile);\n", cell,
+                          glsl_vector(voxels));
+    function.value = "texelFetch(cells, at, 0)";
+    AssetLookup lookup = {"clouds", {with_channels(stored.channels, 4, std::move(function))}};
+    const std::string full = full_leap(asset);
+    if (full.empty()) return lookup;
+    lookup.functions.push_back(leap_function(cell, full, box));
+    // A march sums densities as they are stored.
+    if (cloud.channels == config::CloudChannels::density &&
+        cloud.threshold_at == config::ThresholdAt::bake) {
+        lookup.functions.push_back(march_function(cell, full, box));
+    }
+    return lookup;
+}
+
 void draft(OccupancyBake& asset, int) { asset.mips = 1; }
 
 std::vector<InputFile> inputs(const Parameters& parameters, const OccupancyBake& asset) {
@@ -80,6 +170,7 @@ const Baker<config::OccupancyBake>& baker(BakerTag<config::OccupancyBake>) {
                                                      .bake = bake,
                                                      .estimate = estimate,
                                                      .places = places,
+                                                     .lookup = lookup,
                                                      .draft = draft,
                                                      .inputs = inputs};
     return row;

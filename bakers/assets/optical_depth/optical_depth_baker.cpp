@@ -1,4 +1,7 @@
 // The baker of asset = "optical_depth".
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -62,6 +65,66 @@ AssetPlaces places(const Parameters& parameters, const OpticalDepthBake& asset,
     });
 }
 
+// Of a table over paths.
+GlslFunction column_function(const ColumnTable& table) {
+    GlslFunction function;
+    function.comment = "Returns the column of each kind, its density summed over the path in km";
+    switch (table.kind()) {
+        case ColumnTableKind::to_top:
+            function.comment += ", up to the top of the air. The ray must not meet the ground.";
+            function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
+            function.value = "column_to_top(table, air, altitude_km, cos_zenith)";
+            break;
+        case ColumnTableKind::between_altitudes:
+            function.comment +=
+                ", between points at two altitudes that are length_km apart. The path must not "
+                "enter the ground.";
+            function.arguments =
+                "sampler3D table, float low_altitude_km, float high_altitude_km, float length_km";
+            function.value =
+                "column_between(table, air, low_altitude_km, high_altitude_km, length_km)";
+            break;
+        case ColumnTableKind::along_distance:
+            function.comment += ", from an altitude along a ray.";
+            function.arguments =
+                "sampler3D table, float altitude_km, float cos_zenith, float length_km";
+            function.value = "column_along(table, air, altitude_km, cos_zenith, length_km)";
+            break;
+    }
+    return function;
+}
+
+AssetLookup lookup(const Parameters& parameters, const OpticalDepthBake& asset,
+                   const StoredTexels& stored) {
+    const ColumnTable table(asset,
+                            column_geometry(make_column_kinds(parameters.atmosphere, asset.kinds)));
+    GlslFunction function;
+    if (asset.table == OpticalDepthTable::phase) {
+        function.comment =
+            "Returns the phase functions in 1/sr. The unit vectors point along the view ray and to "
+            "the sun.";
+        function.arguments = "sampler2D table, vec3 view, vec3 sun";
+        function.value = "column_phase(table, view, sun)";
+    } else if (asset.table == OpticalDepthTable::density) {
+        function.comment =
+            "Returns the density of each kind, in shares of that which its coefficients are for.";
+        function.arguments = "sampler2D table, float altitude_km";
+        function.value = "column_density(table, air, altitude_km)";
+    } else {
+        function = column_function(table);
+    }
+    function.comment +=
+        fmt::format(" The kinds are, channel by channel: {}.", fmt::join(asset.kinds, ", "));
+    if (asset.table != OpticalDepthTable::phase) {
+        const ColumnGeometry& geometry = table.geometry();
+        function.before = fmt::format(
+            "    ColumnShell air;\n    air.R = {};\n    air.D = {};\n    air.fine = {};\n",
+            glsl_number(geometry.shell.ground_radius_km), glsl_number(geometry.shell.thickness_km),
+            glsl_number(geometry.scale.fine_km));
+    }
+    return {"columns", {with_channels(stored.channels, 4, std::move(function))}};
+}
+
 void draft(OpticalDepthBake& asset, int) {
     for (int& edge : asset.size) edge = std::min(edge, asset.size[2] > 1 ? 32 : 256);
     asset.mips = 1;
@@ -70,8 +133,12 @@ void draft(OpticalDepthBake& asset, int) {
 }  // namespace
 
 const Baker<config::OpticalDepthBake>& baker(BakerTag<config::OpticalDepthBake>) {
-    static const Baker<config::OpticalDepthBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::OpticalDepthBake> row = {.version = 2,
+                                                        .bake = bake,
+                                                        .estimate = estimate,
+                                                        .places = places,
+                                                        .lookup = lookup,
+                                                        .draft = draft};
     return row;
 }
 

@@ -1,4 +1,6 @@
 // The baker of asset = "phase".
+#include <fmt/format.h>
+
 #include <array>
 #include <string>
 #include <utility>
@@ -47,11 +49,30 @@ AssetPlaces places(const Parameters&, const config::PhaseBake& asset, const Stor
     });
 }
 
+AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const StoredTexels& stored) {
+    GlslFunction function;
+    if (asset.content == config::PhaseContent::inverse_cumulative) {
+        function.comment =
+            "Returns 1 - cos(angle). For shares that are uniform in [0, 1] the angles are "
+            "distributed as the phase function.";
+        function.arguments = "sampler2D table, float share";
+        function.value = "sampled_angle(table, share)";
+    } else {
+        function.comment =
+            "Returns the phase function in 1/sr. The unit vectors point along the view ray and to "
+            "the sun.";
+        function.arguments = "sampler2D table, vec3 view, vec3 sun";
+        function.value = fmt::format("phase_function(table, phase_by_{}(half_angle(view, sun)))",
+                                     stored.mapping);
+    }
+    return {"phase", {with_channels(stored.channels, 3, std::move(function))}};
+}
+
 }  // namespace
 
 const Baker<config::PhaseBake>& baker(BakerTag<config::PhaseBake>) {
     static const Baker<config::PhaseBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places};
+        .version = 2, .bake = bake, .estimate = estimate, .places = places, .lookup = lookup};
     return row;
 }
 

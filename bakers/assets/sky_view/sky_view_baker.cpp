@@ -1,4 +1,7 @@
 // The baker of asset = "sky_view".
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -80,6 +83,29 @@ AssetPlaces places(const Parameters& parameters, const SkyViewBake& asset,
         }};
 }
 
+AssetLookup lookup(const Parameters& parameters, const SkyViewBake& asset,
+                   const StoredTexels& stored) {
+    const std::size_t suns = asset.sun_elevations.size();
+    std::vector<double> elevations_deg;
+    for (const config::Angle& elevation : asset.sun_elevations) {
+        elevations_deg.push_back(to_digits(elevation.radians * 180 / std::numbers::pi, 9));
+    }
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns the radiance of the sky or of the ground in 1/sr, for a solar irradiance of 1, "
+        "seen from an altitude of {} km. The unit vectors point along the view ray, away from the "
+        "planet's centre and to the sun, which is at an elevation of {} degrees.{}",
+        glsl_number(asset.altitude.kilometers()), fmt::join(elevations_deg, " or "),
+        suns > 1 ? " `sun` is to be the k-th of these, from 0 on." : "");
+    function.arguments = "sampler2D table, vec3 dir, vec3 up, vec3 sun";
+    if (suns > 1) function.arguments += ", int k";
+    function.value =
+        fmt::format("sky_view(table, {}, {}, dir, up, sun, {}, {})",
+                    glsl_shell(shell_of(parameters.atmosphere)),
+                    glsl_number(asset.altitude.kilometers()), suns > 1 ? "k" : "0", suns);
+    return {"sky_view", {with_channels(stored.channels, 3, std::move(function))}};
+}
+
 void draft(SkyViewBake& asset, int) {
     asset.size = {std::min(asset.size[0], 96), std::min(asset.size[1], 54)};
 }
@@ -87,8 +113,12 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::SkyViewBake> row = {.version = 2,
+                                                   .bake = bake,
+                                                   .estimate = estimate,
+                                                   .places = places,
+                                                   .lookup = lookup,
+                                                   .draft = draft};
     return row;
 }
 

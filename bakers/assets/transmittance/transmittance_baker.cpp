@@ -1,4 +1,6 @@
 // The baker of asset = "transmittance".
+#include <fmt/format.h>
+
 #include <array>
 #include <utility>
 
@@ -40,13 +42,33 @@ AssetPlaces places(const Parameters& parameters, const config::TransmittanceBake
     });
 }
 
+AssetLookup lookup(const Parameters& parameters, const config::TransmittanceBake& asset,
+                   const StoredTexels& stored) {
+    const bool is_depth = asset.content == config::TransmittanceContent::optical_depth;
+    const Shell shell = shell_of(parameters.atmosphere);
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns the {} from an altitude of 0 to {} km to the top of the air, along a ray of this "
+        "zenith angle that does not meet the ground.",
+        is_depth ? "optical depth" : "transmittance", glsl_number(shell.thickness_km));
+    function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
+    function.value = fmt::format("transmittance_to_top{}(table, {}, altitude_km, cos_zenith)",
+                                 asset.mapping == config::TransmittanceMapping::ue ? "_ue" : "",
+                                 glsl_shell(shell));
+    return {"transmittance", {with_channels(stored.channels, 3, std::move(function))}};
+}
+
 void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64}); }
 
 }  // namespace
 
 const Baker<config::TransmittanceBake>& baker(BakerTag<config::TransmittanceBake>) {
-    static const Baker<config::TransmittanceBake> row = {
-        .version = 2, .bake = bake, .estimate = estimate, .places = places, .draft = draft};
+    static const Baker<config::TransmittanceBake> row = {.version = 2,
+                                                         .bake = bake,
+                                                         .estimate = estimate,
+                                                         .places = places,
+                                                         .lookup = lookup,
+                                                         .draft = draft};
     return row;
 }
 

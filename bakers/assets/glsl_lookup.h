@@ -1,0 +1,53 @@
+// GLSL that reads a baked asset: a published lookup of examples/lookups, and functions that call it
+// with the numbers of the bake.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bakers/air/ray.h"
+#include "bakers/assets/probe_places.h"
+
+namespace skybake {
+
+// Its arguments are what only a runtime knows; those that a probe names too have the probe's names.
+struct GlslFunction {
+    std::string comment;    // what it returns and takes, with units, in sentences
+    std::string result;     // "vec3"
+    std::string arguments;  // "sampler2D table, float altitude_km"
+    std::string value;      // an expression
+    std::string before{};   // statements that the value needs
+    std::string suffix{};   // of its name; the first function of an asset has none
+};
+
+struct AssetLookup {
+    std::string_view library;             // "sky_view" of examples/lookups/sky_view.glsl
+    std::vector<GlslFunction> functions;  // the first one returns the texels' channels
+};
+
+// A number as a float, always with a point: "6360.0", "1.0e-05".
+std::string glsl_number(double value);
+// "vec3(3000.0, 3200.0, 1000.0)".
+std::string glsl_vector(const std::array<double, 3>& values);
+// The ground's radius and the thickness of the air in km: "6360.0, 100.0".
+std::string glsl_shell(const Shell& shell);
+
+// The function as it returns so many channels of a value that has `components`.
+GlslFunction with_channels(std::size_t channels, std::size_t components, GlslFunction function);
+
+// "baked_sky" of the asset `sky`: a name that GLSL allows.
+std::string glsl_name(std::string_view asset);
+
+// The functions of the lookup under this name, below what they need of the published file.
+std::string lookup_glsl(const AssetLookup& lookup, const std::string& name);
+
+// The text of examples/lookups/LIBRARY.glsl, which the build puts into the program. Throws
+// std::out_of_range where there is none.
+std::string_view published_lookup(std::string_view library);
+
+// Text as a comment, in lines of at most 100 characters.
+std::string glsl_comment(std::string_view text);
+
+}  // namespace skybake

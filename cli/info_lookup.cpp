@@ -1,0 +1,180 @@
+#include "cli/info_lookup.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/registry.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/files/to_string.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/metadata.h"
+#include "cli/command.h"
+#include "cli/events.h"
+#include "config/assets/asset_kind.h"
+#include "config/recipe/recipe.h"
+#include "config/text/key_path.h"
+
+namespace skybake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using config::Outcome;
+
+// --- What is known of the file ------------------------------------------------------------------
+
+// An asset, and which of its files.
+struct DescribedFile {
+    ManifestAsset asset;
+    ManifestFile file;
+};
+
+std::optional<DescribedFile> described_by_manifest(const fs::path& path) {
+    const auto manifest = read_manifest(path.has_parent_path() ? path.parent_path() : ".");
+    if (!manifest.value) return std::nullopt;
+    for (const ManifestAsset& asset : manifest.value->assets) {
+        for (const ManifestFile& file : asset.files) {
+            if (fs::path(file.path) == path.filename()) return DescribedFile{asset, file};
+        }
+    }
+    return std::nullopt;
+}
+
+Outcome<DescribedFile> described(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error) || path.filename() == manifest_name) {
+        return {{}, {usage_error("--lookup takes one baked file, not a folder of them")}};
+    }
+    auto entry = entry_of_file(path);
+    if (entry.value) {
+        ManifestFile file = entry.value->files[0];
+        return {DescribedFile{std::move(*entry.value), std::move(file)}, {}};
+    }
+    auto found = fs::exists(path, error) ? described_by_manifest(path) : std::nullopt;
+    if (!found) return {{}, std::move(entry.diagnostics)};
+    return {std::move(found), {}};
+}
+
+// The section of the asset among its parameters, which are a recipe and name it as the recipe did,
+// whatever the file is called now. A kind may say more than its asset: multiple_scattering_moments.
+const config::Bake* own_section(const config::Parameters& parameters, const ManifestAsset& asset) {
+    const auto own = std::find_if(
+        parameters.bakes.begin(), parameters.bakes.end(),
+        [&](const config::Bake& bake) { return asset.kind.starts_with(baker_of(bake).asset); });
+    return own != parameters.bakes.end() ? &*own : nullptr;
+}
+
+// --- What is said of it -------------------------------------------------------------------------
+
+std::string values_line(const ManifestAsset& asset, const ManifestLevel& level) {
+    std::vector<std::string> channels;
+    for (std::size_t c = 0; c < asset.channels.size(); ++c) {
+        const ValueStatistics& values = level.statistics[c];
+        channels.push_back(
+            fmt::format("{} from {:.6g} to {:.6g}", asset.channels[c], values.min, values.max));
+    }
+    return fmt::format("{}", fmt::join(channels, ", "));
+}
+
+std::string layout_line(const ManifestAsset& asset, const ManifestFile& file) {
+    if (file.layout && asset.is_volume()) {
+        return sheet_line(asset.levels[static_cast<std::size_t>(file.level)].size, *file.layout);
+    }
+    if (file.layout) return file.layout->flipped ? "upside down: row 0 last" : "row 0 first";
+    if (file.format == "vdb") {
+        return fmt::format("voxel (i, j, k) of {} is texel (i, j, k), and 0 where it is not active",
+                           fmt::join(file.grids, ", "));
+    }
+    return file.format == "bin" ? "x fastest, then y, then z" : "a texture as it is";
+}
+
+std::string texture_line(const ManifestAsset& asset, const ManifestFile& file,
+                         const AssetLookup& lookup) {
+    const bool is_flat = lookup.functions.front().arguments.starts_with("sampler2D");
+    return fmt::format("{}-D, {} texels of {}, {}; {}", is_flat ? 2 : 3,
+                       fmt::join(size_of(asset, file), " x "), fmt::join(asset.channels, " "),
+                       spell(file.pixel_type), layout_line(asset, file));
+}
+
+std::string sampler_line(const ManifestAsset& asset) {
+    std::vector<std::string> axes;
+    for (std::size_t i = 0; i < asset.axes.size(); ++i) {
+        const AxisMapping& axis = asset.axes[i];
+        if (axis.quantity == "none") continue;
+        axes.push_back(fmt::format(
+            "{} along {}, which {}", axis.filter == AxisFilter::linear ? "linear" : "nearest",
+            "uvw"[i], axis.wrap == AxisWrap::repeat ? "repeats" : "is clamped"));
+    }
+    return fmt::format("{}", fmt::join(axes, "; "));
+}
+
+std::string levels_line(const ManifestAsset& asset, int levels) {
+    if (asset.kind == "occupancy") {
+        return "each of its files of other levels is a grid with a lookup of its own";
+    }
+    return fmt::format("{}, for one texture; sizes are those of its level 0", levels);
+}
+
+// What a runtime must know of the file besides the functions.
+std::string heading(const DescribedFile& described, const fs::path& path, const config::Bake& bake,
+                    const AssetLookup& lookup) {
+    const auto& [asset, file] = described;
+    const int levels = config::files_of(bake).mips;
+    FactLines lines = {
+        {"Texels", asset.content},
+        {"Units", units_line(asset.conventions)},
+        {"Values", values_line(asset, asset.levels[static_cast<std::size_t>(file.level)])},
+        {"Texture", texture_line(asset, file, lookup)},
+        {"Sampler", sampler_line(asset)},
+        {"Levels", levels > 1 ? levels_line(asset, levels) : ""},
+    };
+    std::string text =
+        glsl_comment(fmt::format("{}: asset = \"{}\" of [bake.{}]",
+                                 config::printable(path.filename().string()), baker_of(bake).asset,
+                                 config::printable(bake.name))) +
+        "//\n";
+    for (const auto& [name, fact] : lines) {
+        if (!fact.empty()) text += glsl_comment(name + ": " + config::printable(fact));
+    }
+    return text + "//\n" +
+           glsl_comment(fmt::format("Below stands what it needs of {}.glsl, and then functions "
+                                    "that call it with the numbers of this bake.",
+                                    lookup.library)) +
+           "\n";
+}
+
+}  // namespace
+
+ExitCode show_lookup(const fs::path& path, bool json, Console& console) {
+    const auto file = described(path);
+    if (!file.value) return console.report(file.diagnostics);
+    const auto& [asset, shape] = *file.value;
+    const auto recipe = config::parse_recipe(asset.parameters, path.string());
+    const config::Bake* own = recipe.value ? own_section(recipe.value->parameters, asset) : nullptr;
+    if (own == nullptr) {
+        const config::Diagnostic unreadable = file_error(
+            "E0304", path.string(),
+            fmt::format("`{}`: this release cannot read the parameters that it was baked with",
+                        path.string()));
+        return console.report({&unreadable, 1});
+    }
+    const AssetLookup lookup =
+        baker_of(*own).lookup(recipe.value->parameters, *own,
+                              {asset.mapping, size_of(asset, shape), asset.channels.size()});
+    const std::string name = glsl_name(own->name);
+    const std::string text = heading(*file.value, path, *own, lookup) + lookup_glsl(lookup, name);
+    console.result(json ? event_line({{"event", "lookup"},
+                                      {"path", path.string()},
+                                      {"function", name},
+                                      {"glsl", text}})
+                        : text);
+    return ExitCode::done;
+}
+
+}  // namespace skybake::cli

@@ -1,0 +1,492 @@
+// What `skybake info --lookup` prints of a file, held to the probes of that file:
+// print_lookups.cmake has baked printed.toml and made C++ of what was printed.
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "bakers/assets/optical_depth/column_table.h"
+#include "bakers/io/manifest/asset_files.h"
+#include "tests/lookups/lookup_trial.h"
+
+namespace skybake {
+namespace gpu::printed {
+#include "printed/lookups.h"
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace printed = gpu::printed;
+using gpu::vec2;
+using gpu::vec3;
+using gpu::vec4;
+
+const fs::path kFolder = SKYBAKE_PRINTED_FOLDER;
+constexpr double kDegree = std::numbers::pi / 180;
+
+// Of a value with fewer channels.
+vec4 widened(float value) { return vec4(value, 0, 0, 1); }
+vec4 widened(const vec3& value) { return vec4(value, 1); }
+vec4 widened(const vec4& value) { return value; }
+
+// Read once.
+const Manifest& manifest_of(const std::string& folder) {
+    static std::map<std::string, Manifest> known;
+    const auto found = known.find(folder);
+    if (found != known.end()) return found->second;
+    auto manifest = read_manifest(kFolder / folder);
+    if (!manifest.value) throw std::runtime_error("no manifest in " + folder);
+    return known.emplace(folder, std::move(*manifest.value)).first->second;
+}
+
+// A baked file as a runtime loads it.
+class BakedFile {
+  public:
+    explicit BakedFile(const std::string& name, const std::string& folder = "colours") {
+        for (const ManifestAsset& asset : manifest_of(folder).assets) {
+            for (const ManifestFile& file : asset.files) {
+                if (file.path == name) load(kFolder / folder, asset, file);
+            }
+        }
+        if (texture_.texels.empty()) throw std::runtime_error("no " + name);
+    }
+
+    const Texture& texture() const { return texture_; }
+    const ManifestAsset& asset() const { return asset_; }
+    const std::vector<Probe>& probes() const { return probes_; }
+
+    // The lookup takes the texture and a probe.
+    template <class Lookup>
+    void holds(const Lookup& lookup) const {
+        EXPECT_FALSE(probes_.empty());
+        for (const Probe& probe : probes_) {
+            test::expect_probe(widened(lookup(texture_, probe)), probe.value, probe.tolerance,
+                               ::testing::PrintToString(probe.at));
+        }
+    }
+    // A constant of the asset's mapping.
+    double constant(std::size_t axis, const std::string& name) const {
+        return std::stod(fact_named(asset_.axes[axis].constants, name));
+    }
+
+  private:
+    void load(const fs::path& folder, const ManifestAsset& asset, const ManifestFile& file) {
+        const ManifestLevel& level = asset.levels[static_cast<std::size_t>(file.level)];
+        asset_ = asset;
+        probes_ = level.probes;
+        texture_.size = level.size;
+        texture_.channels = static_cast<int>(asset.channels.size());
+        texture_.repeats = repeating_axes(asset.axes);
+        const auto keep = [&](std::int64_t, std::int64_t count, const float* values) {
+            texture_.texels.insert(texture_.texels.end(), values,
+                                   values + count * texture_.channels);
+            return true;
+        };
+        const auto done = read_asset_file(folder / file.path, asset, file, 0, keep);
+        if (!done.value) throw std::runtime_error(done.diagnostics.front().message);
+    }
+
+    ManifestAsset asset_;
+    std::vector<Probe> probes_;
+    Texture texture_;
+};
+
+float coordinate(const Probe& probe, const char* name) {
+    return static_cast<float>(test::at(probe, name));
+}
+float altitude(const Probe& probe) { return coordinate(probe, "altitude_km"); }
+float cosine(const Probe& probe) { return coordinate(probe, "cos_zenith"); }
+float sun_cosine(const Probe& probe) { return coordinate(probe, "sun_cos_zenith"); }
+
+TEST(PrintedLookups, AreHereForEveryAsset) {
+    const std::vector<ManifestAsset>& assets = manifest_of("colours").assets;
+    for (const AnyBaker& baker : bakers()) {
+        EXPECT_TRUE(std::any_of(assets.begin(), assets.end(), [&](const ManifestAsset& asset) {
+            return asset.kind.starts_with(baker.asset);
+        })) << baker.asset;
+    }
+}
+
+// --- Tables over altitude -----------------------------------------------------------------------
+
+TEST(PrintedLookups, Transmittance) {
+    BakedFile("transmittance.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::transmittance_exr::baked_transmittance({table}, altitude(at), cosine(at));
+    });
+    BakedFile("transmittance.exr", "one_colour").holds([](const Texture& table, const Probe& at) {
+        return printed::one_colour_transmittance_exr::baked_transmittance({table}, altitude(at),
+                                                                          cosine(at));
+    });
+    BakedFile("transmittance_ue.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::transmittance_ue_exr::baked_transmittance_ue({table}, altitude(at),
+                                                                     cosine(at));
+    });
+    BakedFile("transmittance_ue.dds").holds([](const Texture& table, const Probe& at) {
+        return printed::transmittance_ue_dds::baked_transmittance_ue({table}, altitude(at),
+                                                                     cosine(at));
+    });
+}
+
+TEST(PrintedLookups, MultipleScattering) {
+    BakedFile("hillaire.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::hillaire_exr::baked_hillaire({table}, altitude(at), sun_cosine(at));
+    });
+    BakedFile("twilight.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::twilight_exr::baked_twilight({table}, altitude(at), sun_cosine(at));
+    });
+    const BakedFile cropped("cropped.exr");
+    EXPECT_GT(cropped.constant(0, "first"), 0);
+    cropped.holds([](const Texture& table, const Probe& at) {
+        return printed::cropped_exr::baked_cropped({table}, altitude(at), sun_cosine(at));
+    });
+}
+
+int part_of(const Probe& probe) {
+    const auto l = static_cast<int>(test::at(probe, "l"));
+    return l * (l + 1) / 2 + static_cast<int>(test::at(probe, "m"));
+}
+
+TEST(PrintedLookups, Moments) {
+    const BakedFile moments("moments.exr");
+    moments.holds([](const Texture& table, const Probe& at) {
+        return printed::moments_exr::baked_moments({table}, altitude(at), sun_cosine(at),
+                                                   part_of(at));
+    });
+    BakedFile("moments-of-degree-3.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::moments_of_degree_3_exr::baked_moments_of_degree_3(
+            {table}, altitude(at), sun_cosine(at), part_of(at));
+    });
+    // The mean radiance is what a layer that scatters alike in all directions sees.
+    for (const Probe& probe : moments.probes()) {
+        const vec3 scattered = printed::moments_exr::baked_moments_scattered(
+            {moments.texture()}, altitude(probe), sun_cosine(probe), 0.3f, 0.6f, vec3(1, 0, 0));
+        EXPECT_EQ(scattered, printed::moments_exr::baked_moments(
+                                 {moments.texture()}, altitude(probe), sun_cosine(probe), 0));
+    }
+}
+
+TEST(PrintedLookups, Irradiance) {
+    BakedFile("irradiance.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::irradiance_exr::baked_irradiance({table}, altitude(at), sun_cosine(at));
+    });
+    BakedFile("irradiance_hillaire.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::irradiance_hillaire_exr::baked_irradiance_hillaire({table}, altitude(at),
+                                                                           sun_cosine(at));
+    });
+}
+
+// --- Skies --------------------------------------------------------------------------------------
+
+struct View {
+    vec3 dir, up, sun;
+};
+
+// Azimuth from the sun, to the right of somebody who looks at it.
+View view_of(double elevation, double azimuth, double sun_elevation) {
+    const double level = std::cos(elevation);
+    return {vec3(level * std::cos(azimuth), -level * std::sin(azimuth), std::sin(elevation)),
+            vec3(0, 0, 1), vec3(std::cos(sun_elevation), 0, std::sin(sun_elevation))};
+}
+
+// On the horizon itself rounding decides between sky and ground, which do not mix.
+template <class Lookup>
+void expect_sky(const BakedFile& file, const Lookup& lookup) {
+    const double dip = file.constant(1, "dip_deg");
+    int count = 0;
+    for (const Probe& probe : file.probes()) {
+        const double above = test::at(probe, "above_horizon_deg");
+        if (std::fabs(above) * kDegree < 5e-7) continue;
+        const double sun = test::at(probe, "sun_elevation_deg");
+        const View view = view_of((above - dip) * kDegree, test::at(probe, "azimuth_deg") * kDegree,
+                                  sun * kDegree);
+        test::expect_probe(widened(lookup(file.texture(), view, sun)), probe.value, probe.tolerance,
+                           ::testing::PrintToString(probe.at));
+        ++count;
+    }
+    EXPECT_GT(count, 20);
+}
+
+TEST(PrintedLookups, SkyView) {
+    expect_sky(BakedFile("sky.exr"), [](const Texture& table, const View& view, double) {
+        return printed::sky_exr::baked_sky({table}, view.dir, view.up, view.sun);
+    });
+    expect_sky(BakedFile("skies.exr"), [](const Texture& table, const View& view, double sun) {
+        const int k = sun > 20 ? 0 : sun < 0 ? 1 : 2;
+        return printed::skies_exr::baked_skies({table}, view.dir, view.up, view.sun, k);
+    });
+    expect_sky(
+        BakedFile("sky.exr", "one_colour"), [](const Texture& table, const View& view, double) {
+            return printed::one_colour_sky_exr::baked_sky({table}, view.dir, view.up, view.sun);
+        });
+}
+
+TEST(PrintedLookups, Environment) {
+    BakedFile("panorama.exr").holds([](const Texture& table, const Probe& at) {
+        const View view = view_of(test::at(at, "elevation_deg") * kDegree,
+                                  test::at(at, "azimuth_deg") * kDegree, 20 * kDegree);
+        return printed::panorama_exr::baked_panorama({table}, view.dir, view.up, view.sun);
+    });
+}
+
+// Before the first slice a lookup goes on towards the camera, where a probe has the slice's value.
+template <class Lookup>
+void expect_air(const BakedFile& file, const Lookup& lookup) {
+    int count = 0;
+    for (const Probe& probe : file.probes()) {
+        if (probe.uvw[2] < 0.5 / file.texture().size[2]) continue;
+        const vec2 picture(test::at(probe, "picture_x"), test::at(probe, "picture_y"));
+        test::expect_probe(
+            widened(lookup(file.texture(), picture, coordinate(probe, "distance_km"))), probe.value,
+            probe.tolerance, ::testing::PrintToString(probe.at));
+        ++count;
+    }
+    EXPECT_GT(count, 10);
+}
+
+TEST(PrintedLookups, AerialPerspective) {
+    expect_air(BakedFile("air.exr"), [](const Texture& air, const vec2& picture, float d) {
+        return printed::air_exr::baked_air({air}, picture, d);
+    });
+    expect_air(BakedFile("air_light.dds"), [](const Texture& air, const vec2& picture, float d) {
+        return printed::air_light_dds::baked_air_light({air}, picture, d);
+    });
+    expect_air(
+        BakedFile("air_transmittance.bin"), [](const Texture& air, const vec2& picture, float d) {
+            return printed::air_transmittance_bin::baked_air_transmittance({air}, picture, d);
+        });
+    expect_air(BakedFile("air.exr", "one_colour"),
+               [](const Texture& air, const vec2& picture, float d) {
+                   return printed::one_colour_air_exr::baked_air({air}, picture, d);
+               });
+    // 60 degrees high, and one and a half times as wide.
+    const vec2 corner = printed::air_exr::baked_air_picture(
+        glm::normalize(vec3(1, -1.5 * std::tan(30 * kDegree), std::tan(30 * kDegree))),
+        vec3(1, 0, 0), vec3(0, -1, 0), vec3(0, 0, 1));
+    EXPECT_NEAR(corner.x, 1, 1e-6);
+    EXPECT_NEAR(corner.y, 0, 1e-6);
+}
+
+// --- Angles -------------------------------------------------------------------------------------
+
+// Two directions that a scattering angle is between.
+std::pair<vec3, vec3> pair_of(const Probe& probe) {
+    const double angle = test::at(probe, "scattering_angle_deg") * kDegree;
+    return {vec3(1, 0, 0), vec3(std::cos(angle), std::sin(angle), 0)};
+}
+
+TEST(PrintedLookups, Phase) {
+    BakedFile("phase_by_angle.exr").holds([](const Texture& table, const Probe& at) {
+        const auto [a, b] = pair_of(at);
+        return printed::phase_by_angle_exr::baked_phase_by_angle({table}, a, b);
+    });
+    BakedFile("phase_by_cosine.exr").holds([](const Texture& table, const Probe& at) {
+        const auto [a, b] = pair_of(at);
+        return printed::phase_by_cosine_exr::baked_phase_by_cosine({table}, a, b);
+    });
+    BakedFile("phase_by_peaks.exr").holds([](const Texture& table, const Probe& at) {
+        const auto [a, b] = pair_of(at);
+        return printed::phase_by_peaks_exr::baked_phase_by_peaks({table}, a, b);
+    });
+    BakedFile("sampled_angle.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::sampled_angle_exr::baked_sampled_angle({table}, coordinate(at, "share"));
+    });
+}
+
+// --- Bruneton's tables --------------------------------------------------------------------------
+
+#define SKYBAKE_SCATTERING(name)                                                       \
+    [](const Texture& table, const Probe& at) {                                        \
+        return printed::name##_exr::baked_##name({table}, altitude(at), cosine(at),    \
+                                                 sun_cosine(at), coordinate(at, "nu"), \
+                                                 test::at(at, "ground") != 0);         \
+    }
+
+TEST(PrintedLookups, Bruneton) {
+    BakedFile("b_transmittance.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::b_transmittance_exr::baked_b_transmittance({table}, altitude(at),
+                                                                   cosine(at));
+    });
+    BakedFile("b_irradiance.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::b_irradiance_exr::baked_b_irradiance({table}, altitude(at), sun_cosine(at));
+    });
+    BakedFile("b_scattering.exr").holds(SKYBAKE_SCATTERING(b_scattering));
+    BakedFile("b_single_mie.exr").holds(SKYBAKE_SCATTERING(b_single_mie));
+    BakedFile("b_higher_orders.exr").holds(SKYBAKE_SCATTERING(b_higher_orders));
+}
+
+// --- Columns ------------------------------------------------------------------------------------
+
+TEST(PrintedLookups, Columns) {
+    const BakedFile to_top("to_top.exr");
+    const Shell shell{to_top.constant(1, "ground_radius_km"), to_top.constant(1, "thickness_km")};
+    for (const Probe& probe : to_top.probes()) {
+        const double h = test::at(probe, "altitude_km");
+        const double s = (shell.ground_radius_km + h) * test::at(probe, "cos_zenith");
+        test::expect_column(widened(printed::to_top_exr::baked_to_top(
+                                {to_top.texture()}, altitude(probe), cosine(probe))),
+                            distance_to_top_km(shell, h, s), probe);
+    }
+    const BakedFile between("between.exr");
+    for (const Probe& probe : between.probes()) {
+        const double length_km = test::length_between_km(shell, probe);
+        test::expect_column(
+            widened(printed::between_exr::baked_between(
+                {between.texture()}, coordinate(probe, "low_altitude_km"),
+                coordinate(probe, "high_altitude_km"), static_cast<float>(length_km))),
+            length_km, probe);
+    }
+    const BakedFile along("along.exr");
+    for (const Probe& probe : along.probes()) {
+        test::expect_column(
+            widened(printed::along_exr::baked_along({along.texture()}, altitude(probe),
+                                                    cosine(probe), coordinate(probe, "length_km"))),
+            test::at(probe, "length_km"), probe);
+    }
+}
+
+TEST(PrintedLookups, DensitiesAndPhasesOfColumns) {
+    BakedFile("densities.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::densities_exr::baked_densities({table}, altitude(at));
+    });
+    BakedFile("phases.exr").holds([](const Texture& table, const Probe& at) {
+        const auto [a, b] = pair_of(at);
+        return printed::phases_exr::baked_phases({table}, a, b);
+    });
+}
+
+// --- Noise and clouds ---------------------------------------------------------------------------
+
+// In tiles of 8 by 4 by 6 of some unit.
+const vec3 kTile(8, 4, 6);
+vec3 noise_place(const Probe& probe) {
+    return kTile * vec3(coordinate(probe, "x_tile"), coordinate(probe, "y_tile"),
+                        coordinate(probe, "z_tile"));
+}
+
+TEST(PrintedLookups, Noise) {
+    BakedFile("noise.png").holds([](const Texture& table, const Probe& at) {
+        return printed::noise_png::baked_noise({table}, noise_place(at), kTile);
+    });
+    BakedFile("noise_at_corners.bin").holds([](const Texture& table, const Probe& at) {
+        return printed::noise_at_corners_bin::baked_noise_at_corners({table}, noise_place(at),
+                                                                     kTile);
+    });
+    BakedFile("noise_at_corners.mip1.bin").holds([](const Texture& table, const Probe& at) {
+        return printed::noise_at_corners_mip1_bin::baked_noise_at_corners({table}, noise_place(at),
+                                                                          kTile);
+    });
+    BakedFile("noise_slices.exr").holds([](const Texture& table, const Probe& at) {
+        return printed::noise_slices_exr::baked_noise_slices({table}, noise_place(at), kTile);
+    });
+}
+
+// x, y and altitude in metres.
+vec3 cloud_place(const Probe& probe) {
+    return vec3(coordinate(probe, "x_m"), coordinate(probe, "y_m"),
+                coordinate(probe, "altitude_m"));
+}
+
+TEST(PrintedLookups, Clouds) {
+    BakedFile("cloud.vdb").holds([](const Texture& cloud, const Probe& at) {
+        return printed::cloud_vdb::baked_cloud({cloud}, cloud_place(at));
+    });
+    BakedFile("cloud.bin").holds([](const Texture& cloud, const Probe& at) {
+        return printed::cloud_bin::baked_cloud({cloud}, cloud_place(at));
+    });
+    BakedFile("cloud_parts.vdb").holds([](const Texture& cloud, const Probe& at) {
+        return printed::cloud_parts_vdb::baked_cloud_parts({cloud}, cloud_place(at));
+    });
+    const BakedFile open("cloud_open.dds");
+    open.holds([](const Texture& cloud, const Probe& at) {
+        return printed::cloud_open_dds::baked_cloud_open({cloud}, cloud_place(at));
+    });
+    // Its edge is the recipe's: a threshold of 0.1, 0.05 wide.
+    for (const Probe& probe : open.probes()) {
+        const double v = std::max(probe.value.front(), 0.0);
+        const double x = std::clamp((v - 0.1) / 0.05, 0.0, 1.0);
+        EXPECT_NEAR(
+            printed::cloud_open_dds::baked_cloud_open_density({open.texture()}, cloud_place(probe)),
+            v * x * x * (3 - 2 * x), 31 * probe.tolerance.front());
+    }
+}
+
+TEST(PrintedLookups, CellsOfClouds) {
+    BakedFile("cells.exr").holds([](const Texture& cells, const Probe& at) {
+        return printed::cells_exr::baked_cells({cells}, cloud_place(at));
+    });
+    BakedFile("cells.mip1.exr").holds([](const Texture& cells, const Probe& at) {
+        return printed::cells_mip1_exr::baked_cells({cells}, cloud_place(at));
+    });
+    BakedFile("leaps.bin").holds([](const Texture& cells, const Probe& at) {
+        return printed::leaps_bin::baked_leaps({cells}, cloud_place(at));
+    });
+}
+
+// A march by leaps finds the densities that one without finds, and asks for fewer.
+template <class Leap, class March>
+void expect_leaping_march(const std::string& name, const Leap& leap, const March& march) {
+    const BakedFile cloud("cloud.bin");
+    const BakedFile cells(name);
+    test::Dice dice;
+    long looked = 0;
+    long steps = 0;
+    double total = 0;
+    int leaps = 0;
+    for (int i = 0; i < 400; ++i) {
+        const vec3 from(dice.uniform(-4000, 4000), dice.uniform(-4000, 4000), 1200);
+        const vec3 ray = glm::normalize(vec3(dice.uniform(-1, 1), dice.uniform(-1, 1), 0.5));
+        const auto count = static_cast<int>(900 / (20 * double{ray.z}));
+        double sum = 0;
+        for (int k = 0; k < count; ++k) {
+            const vec3 p = from + ray * (20.0f * static_cast<float>(k));
+            sum += 20 * double{printed::cloud_bin::baked_cloud({cloud.texture()}, p)};
+        }
+        if (leap(cloud.texture(), cells.texture(), from, ray) > 0) ++leaps;
+        cloud.texture().lookups = 0;
+        EXPECT_NEAR(march(cloud.texture(), cells.texture(), from, ray, 20.0f, count), sum,
+                    1e-3 * sum + 0.05)
+            << name << ", ray " << i;
+        looked += cloud.texture().lookups;
+        steps += count;
+        total += sum;
+    }
+    EXPECT_GT(total, 0);
+    EXPECT_GT(leaps, 40) << name;
+    EXPECT_LT(looked, 3 * steps / 4) << name;
+}
+
+TEST(PrintedLookups, MarchesByLeaps) {
+    const auto leap = [](const Texture& cloud, const Texture& cells, const vec3& p,
+                         const vec3& ray) {
+        return printed::cells_exr::baked_cells_leap({cloud}, {cells}, p, ray);
+    };
+    expect_leaping_march("cells.exr", leap,
+                         [](const Texture& cloud, const Texture& cells, const vec3& from,
+                            const vec3& ray, float stride, int count) {
+                             return printed::cells_exr::baked_cells_march({cloud}, {cells}, from,
+                                                                          ray, stride, count);
+                         });
+    expect_leaping_march(
+        "cells.mip1.exr",
+        [](const Texture& cloud, const Texture& cells, const vec3& p, const vec3& ray) {
+            return printed::cells_mip1_exr::baked_cells_leap({cloud}, {cells}, p, ray);
+        },
+        [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,
+           float stride, int count) {
+            return printed::cells_mip1_exr::baked_cells_march({cloud}, {cells}, from, ray, stride,
+                                                              count);
+        });
+    expect_leaping_march(
+        "leaps.bin",
+        [](const Texture& cloud, const Texture& cells, const vec3& p, const vec3& ray) {
+            return printed::leaps_bin::baked_leaps_leap({cloud}, {cells}, p, ray);
+        },
+        [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,
+           float stride, int count) {
+            return printed::leaps_bin::baked_leaps_march({cloud}, {cells}, from, ray, stride,
+                                                         count);
+        });
+}
+
+}  // namespace
+}  // namespace skybake
