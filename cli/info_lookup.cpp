@@ -99,7 +99,7 @@ std::string texture_line(const ManifestAsset& asset, const ManifestFile& file,
     const bool is_flat = lookup.functions.front().arguments.starts_with("sampler2D");
     return fmt::format("{}-D, {} texels of {}, {}; {}", is_flat ? 2 : 3,
                        fmt::join(size_of(asset, file), " x "), fmt::join(asset.channels, " "),
-                       spell(file.pixel_type), layout_line(asset, file));
+                       to_string(file.pixel_type), layout_line(asset, file));
 }
 
 std::string sampler_line(const ManifestAsset& asset) {

@@ -61,6 +61,7 @@ void describe(const EnvironmentBake& bake, const SkyViewCamera& camera, const Sh
     table.axes[1] = {"elevation_deg", "v = 1/2 - elevation / 180 degrees",
                      "end points on texture edges", 90, -90};
     for (AxisMapping& axis : table.axes) axis.end_points = TexelConvention::end_points_on_edges;
+    table.axes[0].wrap = AxisWrap::repeat;
     table.axes[0].constants = {{"range_deg", 360.0}};
     table.axes[1].constants = shell_constants(shell);
     const Facts numbers = {
