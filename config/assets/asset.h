@@ -1,10 +1,10 @@
-// What the structs of all assets have in common: each header of this folder declares one, and a
-// function asset_kind that says how recipes ask for it.
+// This header holds what the structs of all assets have in common. Each of the other headers of an
+// asset declares its struct, and a function asset_kind that says how recipes ask for the asset.
 #pragma once
 
 namespace skybake::config {
 
-// Says which asset is meant: asset_kind(Tag<IrradianceBake>{}).
+// A tag says which asset is meant: asset_kind(Tag<IrradianceBake>{}).
 template <class Asset>
 struct Tag {};
 

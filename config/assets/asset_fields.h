@@ -1,5 +1,5 @@
-// The keys that bake sections of several assets share, and those of the files that an asset is
-// written to.
+// This header describes the keys that the bake sections of several assets share, and the keys of
+// the files that an asset is written to.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@
 
 namespace skybake::config {
 
-// Keys that several bake sections share, described once, for the field tables.
+// These keys are shared by several bake sections. They are described once here, for all field
+// tables.
 inline constexpr Field asset_field{
     .key = "asset",
     .kind = Kind::text,
@@ -59,7 +60,8 @@ inline constexpr Field max_error_field{
     .hint = "errors below 0.01 are invisible",
     .exclusive_group = "size"};
 
-// The keys of an asset's files (AssetFiles), described once, for the field tables of all bakes.
+// These are the keys of an asset's files (AssetFiles). They are described once here, for the field
+// tables of all bakes.
 inline constexpr Range voxel_range{1, 16384};
 inline constexpr Range level_range{1, 15};
 inline constexpr Range column_range{1, 16384};
@@ -93,18 +95,19 @@ inline constexpr std::array compression_choices = {
     Choice{Compression::piz, "piz", "wavelet, lossless; best for noise"},
 };
 
-// What the keys of files say differently in one asset and the other.
+// The keys of files have a few defaults and texts that differ between assets. This struct holds
+// them.
 struct FileWords {
     std::string_view formats = R"(["exr"])";  // the default
     std::string_view mips = "number of levels of detail, with the volume itself";
     std::string_view pixel_type = R"("half")";  // the default
-    std::string_view flip = "false";            // the default; empty: it follows from other keys
+    std::string_view flip = "false";            // the default; empty if other keys decide it
 };
 
 inline constexpr FileWords table_files = {
     .mips = "number of levels of detail, with the table itself", .pixel_type = R"("float")"};
 
-// A section's own rows, and after them those of AssetFiles.
+// Returns a section's own rows, followed by those of AssetFiles.
 template <class S, std::size_t count>
 std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const FileWords& words) {
     std::vector<Row<S>> rows(own.begin(), own.end());

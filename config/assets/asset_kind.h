@@ -1,5 +1,5 @@
-// How recipes ask for an asset: its section, what that takes from the rest of the recipe, and which
-// values the asset is made from.
+// This header says how recipes ask for an asset: its section, what the section takes from the rest
+// of the recipe, and which values the asset is made from. It also reads the [bake.NAME] sections.
 #pragma once
 
 #include <functional>
@@ -18,23 +18,24 @@
 
 namespace skybake::config {
 
-// A recipe while its [bake.*] sections are resolved.
+// This is what is known of a recipe while its [bake.*] sections are resolved.
 struct RecipeSoFar {
-    const Parameters& parameters;  // all but the bakes
-    // Only for an asset that is made of another bake's:
+    const Parameters& parameters;  // all sections but the bakes
+    // These two are set only for an asset that is made from another bake.
     std::span<const Bake> bakes = {};
-    std::span<const std::string_view> unreadable = {};  // bakes at fault, which are not there
+    std::span<const std::string_view> unreadable = {};  // bakes with errors, not in `bakes`
 };
 
-// Fills in what follows from the rest of the recipe, and reports what does not go with it.
+// Fills in the values that follow from the rest of the recipe, and reports values that contradict
+// it.
 using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder);
 
 struct AssetFacts {
-    std::string_view name;           // the word of `asset = "..."`
-    std::string_view documentation;  // what it is, in a line
-    bool is_table = false;           // of two axes, held in memory; else a volume
+    std::string_view name;           // the word after `asset =`
+    std::string_view documentation;  // one line that says what the asset is
+    bool is_table = false;           // it has two axes and is held in memory; else it is a volume
     bool needs_atmosphere = false;
-    bool of_another_bake = false;  // and is resolved after all others
+    bool of_another_bake = false;  // made from another bake, so resolved after all others
 };
 
 struct AssetKind {
@@ -42,17 +43,17 @@ struct AssetKind {
     Section section;
     ResolveAsset resolve = nullptr;
     std::function<Bake(const std::string& name, const DecodedSection& section)> bind;
-    // What an asset is made from besides its own section.
+    // Lists what an asset is made from besides its own section.
     std::function<std::vector<Read>(const Parameters& parameters, const Bake& bake)> reads;
     const AssetFiles& (*files)(const Bake& bake) = nullptr;
 };
 
-// All of assets.h, in its order.
+// Returns the kinds of all assets, in the order of assets.h.
 std::span<const AssetKind* const> asset_kinds();
 
 const AssetKind& kind_of(const Bake& bake);
 
-// What the files of a bake are like.
+// Returns the settings of a bake's files.
 const AssetFiles& files_of(const Bake& bake);
 
 template <class Asset>
@@ -76,29 +77,29 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
     return kind;
 }
 
-// Values that several assets are made from.
+// The functions below list values that several assets are made from.
 
-// The wavelengths, and of the planet and its layers what has these roles. Layers of particles have
-// their coefficients from those, which are always among them.
+// Lists the wavelengths and, of the planet and its layers, the values with the given roles. It
+// always lists the particles of layers whose coefficients follow from particles.
 std::vector<Read> reads_of_air(const Parameters& parameters, Roles roles);
 
-// One layer, with its particles.
+// Lists the values of one layer with the given roles, and of its particles.
 std::vector<Read> reads_of_layer(const Layer& layer, Roles roles);
 
 std::vector<Read> reads_of_particles(const std::string& name);
 
-// A noise and these of its channels.
+// Lists the values of a noise and of the given channels.
 std::vector<Read> reads_of_noise(const Noise& noise, std::span<const NoiseChannel> channels);
 
-// A cloud and what it takes from its noises.
+// Lists the values of a cloud and of what it takes from its noises.
 std::vector<Read> reads_of_cloud(const Parameters& parameters, const std::string& name);
 
 void append(std::vector<Read>&& more, std::vector<Read>& reads);
 
-// The [bake.NAME] sections: which asset each makes, and the asset's own fields.
+// Reads the [bake.NAME] sections: which asset each one makes, and the asset's own fields. The bakes
+// stand in the order of the file. Bakes of unknown assets are reported and left out. `recipe` holds
+// all sections but the bakes.
 
-// In the order of the file. Bakes of unknown assets are reported and left out. `recipe` is all of
-// it but the bakes.
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder);
 
 }  // namespace skybake::config

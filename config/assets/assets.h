@@ -1,4 +1,4 @@
-// The list of all assets. A folder of bakers/assets makes each.
+// This header is the list of all assets. A folder of bakers/assets makes each of them.
 #pragma once
 
 #include <tuple>
@@ -19,7 +19,7 @@
 
 namespace skybake::config {
 
-// In the order in which documentation shows them.
+// The assets stand in the order in which the documentation shows them.
 using Assets = std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
                           AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake,
                           OpticalDepthBake, NoiseVolumeBake, CloudVolumeBake, OccupancyBake>;

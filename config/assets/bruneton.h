@@ -1,4 +1,4 @@
-// asset = "bruneton". The tables of Bruneton's precomputed scattering.
+// This header declares the asset "bruneton": the tables of Bruneton's precomputed scattering.
 #pragma once
 
 #include <array>
@@ -14,26 +14,26 @@ enum class BrunetonTable { transmittance, scattering, single_mie, higher_orders,
 enum class BrunetonConvention { bruneton, takram };
 enum class BrunetonMethod { solved, iterated };
 
-// One table of the precomputed scattering of Bruneton & Neyret 2008, as their implementation of
-// 2017 has it.
+// This is one table of the precomputed scattering of Bruneton & Neyret 2008, in the form that
+// Bruneton's implementation of 2017 gives it.
 struct BrunetonBake : AssetFiles {
     BrunetonTable table = BrunetonTable::scattering;
-    // Texels along u, v, w. Tables of scattering: nu and the sun's cosine, the view's cosine,
-    // altitude; transmittance: zenith angle, altitude, 1; irradiance: the sun's cosine,
-    // altitude, 1.
+    // These are the texels along u, v and w. The axes of the tables of scattering are nu and the
+    // sun's cosine (u), the view's cosine (v) and altitude (w). Those of transmittance are zenith
+    // angle, altitude and 1, and those of irradiance the sun's cosine, altitude and 1.
     std::array<int, 3> size{};
-    int nu_size = 0;       // tables of scattering: sub-images along u, which divide size[0]
-    bool combined = true;  // scattering: the first order of Mie layers in A, red alone
-    int orders = 0;        // of scattering; 0: all
+    int nu_size = 0;       // for tables of scattering: sub-images along u; it divides size[0]
+    bool combined = true;  // for scattering: A holds the first order of Mie layers, red only
+    int orders = 0;        // orders of scattering; 0: all
     BrunetonMethod method = BrunetonMethod::solved;
     BrunetonConvention convention = BrunetonConvention::bruneton;
-    double sun_cos_zenith_min = 0;         // where the axis of the sun begins
-    std::vector<std::string> mie_layers;   // whose single scattering is kept apart
-    std::vector<double> solar_irradiance;  // one per channel, multiplies all light
+    double sun_cos_zenith_min = 0;         // the least cosine on the sun's axis
+    std::vector<std::string> mie_layers;   // layers whose single scattering is kept apart
+    std::vector<double> solar_irradiance;  // one per channel; it multiplies all light
 };
 
-// Whether files of a table have their reader's parameters beside them: the table of scattering of
-// convention takram.
+// Whether a file with the parameters that the table's reader needs is written beside the table. It
+// is for the table of scattering with convention takram.
 inline bool has_companion(const BrunetonBake& bake) {
     return bake.convention == BrunetonConvention::takram && bake.table == BrunetonTable::scattering;
 }

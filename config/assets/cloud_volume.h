@@ -1,4 +1,5 @@
-// asset = "cloud_volume". The voxels of a cloud.
+// This header declares the asset "cloud_volume", the voxels of a cloud, and computes the extent and
+// the voxels of such a volume.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +18,19 @@ namespace skybake::config {
 struct CloudVolumeBake : AssetFiles {
     std::string cloud;               // NAME of a [clouds.NAME]
     std::array<int, 3> size{};       // voxels along x, y and height
-    std::array<Length, 3> extent{};  // that they span, x, y, z; 0: the cloud's
+    std::array<Length, 3> extent{};  // that the voxels span along x, y and z; 0: the cloud's
 };
 
 const AssetKind& asset_kind(Tag<CloudVolumeBake>);
 
-// What a cloud volume spans.
+// Returns what a cloud volume spans along x, y and up: the bake's own extent or, where it has none,
+// the cloud's.
 
-// Along x, y and up: the bake's own extent or, where it has none, the cloud's.
 inline std::array<Length, 3> volume_extent(const Cloud& cloud, const CloudVolumeBake& bake) {
     return bake.extent[0].meters > 0 ? bake.extent : cloud.extent;
 }
 
-// The edges of a voxel in metres, along x, y and up.
+// Returns the edges of a voxel in metres, along x, y and up.
 inline std::array<double, 3> voxel_edges(const Cloud& cloud, const CloudVolumeBake& bake) {
     const std::array<Length, 3> extent = volume_extent(cloud, bake);
     std::array<double, 3> edges{};
@@ -37,20 +38,20 @@ inline std::array<double, 3> voxel_edges(const Cloud& cloud, const CloudVolumeBa
     return edges;
 }
 
-// The cloud as the bake spans it.
+// Returns the cloud with the extent that the bake gives it.
 inline Cloud stretched(Cloud cloud, const CloudVolumeBake& bake) {
     cloud.extent = volume_extent(cloud, bake);
     return cloud;
 }
 
-// How many voxels of an edge an extent has, and whether these are longer than the extent.
+// This tells how many voxels of a given edge cover an extent, and whether they are longer than it.
 struct WholeVoxels {
     double count = 0;  // at least 1
     bool longer = false;
 };
 
-// Both lengths are decimal numbers that were rounded to doubles, and so is their quotient: what
-// differs from a whole number by that rounding alone is one.
+// Both lengths are decimal numbers that were rounded to doubles, and their quotient is rounded too.
+// A quotient that differs from a whole number only by these roundings counts as that number.
 inline WholeVoxels whole_voxels(Length extent, Length edge) {
     constexpr double roundings = 4;
     const double quotient = extent.meters / edge.meters;

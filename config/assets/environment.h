@@ -1,4 +1,5 @@
-// asset = "environment". The sky and the ground around a camera, as renderers take an environment.
+// This header declares the asset "environment": an image of the sky and the ground around a camera,
+// which renderers use as an environment map.
 #pragma once
 
 #include <array>
@@ -13,11 +14,11 @@
 namespace skybake::config {
 
 struct EnvironmentBake : AssetFiles {
-    std::array<int, 2> size{};  // texels around and from the zenith to straight down
+    std::array<int, 2> size{};  // texels around the horizon, and from zenith to nadir
     Length altitude;            // of the camera, which may be in space
     Angle sun_elevation;
     SkyOrders orders = SkyOrders::all;
-    std::vector<std::string> layers;  // single: what scatters; empty: every layer
+    std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
 };
 
 const AssetKind& asset_kind(Tag<EnvironmentBake>);

@@ -1,4 +1,4 @@
-// asset = "irradiance". The light that falls on level surfaces.
+// This header declares the asset "irradiance": the light that falls on level surfaces.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@ namespace skybake::config {
 enum class IrradianceContent { direct, sky, total };
 
 struct IrradianceBake : AssetFiles {
-    std::array<int, 2> size{};  // texels along the sun cosine, along altitude
+    std::array<int, 2> size{};  // texels along the sun's cosine and along altitude
     IrradianceContent content = IrradianceContent::total;
     SkyOrders orders = SkyOrders::all;  // sky
-    std::vector<std::string> layers;    // single
-    double max_texel_error = 0;         // sets the quadrature's counts
+    std::vector<std::string> layers;    // with orders = single
+    double max_texel_error = 0;         // decides how many points the quadrature has
     MultipleScatteringMapping mapping = MultipleScatteringMapping::twilight;
 };
 

@@ -1,4 +1,5 @@
-// asset = "multiple_scattering". The light scattered twice or more, per unit of scattering.
+// This header declares the asset "multiple_scattering": the light scattered twice or more, per unit
+// of scattering.
 #pragma once
 
 #include <array>
@@ -14,12 +15,12 @@ enum class MultipleScatteringMethod { converged, as_in_paper, solved };
 enum class MultipleScatteringContent { hillaire, fitted, moments };
 
 struct MultipleScatteringBake : AssetFiles {
-    std::array<int, 2> size{};        // texels along the sun cosine, along altitude
-    std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
-    double max_texel_error = 0;       // sets the quadrature's counts
+    std::array<int, 2> size{};        // texels along the sun's cosine and along altitude
+    std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
+    double max_texel_error = 0;       // decides how many points the quadrature has
     MultipleScatteringMapping mapping = MultipleScatteringMapping::hillaire;
     MultipleScatteringMethod method = MultipleScatteringMethod::converged;
-    MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // solved
+    MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // for solved
     int degree = 2;                                                           // moments
 };
 

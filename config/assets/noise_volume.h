@@ -1,4 +1,4 @@
-// asset = "noise_volume". The voxels of a noise.
+// This header declares the asset "noise_volume": the voxels of a noise.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// asset = "occupancy". Which cells of a cloud volume are empty, and how far a ray may leap from
-// them.
+// This header declares the asset "occupancy": which cells of a cloud volume are empty, and the
+// empty-space skip distance from them.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace skybake::config {
 
-// The filter that a runtime looks the volume up with.
+// A runtime looks the volume up with this filter.
 enum class OccupancyFilter { nearest, trilinear, tricubic };
 enum class OccupancyRule { exact, thesis };
 enum class OccupancyContent { occupied, leap, minimum, maximum };

@@ -1,4 +1,4 @@
-// What the octaves of a bake's noises become on its voxels.
+// This header checks the octaves of a bake's noises against the voxels of the bake.
 #pragma once
 
 #include <array>
@@ -12,22 +12,23 @@
 
 namespace skybake::config {
 
-// How a bake samples a noise.
+// This says how a bake samples a noise.
 struct OctaveGrid {
     std::array<int, 3> scale{1, 1, 1};  // multiplies the noise's frequencies
     NoiseSampling sampling = NoiseSampling::centers;
 };
 
-// Gathers over all noises of one bake what its warnings say, so that each is given once.
+// Gathers the warnings about all noises of one bake, so that each warning is given once.
 class OctaveChecks {
   public:
     explicit OctaveChecks(const std::array<int, 3>& size) : size_(size) {}
 
-    // Octaves of gain 0 do not count, nor do those that alias by intention (Noise::aliases) at the
-    // size that the noise is made for.
+    // Adds a noise. Octaves of gain 0 do not count. Octaves that alias on purpose (Noise::aliases)
+    // at the size that the noise is made for do not count either.
     void add(const Noise& noise, std::span<const NoiseChannel> channels, const OctaveGrid& grid);
 
-    // Octaves that add nothing (W0208) and octaves that are too fine for the voxels (W0203).
+    // Warns of octaves that add nothing (W0208) and of octaves that are too fine for the voxels
+    // (W0203).
     void report(const Place& size_place, Decoder& decoder) const;
 
   private:
@@ -38,7 +39,7 @@ class OctaveChecks {
     std::array<int, 3> size_;
     std::vector<std::string> vanishing_;  // "octave 3 of channel R of noise `shape`"
     std::size_t coarse_ = 0;
-    std::vector<std::string> needs_;  // "`shape` needs 512x512x128", of each noise with coarse ones
+    std::vector<std::string> needs_;  // one for each such noise: "`shape` needs 512x512x128"
 };
 
 }  // namespace skybake::config

@@ -1,4 +1,4 @@
-// asset = "phase". How particles or a layer scatter, by angle.
+// This header declares the asset "phase": how particles or a layer scatter light, by angle.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,11 @@ namespace skybake::config {
 enum class PhaseContent { phase, inverse_cumulative };
 enum class PhaseSpacing { best, angle, cosine, peaks };
 
-// How particles or a layer scatter by angle.
 struct PhaseBake : AssetFiles {
-    std::string particles;            // NAME of a [particles.NAME], or
-    std::string layer;                // of a layer of the atmosphere
+    std::string particles;            // NAME of a [particles.NAME]; empty: `layer` is given
+    std::string layer;                // NAME of a layer of the atmosphere
     int size = 0;                     // texels
-    std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
+    std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
     PhaseContent content = PhaseContent::phase;
     PhaseSpacing spacing = PhaseSpacing::best;  // phase
     int degree = 0;                             // of the Legendre moments in the manifest

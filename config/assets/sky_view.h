@@ -1,4 +1,5 @@
-// asset = "sky_view". The sky as a camera sees it, under given suns.
+// This header declares the asset "sky_view": the sky that a camera sees, for each of the given
+// elevations of the sun.
 #pragma once
 
 #include <array>
@@ -13,11 +14,11 @@
 namespace skybake::config {
 
 struct SkyViewBake : AssetFiles {
-    std::array<int, 2> size{};  // texels along azimuth, along elevation; of one sun
+    std::array<int, 2> size{};  // texels along azimuth and along elevation, for one sun
     Length altitude;            // of the camera, which may be in space
     std::vector<Angle> sun_elevations;
     SkyOrders orders = SkyOrders::all;
-    std::vector<std::string> layers;  // single: what scatters; empty: every layer
+    std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
     SkyMethod sky = SkyMethod::solved;
 };
 

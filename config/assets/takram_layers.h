@@ -1,4 +1,5 @@
-// The layers of an atmosphere as takram's AtmosphereParameters tell them apart.
+// This header sorts the layers of an atmosphere into the three kinds that takram's
+// AtmosphereParameters have.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +10,19 @@
 
 namespace skybake::config {
 
-// Null: there is none of the kind.
+// A pointer is null if the atmosphere has no layer of the kind.
 struct TakramLayers {
     const Layer* rayleigh = nullptr;    // exponential, absorbs nothing
     const Layer* mie = nullptr;         // exponential, phase cornette_shanks
     const Layer* absorption = nullptr;  // a tent, scatters nothing
 };
 
-// What they cannot express, in a few words, or nothing.
+// Says in a few words what these three kinds cannot express, or nothing if they express the
+// atmosphere.
 std::optional<std::string> takram_problem(const Atmosphere& atmosphere, std::size_t channels);
 
-// Of an atmosphere without a problem, which must outlive them.
+// Sorts the layers of an atmosphere that has no takram_problem. The atmosphere must outlive the
+// result.
 TakramLayers takram_layers(const Atmosphere& atmosphere);
 
 }  // namespace skybake::config

@@ -1,4 +1,5 @@
-// asset = "transmittance". The share of light that arrives from the top of the atmosphere.
+// This header declares the asset "transmittance": the share of light that arrives from the top of
+// the atmosphere.
 #pragma once
 
 #include <array>
@@ -13,8 +14,8 @@ enum class TransmittanceContent { transmittance, optical_depth };
 enum class TransmittanceMapping { bruneton, ue };
 
 struct TransmittanceBake : AssetFiles {
-    std::array<int, 2> size{};        // texels along the zenith angle, along altitude
-    std::optional<double> max_error;  // in place of size: bound on the maximum lookup error
+    std::array<int, 2> size{};        // texels along the zenith angle and along altitude
+    std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
     TransmittanceContent content = TransmittanceContent::transmittance;
     TransmittanceMapping mapping = TransmittanceMapping::bruneton;
 };

@@ -1,4 +1,5 @@
-// Errors and warnings are values with an address: collected, never thrown, shown by cli/.
+// This header defines errors and warnings. They are values with a place: they are collected, never
+// thrown, and cli/ shows them.
 #pragma once
 
 #include <optional>
@@ -11,8 +12,8 @@ namespace skybake::config {
 
 enum class Severity { error, warning };
 
-// Where in the user's text something stands. `source` is a file's path as the user wrote it, or
-// "--set `a.b=c`". line and column count from 1; 0 where the place is not known.
+// This says where something stands in the user's text. `source` is a file's path as the user wrote
+// it, or "--set `a.b=c`". Line and column count from 1; they are 0 where the place is not known.
 struct SourceRange {
     std::string source;
     int line = 0;
@@ -26,18 +27,18 @@ struct Diagnostic {
     std::string code;     // "E0102", see diagnostic_codes.h
     std::string message;  // one sentence: what was found
     SourceRange where;
-    std::string label;  // beside the caret: what is allowed, or the nearest known name
+    std::string label;  // shown beside the caret: what is allowed, or the nearest known name
 };
 
-// A value, or the diagnostics that say why there is none; warnings may accompany a value.
+// This is a value, or the diagnostics that say why there is none. Warnings may accompany a value.
 template <class T>
 struct [[nodiscard]] Outcome {
     std::optional<T> value;
     std::vector<Diagnostic> diagnostics;
 };
 
-// Collects the diagnostics of one recipe while it is read, and hands them over: warnings first, so
-// that errors are the last on a terminal, and each in reading order.
+// Collects the diagnostics of one recipe while it is read, and hands them over. Warnings come
+// first, so that errors are the last lines on a terminal. Each group is in reading order.
 class DiagnosticList {
   public:
     void error(std::string code, const Place& place, std::string message, std::string label = "");
@@ -45,8 +46,9 @@ class DiagnosticList {
 
     bool has_errors() const { return errors_ > 0; }
 
-    // Warnings, then errors, each sorted by source, line and column. More than a person can read is
-    // cut off, and a last diagnostic says how many more there were.
+    // Hands over the warnings and then the errors, each sorted by source, line and column. If there
+    // are more than a person can read, it cuts the list off and adds a diagnostic that says how
+    // many more there were.
     [[nodiscard]] std::vector<Diagnostic> take();
 
   private:
@@ -64,8 +66,8 @@ class DiagnosticList {
     int left_out_ = 0;
 };
 
-// The place with the text of its line, without its line ending. Lines too long to show come
-// without.
+// Returns the place with the text of its line, without the line ending. A line that is too long to
+// show is left out.
 SourceRange source_range(const Place& place);
 
 }  // namespace skybake::config

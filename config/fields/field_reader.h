@@ -1,4 +1,5 @@
-// From a value of the tree to a value of a field: type, dimension, number of values and range.
+// This header turns a value of the tree into a value of a field. It checks the type, the dimension,
+// the number of values and the range.
 #pragma once
 
 #include <optional>
@@ -11,13 +12,13 @@
 
 namespace skybake::config {
 
-// Reads and checks a value; `path` names it in messages. `channels` is the number of wavelengths,
-// none if that is not known because the wavelengths are at fault. No value, and at least one error,
-// if it is not what the field takes.
+// Reads and checks a value. `path` names it in messages. `channels` is the number of wavelengths,
+// or none if the wavelengths are at fault. If the value is not what the field takes, it returns no
+// value and reports at least one error.
 std::optional<FieldValue> read_field(const Field& field, std::string_view path, const Value& value,
                                      std::optional<int> channels, DiagnosticList& diagnostics);
 
-// The field's default, which it must have, or none if it has none.
+// Returns the field's default, or none if the field has none.
 std::optional<FieldValue> default_value(const Field& field, std::optional<int> channels);
 
 }  // namespace skybake::config

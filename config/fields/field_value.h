@@ -1,4 +1,4 @@
-// One value of a recipe as its field has it, and its canonical spelling.
+// This header defines the value of a field and its canonical spelling.
 #pragma once
 
 #include <array>
@@ -15,12 +15,13 @@ namespace skybake::config {
 
 struct Field;
 
-// Which of a field's choices.
+// This is the position of a choice among a field's choices.
 struct ChoiceIndex {
     std::size_t index = 0;
 };
 
-// In base units. Kinds with one value per channel hold one per channel here.
+// Numbers are in base units. A value of a kind that has one number per channel holds one number for
+// each channel.
 using FieldValue =
     std::variant<bool, double, std::vector<double>, std::string, std::vector<std::string>,
                  std::array<int, 2>, ChoiceIndex, std::vector<DensityPoint>, std::array<int, 3>,
@@ -28,10 +29,10 @@ using FieldValue =
                  std::vector<ChoiceIndex>, std::array<double, 2>, std::array<double, 3>,
                  std::vector<HeightPoint>, std::vector<std::vector<std::string>>>;
 
-// TOML text in base units, equal for equal values.
+// Spells a value as TOML text in base units. Equal values have equal texts.
 std::string canonical_text(const Field& field, const FieldValue& value);
 
-// "earth.toml:14", "preset earth", "--set `a.b=c`".
+// Says where a value comes from: "earth.toml:14", "preset earth" or "--set `a.b=c`".
 std::string origin(const Place& place);
 
 }  // namespace skybake::config

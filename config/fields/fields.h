@@ -16,13 +16,13 @@
 
 namespace skybake::config {
 
-// In base units: metres, 1/m, radians, 1.
+// A range is in base units: metres, 1/m, radians or 1.
 struct Range {
     double minimum = 0;
     double maximum = 0;
     bool open_minimum = false;  // the bound itself is not allowed
     bool open_maximum = false;
-    bool or_zero = false;  // 0 is allowed besides
+    bool or_zero = false;  // 0 is allowed too
 };
 
 // A word that a key may have, and the enumerator that it stands for.
@@ -49,19 +49,19 @@ struct Field {
     std::string_view fallback = {};         // the default as TOML text; empty: none
     bool required = false;                  // required wherever the key applies
     std::string_view documentation = {};    // one line
-    std::string_view hint = {};             // typical values, for ranges' sake
-    std::string_view citation = {};         // where default or meaning come from
+    std::string_view hint = {};             // typical values, where the range says too little
+    std::string_view citation = {};         // the source of the default or the meaning
     std::string_view exclusive_group = {};  // keys of a group exclude each other ...
-    std::string_view exclusive_side = {};   // ... but for those on the same side of it
+    std::string_view exclusive_side = {};   // ... except those on the same side
     std::string_view selector = {};         // the key applies only where this key of the table ...
     std::span<const std::string_view> selected_by = {};  // ... has one of these values
     std::string_view needs = {};  // the key applies only where this text of the table is not empty
     std::string_view range_code = "E0110";  // the diagnostic for a value out of range
-    bool only_shown = false;  // says where values come from; not among the parameters of files
+    bool only_shown = false;  // the key says where values come from; files do not carry it
     Role role = Role::content;
 };
 
-// A table of a recipe. In the path a `*` stands for a name that the user gives.
+// This is a table of a recipe. In its path a `*` stands for a name that the user gives.
 struct Section {
     std::string_view path;  // "", "atmosphere", "atmosphere.layers.*", "clouds.*.scatter", "bake.*"
     std::string_view asset;  // bake sections: what they bake; else empty
@@ -69,19 +69,21 @@ struct Section {
     std::vector<Field> fields;
 };
 
-// All sections, in the order of a recipe: the rooms above make them (recipe/recipe_decoder.cpp).
+// Returns all sections, in the order of a recipe. The other rooms make them
+// (recipe/recipe_decoder.cpp).
 std::span<const Section> sections();
 
-// The section at a path pattern; for bake sections, the one of the asset. Null if there is none.
+// Returns the section at a path pattern. For a bake section, `asset` says which one. Returns null
+// if there is none.
 const Section* find_section(std::string_view path, std::string_view asset = "");
 
 const Field* find_field(const Section& section, std::string_view key);
 
-// The keys of a section, and the names of a field's choices.
+// These list the keys of a section and the names of a field's choices.
 std::vector<std::string_view> field_keys(const Section& section);
 std::vector<std::string_view> choice_names(const Field& field);
 
-// The word that stands for an enumerator; empty if none does.
+// Returns the word that stands for an enumerator, or an empty text if none does.
 template <class Enum>
 std::string_view choice_name(const Field& field, Enum value) {
     for (const Choice& choice : field.choices) {
@@ -90,13 +92,14 @@ std::string_view choice_name(const Field& field, Enum value) {
     return "";
 }
 
-// The names of all assets, one bake section each.
+// Returns the names of all assets. Each has one bake section.
 std::vector<std::string_view> asset_names();
 
-// The tables within the table at a path: {"atmosphere", "scene", "noise", "clouds" ...} for "".
+// Returns the names of the tables within the table at a path: {"atmosphere", "scene", "noise",
+// "clouds" ...} for "".
 std::vector<std::string_view> subtables(std::string_view path);
 
-// The names that a section's path is made of, `*` among them.
+// Returns the names that make up a section's path, `*` among them.
 std::vector<std::string_view> path_names(const Section& section);
 
 // Whether the field applies where its selector has this value.
@@ -105,15 +108,15 @@ bool applies(const Field& field, std::string_view selector_value);
 // Whether two keys of a section say the same thing, so that only one of them may be given.
 bool exclude_each_other(const Field& field, const Field& other);
 
-// What a value may be, in words: "in [1 m, 1e+12 m]", "one of `zip`, `none`". `describe_range`
-// is empty for kinds without numbers.
+// These say in words what a value may be: "in [1 m, 1e+12 m]", "one of `zip`, `none`".
+// `describe_range` returns an empty text for kinds without numbers.
 std::string describe_range(const Field& field);
 std::string describe_choices(const Field& field);
 
-// Documentation, range or choices, and typical values, in one line.
+// Returns documentation, range or choices, and typical values, in one line.
 std::string describe_field(const Field& field);
 
-// Ranges and sources that the field tables of several sections share.
+// The field tables of several sections share these ranges and sources.
 inline constexpr Range unit_range{0, 1};
 inline constexpr Range density_range{0, 1e6};
 inline constexpr Range coefficient_range{0, 1e6};  // per metre

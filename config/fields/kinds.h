@@ -1,6 +1,7 @@
-// The kinds of values that keys have: what each takes in words, how it is read, spelt and described
-// by the JSON Schema, and whether a sweep can range over it. A new kind of value is one row of
-// `Kind` below, and a reader or a schema where none of those at hand fits.
+// This header lists the kinds of values that keys have. For each kind it says in words what the
+// kind takes, how it is read and spelt, how the JSON Schema describes it, and whether a sweep can
+// range over it. A new kind of value needs one row of `Kind` below, and a reader or a schema if
+// none of the existing ones fits.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,11 +17,11 @@ namespace skybake::config {
 struct Field;
 struct Reader;
 
-// The unit of a value's numbers.
+// This says how the numbers of a value are measured and spelt.
 struct Scale {
     Dimension dimension = Dimension::number;
     std::string (*to_string)(double) = number_to_string;        // canonical, in a base unit
-    std::string (*bound_to_string)(double) = number_to_string;  // for messages
+    std::string (*bound_to_string)(double) = number_to_string;  // spelling in messages
 };
 
 enum class RangeOver { nothing, numbers, wholes };
@@ -30,12 +31,12 @@ using KindSchema = nlohmann::ordered_json(const Field& field);
 
 struct ValueKind {
     std::string_view words;  // after "expected": "a length with a unit"; no two kinds have the same
-    // Adds at least one error where it returns no value.
+    // It reports at least one error whenever it returns no value.
     ReadKind* read = nullptr;
     KindSchema* schema = nullptr;
-    const Scale* scale = nullptr;          // null: there are no numbers, or they have no range
+    const Scale* scale = nullptr;          // null if there are no numbers or they have no range
     RangeOver swept = RangeOver::nothing;  // what a range in [sweep] may go over
-    int fewest = 0;                        // items of a list, for its schema
+    int fewest = 0;                        // least number of items of a list
     int most = 0;
     bool one_for_all_axes = false;  // three equal numbers are spelt as one
 
@@ -46,23 +47,23 @@ struct ValueKind {
 
 ReadKind read_flag, read_whole, read_quantity, read_text, read_text_list, read_path_groups;
 ReadKind read_one_choice, read_choice_list;
-// One, or three, one per channel, up to most_angles.
+// These take one or three, one per channel, and up to most_angles values.
 ReadKind read_wavelengths, read_channels, read_angles;
-ReadKind read_size, read_voxels;  // two, three whole numbers
-ReadKind read_pair, read_triple;  // two, three numbers
+ReadKind read_size, read_voxels;  // two whole numbers; three whole numbers
+ReadKind read_pair, read_triple;  // two numbers; three numbers
 ReadKind read_bounds;             // two numbers, the first not above the second
-ReadKind read_density_table;      // altitudes increase from 0 up
-ReadKind read_height_table;       // heights increase within [0, 1]
-ReadKind read_seed;               // an integer, or text: decimal, or 0x number
-ReadKind read_frequency;          // lattice cells per tile along x, y and z: one integer, or three
-ReadKind read_frequencies;        // one to most_octaves of them
+ReadKind read_density_table;      // pairs whose altitudes increase, from 0 up
+ReadKind read_height_table;       // pairs whose heights increase within [0, 1]
+ReadKind read_seed;               // an integer, or a text with a decimal or 0x number
+ReadKind read_frequency;          // lattice cells per tile along x, y and z: one or three integers
+ReadKind read_frequencies;        // one to most_octaves frequencies
 ReadKind read_gains;              // one to most_octaves numbers, at least one of them above 0
 ReadKind read_remap;              // four numbers with a slope that is finite in single precision
-ReadKind read_edges;              // two numbers, likewise
+ReadKind read_edges;              // two numbers with such a slope between them
 ReadKind read_clamp;              // true is [0, 1], false is [-infinity, infinity]
 ReadKind read_levels;             // "all" is 0
 ReadKind read_power_of_two;       // 1, 2, 4 ...
-ReadKind read_swept;              // as it is spelled: the key that varies says what it means
+ReadKind read_swept;              // any value; the key that varies decides what it means
 
 // --- JSON Schemas -------------------------------------------------------------------------------
 
@@ -70,7 +71,7 @@ KindSchema flag_schema, whole_schema, number_schema, text_schema, text_list_sche
 KindSchema path_groups_schema, choice_schema, choice_list_schema, seed_schema, swept_schema;
 KindSchema numbers_schema;         // a list of `fewest` to `most` numbers
 KindSchema one_or_numbers_schema;  // a number, or such a list
-KindSchema wholes_schema;          // a list of as many whole numbers
+KindSchema wholes_schema;          // a list of `fewest` to `most` whole numbers
 KindSchema frequency_schema, frequencies_schema, clamp_schema, levels_schema, power_of_two_schema;
 KindSchema density_table_schema, height_table_schema;
 

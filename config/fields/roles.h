@@ -1,4 +1,5 @@
-// What values of a recipe are about, so that an asset can say which of them it is made from.
+// This header says what the values of a recipe are about, so that an asset can say which of them it
+// is made from.
 #pragma once
 
 #include <initializer_list>
@@ -7,18 +8,18 @@
 
 namespace skybake::config {
 
-// Each field has one. Without another it is `content`: whatever is made from the section is made
-// from this value.
+// Each field has one role. The role `content` is the default: everything that is made from the
+// section is made from this value.
 enum class Role {
     content,
     geometry,    // radii, and how densities change with altitude
-    extinction,  // per unit of density
+    extinction,  // coefficients per unit of density
     scattering,
-    phase,      // function
-    particles,  // that a layer is made of
-    ground,     // what it reflects
-    files,      // what files are like, apart from the texels' values
-    usual,      // the default of other keys, which hold what counts, or a matter of warnings
+    phase,      // the phase function
+    particles,  // the particles that a layer is made of
+    ground,     // what the ground reflects
+    files,      // what files are like, apart from the values of the texels
+    usual,      // a default of other keys, or a value that only warnings use
 };
 
 class Roles {
@@ -38,14 +39,14 @@ class Roles {
     unsigned bits_ = 0;
 };
 
-// Values that an asset is made from: of these roles, in the sections at a path whose names may be
-// `*`.
+// These are values that an asset is made from: the values with these roles in the sections at a
+// path whose names may be `*`.
 struct Read {
     std::string section;  // "atmosphere.layers.*"
     Roles roles = {Role::content};
 };
 
-// One resolved value of a recipe, for `show` and for the parameters that files carry.
+// This is one resolved value of a recipe, for `show` and for the parameters that files carry.
 struct ResolvedValue {
     std::string path;       // "atmosphere.layers.mie.scattering"
     std::string written;    // TOML as its source spells it: ["5.802e-6 /m", ...]
@@ -54,7 +55,7 @@ struct ResolvedValue {
     std::string section = {};  // "atmosphere.layers.mie"
     Role role = Role::content;
     bool only_shown =
-        false;  // tells where others come from (`preset`, `absorption`); not for files
+        false;  // says where others come from (`preset`, `absorption`); files do not carry it
 };
 
 // Whether an asset that reads `reads` is made from the value.

@@ -1,4 +1,5 @@
-// From one table of the merged tree to the fields of its section, and from those to a struct.
+// This header reads one table of the merged tree into the fields of its section, and then into a
+// struct. It also looks up the sections that keys name.
 #pragma once
 
 #include <array>
@@ -22,12 +23,12 @@
 
 namespace skybake::config {
 
-// A key and the struct member that it fills.
+// These are the types of quantities that hold one number in an SI unit.
 template <class T>
 concept SiQuantity = std::same_as<T, Length> || std::same_as<T, InverseLength> ||
     std::same_as<T, NumberDensity> || std::same_as<T, Angle>;
 
-// One value of a field into a member. Both come from the same row, so they fit.
+// Stores one value of a field in a member. Both come from the same row, so their types fit.
 template <class T>
 void assign(const Field&, const FieldValue& value, T& member) {
     member = std::get<T>(value);
@@ -74,12 +75,12 @@ void assign(const Field& field, const FieldValue& value, std::vector<T>& member)
     }
 }
 
-// A key of a section with struct S.
+// This is a key of a section with struct S, and the member that the key fills.
 template <class S>
 struct Row {
     Field field;
-    // The member, whatever its type, and what assigns to one of that type; null where the value is
-    // used otherwise.
+    // `member` is the member, whatever its type, and `assign_to` assigns to one of that type. They
+    // are null where the value is used otherwise.
     char S::*member = nullptr;
     void (*assign_to)(S& target, char S::*member, const Field& field,
                       const FieldValue& value) = nullptr;
@@ -99,7 +100,7 @@ struct Row {
     }
 };
 
-// What all decoders share while one recipe is read.
+// All decoders share this while one recipe is read.
 struct Decoder {
     DiagnosticList& diagnostics;
     std::vector<ResolvedValue>& values;
@@ -110,35 +111,37 @@ struct Decoder {
 struct DecodedField {
     const Field* field = nullptr;
     std::optional<FieldValue> value = {};
-    const Value* source = nullptr;  // null: a default, or derived from other fields
+    const Value* source = nullptr;  // null if it is a default or derived from other fields
     bool derived = false;
 };
 
 struct DecodedSection {
     std::string path;                  // "atmosphere.layers.mie"
     Place place;                       // of the table's name
-    std::vector<DecodedField> fields;  // as many as the section has, in its order
+    std::vector<DecodedField> fields;  // all fields of the section, in its order
 
     DecodedField& at(std::string_view key);
     const DecodedField& at(std::string_view key) const;
 };
 
-// What is not given: filled in and reported as missing, or (layers that are switched off) left be.
+// This says what happens to keys that are not given. They are filled in, and reported where they
+// are required, or they are left out (in layers that are switched off).
 enum class Absent { filled_in, left_out };
 
-// Reads every field of the section, reports unknown and missing keys, fills in defaults.
+// Reads every field of the section, reports unknown and missing keys, and fills in defaults.
 DecodedSection decode_section(const Section& section, const std::string& path, const Place& place,
                               const Table& table, Absent absent, Decoder& decoder);
 
-// The table under a key: an empty one if there is none, or if it is no table, which is reported.
+// Returns the table under a key. It returns an empty table if there is none, and also if the value
+// is no table, which it reports.
 const Table& subtable(const Table& table, std::string_view key, const std::string& path,
                       Decoder& decoder);
 
-// The table of an entry that the user names, such as a layer, below `path`; null, and an error, if
-// it is none.
+// Returns the table of an entry below `path` that the user names, such as a layer. It returns null
+// and reports an error if the value is no table.
 const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder);
 
-// The choice that a field has made; none if that is missing or at fault.
+// Returns the choice that a field has made, or none if the value is missing or at fault.
 template <class Enum>
 std::optional<Enum> choice_of(const DecodedField& decoded) {
     if (!decoded.value) return std::nullopt;
@@ -147,7 +150,7 @@ std::optional<Enum> choice_of(const DecodedField& decoded) {
     return choice;
 }
 
-// The value of a field that has this choice.
+// Returns the value of a field that has made this choice.
 template <class Enum>
 ChoiceIndex chosen(const Field& field, Enum value) {
     std::size_t index = 0;
@@ -155,7 +158,7 @@ ChoiceIndex chosen(const Field& field, Enum value) {
     return {index};
 }
 
-// A value that follows from others, where the recipe gives none.
+// Sets a value that follows from others, unless the recipe gives one.
 template <class T>
 void derive(DecodedField& decoded, T value) {
     if (decoded.source) return;
@@ -166,8 +169,8 @@ void derive(DecodedField& decoded, T value) {
 // Appends the section's values to those of the recipe.
 void append_values(const DecodedSection& section, Decoder& decoder);
 
-// Fills the members of `target` that the section has values for. `rows` are those that the section
-// was made from.
+// Fills the members of `target` that the section has values for. `rows` are the rows that the
+// section was made from.
 template <class S>
 void bind_section(const DecodedSection& section, std::span<const Row<S>> rows, S& target) {
     assert(section.fields.size() == rows.size());
@@ -177,9 +180,10 @@ void bind_section(const DecodedSection& section, std::span<const Row<S>> rows, S
     }
 }
 
-// Keys that name another section of the recipe: a bake's noise, a cloud's detail.
+// The rest of this header is about keys that name another section of the recipe, such as a bake's
+// noise or a cloud's detail.
 
-// What a key names, for messages.
+// These words say in messages what a key names.
 struct ReferenceWords {
     std::string_view code;     // "E0130"
     std::string_view noun;     // "noise"
@@ -191,17 +195,17 @@ inline constexpr ReferenceWords layer_reference{"E0138", "layer", "[atmosphere.l
 inline constexpr ReferenceWords particles_reference{"E0140", "particles", "[particles.NAME]"};
 inline constexpr ReferenceWords cloud_reference{"E0132", "cloud", "[clouds.NAME]"};
 
-// The text of a field; null if it has none.
+// Returns the text of a field, or null if it has none.
 const std::string* text_of(const DecodedField& decoded);
 
-// The key names none of `names`.
+// Reports that the key names none of `names`.
 void report_unknown_name(const DecodedSection& section, std::string_view key,
                          std::span<const std::string_view> names, const ReferenceWords& words,
                          Decoder& decoder);
 
-// The one that the field `key` names, among things with a member `name`; null if the field has no
-// value or an empty one, or if there is none of that name, which is reported unless a source is
-// missing.
+// Returns the thing that the field `key` names, among things with a member `name`. It returns null
+// if the field has no value or an empty one. It also returns null if no thing has that name, which
+// it reports unless a source is missing.
 template <class T>
 const T* find_named(const DecodedSection& section, std::string_view key, std::span<const T> things,
                     const ReferenceWords& words, Decoder& decoder) {
