@@ -47,7 +47,8 @@ struct ValueKind {
 
 ReadKind read_flag, read_whole, read_quantity, read_text, read_text_list, read_path_groups;
 ReadKind read_one_choice, read_choice_list;
-// These take one or three, one per channel, and up to most_angles values.
+// These take, in this order, one or three wavelengths, one number per channel, and up to
+// most_angles angles.
 ReadKind read_wavelengths, read_channels, read_angles;
 ReadKind read_size, read_voxels;  // two whole numbers; three whole numbers
 ReadKind read_pair, read_triple;  // two numbers; three numbers

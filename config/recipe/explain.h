@@ -1,5 +1,5 @@
-// What `skybake explain` prints: keys, tables and diagnostic codes, from the tables that define
-// them.
+// This header makes what `skybake explain` prints about keys, tables and diagnostic codes. The
+// texts come from the tables that define these.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 namespace skybake::config {
 
 // Explains a diagnostic code ("E0102"), a key ("atmosphere.layers.mie.g", "layers.*.g", "g") or a
-// table ("atmosphere.layers.mie", "bake.transmittance"). A key's path may be cut at the front;
-// where several keys fit, all are explained. None if nothing fits.
+// table ("atmosphere.layers.mie", "bake.transmittance"). The front of a key's path may be left out;
+// if several keys fit, all are explained. Returns none if nothing fits.
 std::optional<std::string> explain(std::string_view what);
 
-// Every key with its one line of documentation, by table.
+// Lists every key with its one line of documentation, table by table.
 std::string explain_all_keys();
 
-// What explain knows, for suggestions: paths, bare keys and codes.
+// Lists everything that explain knows, for suggestions: paths, bare keys and codes.
 std::vector<std::string> explained_names();
 
 }  // namespace skybake::config

@@ -1,4 +1,4 @@
-// From the merged tree of a recipe to its parameters.
+// This header turns the merged tree of a recipe into its parameters.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace skybake::config {
 
-// The parameters are whole only if no error was reported. `name` is the recipe's, for what is
-// missing altogether.
+// The parameters are complete only if no error was reported. `source` is the place that errors
+// about missing sections point to.
 Parameters decode_recipe(const Table& root, const Source& source, Decoder& decoder);
 
 }  // namespace skybake::config

@@ -1,4 +1,4 @@
-// What the command line of `skybake sweep` says of what varies.
+// This header holds what the command line of `skybake sweep` says of the values that vary.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ struct SweepOptions {
     std::optional<std::string> sobol;  // "64"
 };
 
-// Lays the options over a recipe's own [sweep], each as a source of its own; an entry replaces that
-// of the same path. E0122 for what is malformed.
+// Lays the options over a recipe's own [sweep], each option as a separate source. An entry replaces
+// the one of the same path. Malformed options are reported (E0122).
 void add_sweep_options(const SweepOptions& options, RecipeSources& sources,
                        DiagnosticList& diagnostics);
 

@@ -1,4 +1,5 @@
-// The planet, its air and the layers of that: [atmosphere] and [atmosphere.layers.NAME].
+// This header declares the planet and the layers of its air: [atmosphere] and
+// [atmosphere.layers.NAME]. It also computes the optical depth of a layer.
 #pragma once
 
 #include <string>
@@ -12,7 +13,8 @@ namespace skybake::config {
 enum class Profile { exponential, tent, slab, tabulated };
 enum class Phase { isotropic, rayleigh, henyey_greenstein, cornette_shanks, mie };
 
-// One kind of particle or gas: a density profile over altitude times coefficients per channel.
+// A layer is one kind of particle or gas: a density profile over altitude, times coefficients per
+// channel.
 struct Layer {
     std::string name;
     bool enabled = true;
@@ -20,28 +22,29 @@ struct Layer {
     Length scale_height;                    // exponential
     Length center_altitude, half_width;     // tent
     Length bottom_altitude, top_altitude;   // slab
-    std::vector<DensityPoint> table;        // tabulated: linear between, zero outside
-    std::vector<InverseLength> scattering;  // one per channel, at density 1; none of mie
+    std::vector<DensityPoint> table;        // tabulated: linear between entries, zero outside
+    std::vector<InverseLength> scattering;  // one per channel, at density 1; empty for mie
     std::vector<InverseLength> extinction;  // one per channel, at density 1; never below scattering
     Phase phase = Phase::isotropic;
     double g = 0;              // henyey_greenstein, cornette_shanks
-    LayerParticles particles;  // mie: scattering, extinction and phase function follow from them
+    LayerParticles particles;  // mie: scattering, extinction and phase function follow from these
 };
 
 struct Atmosphere {
     Length ground_radius;
     Length top_radius;
     std::vector<double> ground_albedo;  // one per channel
-    std::vector<Layer> layers;          // enabled ones, by name
+    std::vector<Layer> layers;          // the enabled layers, sorted by name
 };
 
-// The optical depth of a layer straight up, from the ground to the top of the atmosphere: printed
-// by `show`, so that a slip of a unit is seen, and the basis of a warning. Bakers have their own.
+// Returns the density of a layer integrated over altitude from 0 to `thickness`, in metres. It uses
+// closed forms.
 
-// The layer's density integrated over altitude from 0 to `thickness`, in metres; closed forms.
 double density_column(const Layer& layer, Length thickness);
 
-// Extinction times that column, one value per channel.
+// Returns the optical depth of a layer straight up, from the ground to the top of the atmosphere,
+// one value per channel. `show` prints it, so that a wrong unit is seen, and a warning uses it.
+// Bakers have their own code for it.
 std::vector<double> zenith_optical_depth(const Layer& layer, const Atmosphere& atmosphere);
 
 }  // namespace skybake::config

@@ -1,4 +1,5 @@
-// What the files of assets are like.
+// This header says what the files of assets are like: formats, pixel types and compression, and the
+// layout of a volume's slices in an image.
 #pragma once
 
 #include <algorithm>
@@ -16,16 +17,17 @@ enum class FileFormat { exr, vdb, bin, png, dds };
 enum class SheetLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
 
-// What files of a format can hold. Further facts are those of its code (bakers/io/formats).
+// These facts say what files of a format can hold. The code of a format adds further facts
+// (bakers/io/formats).
 struct FormatFacts {
     FileFormat format;
-    std::string_view name;            // in recipes, and the end of a file's name
-    std::string_view description;     // for those who choose
+    std::string_view name;            // used in recipes and as the end of a file's name
+    std::string_view description;     // helps a user to choose
     std::array<bool, 4> pixel_types;  // in the order of PixelType
-    bool is_image = false;            // volumes lie in it slice by slice
-    bool only_volumes = false;        // and no tables
-    bool has_all_levels = false;      // in one file
-    bool deflates = false;            // always; EXR and VDB do what their `compression` says
+    bool is_image = false;            // the slices of a volume lie side by side in it
+    bool only_volumes = false;        // it cannot hold tables
+    bool has_all_levels = false;      // one file holds all levels of detail
+    bool deflates = false;            // always deflates; EXR and VDB follow their `compression`
 
     constexpr bool holds(PixelType type) const {
         return pixel_types[static_cast<std::size_t>(type)];
@@ -70,25 +72,27 @@ constexpr const FormatFacts& facts_of(FileFormat format) {
                          [format](const FormatFacts& facts) { return facts.format == format; });
 }
 
-// What the files of an asset are like.
+// These keys say what the files of one asset are like.
 struct AssetFiles {
     std::vector<FileFormat> formats = {FileFormat::exr};  // without duplicates
     PixelType pixel_type = PixelType::float32;
-    SheetLayout layout = SheetLayout::stack;     // of images
-    int columns = 0;                             // of an atlas; 0: chosen
-    bool flip = false;                           // images: the last row is stored first
-    int mips = 1;                                // levels, the asset itself among them
-    Compression compression = Compression::zip;  // of EXR
+    SheetLayout layout = SheetLayout::stack;     // for images
+    int columns = 0;                             // for an atlas; 0: chosen by slice_sheet
+    bool flip = false;                           // for images: the last row is stored first
+    int mips = 1;                                // levels of detail, including the asset itself
+    Compression compression = Compression::zip;  // for EXR
     VdbCompression vdb_compression = VdbCompression::blosc;
 };
 
-// How the slices of a volume are laid out in the cells of an image.
+// The rest of this header is about the cells of an image in which the slices of a volume are laid
+// out.
 
-// The most rows and columns of an image that engines import: Direct3D 11 and 12, Vulkan on common
-// GPUs, Unity, Unreal and Godot take 16384, and Godot 3 aborts the import beyond.
+// Engines import images of at most this many rows and columns. Direct3D 11 and 12, Vulkan on common
+// GPUs, Unity, Unreal and Godot take 16384, and Godot 3 aborts the import beyond that.
 inline constexpr int largest_image_edge = 16384;
 
-// A row of cells is made whole: a longer one would take memory that grows with it.
+// An image is at most this many pixels wide. A whole row of cells is held in memory, so a wider
+// image would take memory that grows with its width.
 inline constexpr std::int64_t widest_sheet = std::int64_t{1} << 20;
 
 struct SliceSheet {
@@ -96,20 +100,20 @@ struct SliceSheet {
     int rows = 1;
 };
 
-// The sheet of a volume of `size` voxels. A stack has one column. An atlas has `columns`, or where
-// that is 0:
+// Returns the sheet of a volume of `size` voxels. A stack has one column. An atlas has `columns`
+// columns. If `columns` is 0, the number is chosen as follows:
 //
-//   the divisor of the number of slices that comes nearest to a square image, so that no cell is
-//   empty: engines take the number of slices to be columns times rows;
-//   where that image has an edge above largest_image_edge (a prime number of slices is one long
-//   row or column), the fewest columns that make the image at least as wide as it is high, if this
-//   one fits;
-//   where neither fits, the divisor, unless its image is wider than widest_sheet.
+//   - It is the divisor of the number of slices that comes nearest to a square image. Then no cell
+//     is empty, and engines expect that: they take the number of slices to be columns times rows.
+//   - If that image has an edge above largest_image_edge, it is the fewest columns that make the
+//     image at least as wide as it is high, if that image fits. This happens for a prime number of
+//     slices, whose only divisors give one long row or column.
+//   - If neither image fits, it is the divisor, unless its image is wider than widest_sheet.
 //
-// Of two images as near to a square the wider one is taken.
+// If two images are equally near to a square, the wider one is taken.
 SliceSheet slice_sheet(const std::array<int, 3>& size, SheetLayout layout, int columns);
 
-// Width and height of the image.
+// Returns the width and height of the image in pixels.
 std::array<std::int64_t, 2> sheet_size(const std::array<int, 3>& size, const SliceSheet& sheet);
 
 }  // namespace skybake::config

@@ -1,4 +1,4 @@
-// Tileable noise: [noise.NAME].
+// This header declares tileable noise, [noise.NAME], and the rules for its octaves.
 #pragma once
 
 #include <array>
@@ -24,8 +24,9 @@ enum class WorleyValue {
 };
 enum class CurlComponent { x, y, z };
 
-// A sum of octaves of one kind of noise. `frequencies[i]` are lattice cells a tile along x, y, z of
-// octave i, `gains[i]` its weight before the weights are divided by their sum.
+// This is a sum of octaves of one kind of noise. `frequencies[i]` is the number of lattice cells
+// per tile along x, y and z of octave i. `gains[i]` is its weight, before the weights are divided
+// by their sum.
 struct NoiseOctaves {
     std::vector<std::array<int, 3>> frequencies;
     std::vector<double> gains;
@@ -36,14 +37,14 @@ struct NoiseChannel {
     std::string name;  // "R", "G", "B", "A", or "Y" where it is the only one
     NoiseType type = NoiseType::perlin;
     double value = 0;      // constant
-    NoiseOctaves octaves;  // all types but constant; the gradient part of perlin_worley
+    NoiseOctaves octaves;  // all types but constant; for perlin_worley, the gradient part
     NoiseFractal fractal = NoiseFractal::fbm;   // perlin, perlin_worley
     NoiseOctaves worley_octaves;                // the cellular part of perlin_worley
     WorleyFeature feature = WorleyFeature::f1;  // worley, perlin_worley
     WorleyValue value_form = WorleyValue::one_minus_distance;
     CurlComponent component = CurlComponent::x;  // curl
-    std::uint64_t seed = 0;                      // besides the noise's own
-    // What becomes of a value v, in this order.
+    std::uint64_t seed = 0;                      // used together with the noise's own
+    // These change a value v, in this order.
     std::array<double, 4> remap{0, 1, 0, 1};          // [in low, in high, out low, out high]
     std::optional<std::array<double, 2>> smoothstep;  // from 0 at the first to 1 at the second
     bool invert = false;                              // 1 - v
@@ -59,17 +60,14 @@ enum class NoisePacking { none, shape, detail };
 struct Noise {
     std::string name;
     std::uint64_t seed = 0;
-    std::array<int, 3> size{};  // what it is made for; the default of a bake's size
+    std::array<int, 3> size{};  // voxels it is made for; the default of a bake's size
     NoiseSampling sampling = NoiseSampling::centers;
     NoisePacking pack = NoisePacking::none;
-    bool aliases = false;                // octaves too fine for `size` are meant to be
+    bool aliases = false;                // octaves too fine for `size` are intended
     std::vector<NoiseChannel> channels;  // in the order R, G, B, A
 };
 
-// From the keys of an octave series (frequency, octaves, lacunarity, gain) to the list that it
-// stands for: one frequency and one gain per octave.
-
-// The keys of one series of a channel's section.
+// These are the keys that describe one series of octaves in a channel's section.
 struct OctaveKeys {
     std::string_view frequency, octaves, lacunarity, frequencies, gain, gains;
 };
@@ -80,15 +78,18 @@ inline constexpr OctaveKeys worley_octave_keys{"worley_frequency",  "worley_octa
                                                "worley_lacunarity", "worley_frequencies",
                                                "worley_gain",       "worley_gains"};
 
-// Fills in `frequencies` and `gains` of the section, and returns them; nothing where the channel's
-// type has no such octaves, or a key is at fault. Errors: a frequency above its range (E0128), as
-// many gains as octaves are not given (E0108).
+// Turns the keys of a series of octaves (frequency, octaves, lacunarity, gain) into lists with one
+// frequency and one gain per octave. It fills in `frequencies` and `gains` of the section, and
+// returns them. It returns empty lists if the channel's type has no such octaves or a key is at
+// fault. Errors: a frequency is above its range (E0128), or the numbers of gains and octaves differ
+// (E0108).
 NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder);
 
-// What an octave becomes on a grid of voxels, by integer arithmetic.
+// A lattice cell of an octave needs at least this many voxels along each axis to be shown. The
+// checks below use integer arithmetic.
 inline constexpr int fewest_voxels_per_cell = 4;
 
-// Whether a cell has fewer voxels than it takes to show it, on an axis of more than one voxel.
+// Whether a lattice cell has too few voxels to be shown, on an axis of more than one voxel.
 bool is_coarse(const std::array<int, 3>& frequency, const std::array<int, 3>& size);
 
 // Whether every voxel lies on a lattice point, where gradient noise is 0 by definition. Voxel i of

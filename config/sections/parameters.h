@@ -1,7 +1,7 @@
-// What a user may say, as plain structs. A member's name is its TOML key, its --set path and its
-// name in the parameters that files carry. The rows of fields (fields.h) say unit, range, default
-// and source of each; load_recipe (recipe.h) fills the structs, so every value here is resolved and
-// valid.
+// This header holds everything that a user may say, as plain structs. A member's name is its TOML
+// key, its --set path and its name in the parameters that files carry. The rows of fields
+// (fields.h) give the unit, range, default and source of each member. load_recipe (recipe.h) fills
+// the structs, so every value here is resolved and valid.
 #pragma once
 
 #include <any>
@@ -22,9 +22,10 @@ namespace skybake::config {
 // One [bake.NAME] section.
 struct Bake {
     std::string name;
-    std::any asset;  // `asset = "..."`, default NAME: one of those of config/assets/assets.h
+    std::any asset;  // one of config/assets/assets.h; `asset =` names it, by default NAME does
 
-    // Null, or false, where it is another one; `as` is of an asset that is known to be this one.
+    // `find` returns null and `is` returns false if the bake has another asset. `as` needs a bake
+    // that is known to have this asset.
     template <class Asset>
     const Asset* find() const {
         return std::any_cast<Asset>(&asset);
@@ -48,8 +49,8 @@ struct Bake {
 };
 
 struct Parameters {
-    std::vector<Length> wavelengths;  // one per channel: 1 (a luminance table, Y) or 3 (R, G, B)
-    Atmosphere atmosphere;            // without radii and layers in a recipe of noises alone
+    std::vector<Length> wavelengths;  // one per channel: 1 (luminance, Y) or 3 (R, G, B)
+    Atmosphere atmosphere;            // has no radii and no layers if a recipe has only noises
     std::optional<Scene> scene;
     std::vector<Particles> particles;  // by name
     std::vector<Noise> noises;         // by name
@@ -57,7 +58,7 @@ struct Parameters {
     std::vector<Bake> bakes;           // in the order of the file
 };
 
-// The sections that others of a recipe name: load_recipe has made sure that they are there.
+// These return sections that other sections name. load_recipe has made sure that they exist.
 
 const Noise& noise_named(const Parameters& parameters, std::string_view name);
 const Cloud& cloud_named(const Parameters& parameters, std::string_view name);

@@ -1,4 +1,4 @@
-// Spheres in air: [particles.NAME].
+// This header declares particles, which are spheres in air: [particles.NAME].
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace skybake::config {
 enum class ParticleMaterial { water, constant };
 enum class SizeDistribution { monodisperse, log_normal, gamma, modified_gamma };
 
-// One [particles.NAME]: homogeneous spheres in air, and how many there are of each radius r:
+// One [particles.NAME] describes homogeneous spheres in air and how many there are of each radius
+// r:
 //   monodisperse    all have r = radius
 //   log_normal      n ~ 1/r exp(-ln^2(r / radius) / (2 ln^2 geometric_deviation))
 //   gamma           n ~ r^((1 - 3 v) / v) exp(-r / (effective_radius v)), v the effective variance
@@ -30,7 +31,7 @@ struct Particles {
     double gamma = 1;                // modified_gamma
 };
 
-// The particles of a layer whose density is 1.
+// These are the particles of a layer where its density is 1.
 struct LayerParticles {
     Particles particles;
     NumberDensity number_density;

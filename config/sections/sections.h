@@ -1,5 +1,5 @@
-// The sections of a recipe besides its assets: the rows of their keys, and what decodes those with
-// names.
+// This header gives the rows of all keys of a recipe except those of its assets and its sweep, and
+// the functions that decode the sections with names.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@
 
 namespace skybake::config {
 
-// The rows of all sections but those of [bake.NAME] (config/assets) and [sweep] (config/sweep).
-// Whoever adds a key adds its row, and a member of the same name to the section's struct;
-// everything else follows.
+// These are the rows of all sections except [bake.NAME] (config/assets) and [sweep] (config/sweep).
+// To add a key, add its row, and a member of the same name to the section's struct; everything else
+// follows.
 
 using RootField = Row<Parameters>;
 using AtmosphereField = Row<Atmosphere>;
@@ -47,34 +47,36 @@ std::span<const CloudMapField> type_map_fields();
 std::span<const TowerField> tower_fields();
 std::span<const TowerScatterField> tower_scatter_fields();
 
-// One [clouds.NAME] with its height profile, maps and towers.
+// Decodes one [clouds.NAME] with its height profile, maps and towers. `noises` are the noises of
+// the recipe. It reports names of noises that do not exist (E0130), scaled frequencies that are too
+// high (E0128), and a map of types where the profile blends none (E0111).
 
-// `noises` are those of the recipe. Reports names of noises that are not there (E0130), scaled
-// frequencies that are too high (E0128), and a map of types where the profile blends none (E0111).
 Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
                    std::span<const Noise> noises, Decoder& decoder);
 
-// One [atmosphere.layers.NAME]: its fields, its coefficients resolved to scattering and extinction.
+// Decodes the fields of one [atmosphere.layers.NAME] and resolves its coefficients to scattering
+// and extinction. It takes particles and wavelengths from the recipe. It returns none if the layer
+// is switched off or has no usable coefficients; errors are reported.
 
 // Takes particles and wavelengths from the recipe. None if the layer is switched off or has no
 // usable coefficients; errors are reported.
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
                                   const Parameters& recipe, Decoder& decoder);
 
-// Warns (W0202) of a layer that is opaque beyond reason: most often a slip of a unit.
+// Warns (W0202) of a layer that is unreasonably opaque. The cause is most often a wrong unit.
 void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const Table& table,
                          Decoder& decoder);
 
-// One [noise.NAME] and its channels.
+// Decodes one [noise.NAME] and its channels. The noise is complete only if no error was reported;
+// its name is right in any case.
 
-// The noise is whole only if no error was reported; its name is right in any case.
 Noise decode_noise(const std::string& name, const Place& place, const Table& table,
                    Decoder& decoder);
 
-// One [particles.NAME].
+// Decodes one [particles.NAME]. The particles are complete only if no error was reported; their
+// name is right in any case. E0144 is reported for spheres of air in air, and for water at
+// wavelengths where its refractive index is not known.
 
-// They are whole only if no error was reported; their name is right in any case. E0144: spheres of
-// air in air, or water at wavelengths where its index is not known.
 Particles decode_particles(const std::string& name, const Place& place, const Table& table,
                            std::span<const Length> wavelengths, Decoder& decoder);
 

@@ -1,7 +1,7 @@
-// One recipe, many values: the variants that [sweep] and --vary ask for.
+// This header describes the variants of one recipe that [sweep] and --vary ask for.
 //
-// An axis is a key that varies, or several that walk together (`zip`, `sobol`). The variants are
-// the axes' cross product, counted from 0; the last axis varies fastest.
+// An axis is one key that varies, or several keys that vary together (`zip`, `sobol`). The variants
+// are the axes' cross product, counted from 0. The last axis varies fastest.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct SweepValue {
 };
 
 struct SweepAxis {
-    std::vector<std::string> paths;             // as join_path spells them
+    std::vector<std::string> paths;             // in the spelling of join_path
     std::vector<std::vector<SweepValue>> rows;  // rows[i][k] is the i-th value of paths[k]
 };
 
@@ -30,36 +30,37 @@ struct Sweep {
     std::vector<SweepAxis> axes;
 };
 
-// 0 where nothing varies.
+// Returns 0 if nothing varies.
 int variant_count(const Sweep& sweep);
 
-// Everything that varies, axis by axis.
+// Returns the paths of all keys that vary, axis by axis.
 std::vector<std::string> swept_paths(const Sweep& sweep);
 
-// The values of a variant, in the order of swept_paths; 0 <= index < variant_count(sweep).
+// Returns the values of a variant, in the order of swept_paths. The index must satisfy 0 <= index <
+// variant_count(sweep).
 std::vector<SweepValue> variant_values(const Sweep& sweep, int index);
 
-// The same as texts of --set, "a.b=c".
+// Returns the same values as texts of --set, such as "a.b=c".
 std::vector<std::string> variant_settings(const Sweep& sweep, int index);
 
-// The rows of [sweep].
+// These functions return the rows of [sweep].
 enum class SweepScale { linear, log };
 
-std::span<const Field> sweep_fields();        // besides the paths that vary
-std::span<const Field> sweep_range_fields();  // of a range in it
+std::span<const Field> sweep_fields();        // all keys except the paths that vary
+std::span<const Field> sweep_range_fields();  // the keys of a range in [sweep]
 
-// Sobol's low-discrepancy points, which cover a box of many dimensions evenly for any first so many
-// of them.
 inline constexpr int sobol_dimensions = 16;
 
-// The coordinate of point `index` (from 0: the origin) along a dimension (from 0), in [0, 1), a
-// multiple of 2^-32. Any 2^k points from a multiple of 2^k on have one coordinate in each 2^-k of
-// the range. Not scrambled: point i is the same however many there are.
+// Returns the coordinate of a point of Sobol's low-discrepancy sequence along a dimension, in [0,
+// 1). The first n points cover a box of many dimensions evenly, for any n. Points and dimensions
+// count from 0, and point 0 is the origin. The coordinate is a multiple of 2^-32. Any 2^k
+// consecutive points whose first index is a multiple of 2^k have one coordinate in each interval of
+// length 2^-k. The points are not scrambled: point i is the same however many points there are.
 //
-// I. M. Sobol, "On the distribution of points in a cube and the approximate evaluation of
-// integrals", 1967, with the direction numbers of S. Joe and F. Y. Kuo, "Constructing Sobol
-// sequences with better two-dimensional projections", SIAM J. Sci. Comput. 30, 2008, which their
-// authors publish under a BSD-style licence (sweep.cpp).
+// The method is from I. M. Sobol, "On the distribution of points in a cube and the approximate
+// evaluation of integrals", 1967. The direction numbers are from S. Joe and F. Y. Kuo,
+// "Constructing Sobol sequences with better two-dimensional projections", SIAM J. Sci. Comput. 30,
+// 2008. Their authors publish them under a BSD-style licence (sweep.cpp).
 double sobol_coordinate(std::uint32_t index, int dimension);
 
 }  // namespace skybake::config

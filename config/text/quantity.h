@@ -1,5 +1,5 @@
-// Physical quantities as a recipe states them, in SI, each with a type of its own so that a length
-// cannot be handed over as a coefficient. Parsing and spelling them is units.h's business.
+// This header declares physical quantities in SI units. Each has a type of its own, so that a
+// length cannot be passed as a coefficient. units.h reads and spells them.
 #pragma once
 
 namespace skybake::config {
@@ -9,13 +9,13 @@ struct Length {
     constexpr double kilometers() const { return meters / 1000; }
 };
 
-// Scattering, absorption and extinction coefficients.
+// This is a coefficient of scattering, absorption or extinction.
 struct InverseLength {
     double per_meter = 0;
     constexpr double per_kilometer() const { return per_meter * 1000; }
 };
 
-// Particles per volume.
+// This is a number of particles per volume.
 struct NumberDensity {
     double per_cubic_meter = 0;
 };
@@ -24,15 +24,13 @@ struct Angle {
     double radians = 0;
 };
 
-// Entries of tables of numbers.
-
-// One entry of `table = [["0 km", 1.0], ...]`.
+// This is one entry of a density table: `table = [["0 km", 1.0], ...]`.
 struct DensityPoint {
     Length altitude;
     double density = 0;
 };
 
-// One entry of `table = [[0, 0.0], [0.2, 1.0]]`.
+// This is one entry of a height table: `table = [[0, 0.0], [0.2, 1.0]]`.
 struct HeightPoint {
     double height = 0;  // in [0, 1]
     double value = 0;

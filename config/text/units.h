@@ -1,9 +1,10 @@
-// Quantities as people write them: "8 km", "5.802e-6 /m", "53 deg", "680 nm", "2 %", "0.8".
+// This header reads and spells quantities as people write them: "8 km", "5.802e-6 /m", "53 deg",
+// "680 nm", "2 %", "0.8".
 //
-// Reading and spelling are independent of the locale, and exact where decimal arithmetic can be: a
-// power-of-ten unit is moved into the decimal exponent before the one rounding to double, so that
-// "8 km" is 8000 and "680 nm" is the double next to 6.8e-7. Base units: metre, 1/m, 1/m3,
-// radian, 1.
+// Reading and spelling do not depend on the locale. They are exact where decimal arithmetic can be:
+// a power-of-ten unit is added to the decimal exponent before the one rounding to double, so that
+// "8 km" is 8000 and "680 nm" is the double next to 6.8e-7. Base units are metre, 1/m, 1/m3, radian
+// and 1.
 #pragma once
 
 #include <optional>
@@ -27,29 +28,29 @@ struct QuantityError {
     std::string part;  // the unreadable number or unit
 };
 
-// A number, optional blanks, an optional unit. NaN, infinity, values beyond a double's range and
-// nonzero values that would round to 0 are refused.
+// Reads a number, optional blanks and an optional unit. It refuses NaN, infinity, values beyond a
+// double's range, and nonzero values that would round to 0.
 std::variant<Quantity, QuantityError> parse_quantity(std::string_view text);
 
-// A quantity as it is written: its number, and its unit as spelled there ("" for none).
+// This is a quantity as it is written: its number, and its unit in the same spelling ("" for none).
 struct WrittenQuantity {
     double number = 0;
     std::string unit;
 };
 
-// None if the text is no quantity.
+// Returns none if the text is not a quantity.
 std::optional<WrittenQuantity> split_quantity(std::string_view text);
 
-// "a length", "an angle": for messages.
+// Returns a dimension's name for messages: "a length", "an angle".
 std::string_view dimension_name(Dimension dimension);
 
-// A dimension's units, by size: {"nm", "um", ...}; none for numbers. `unit_spellings` has the other
-// ways to write them too, as "1/m" for "/m".
+// These return a dimension's units sorted by size, such as {"nm", "um", ...}, or an empty list for
+// numbers. `unit_spellings` also has the other ways to write them, such as "1/m" for "/m".
 std::vector<std::string_view> unit_names(Dimension dimension);
 std::vector<std::string_view> unit_spellings(Dimension dimension);
 
-// Canonical spellings: the shortest decimal that reads back as the same double, in one unit. Equal
-// values have equal spellings. Values must be finite.
+// These return canonical spellings: the shortest decimal that reads back as the same double, in one
+// unit. Equal values have equal spellings. Values must be finite.
 std::string number_to_string(double value);                    // "0.8"
 std::string length_to_string(double meters);                   // "8000 m"
 std::string wavelength_to_string(double meters);               // "680 nm"
