@@ -1,5 +1,5 @@
-// What a bake tells: people, the plan before it and the table after it; programs, JSON Lines as
-// event_schema.json describes them.
+// This header declares what a bake tells. People get the plan before it and a table after it;
+// programs get JSON Lines, which event_schema.json describes.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace skybake::cli {
 
 class Console;
 
-// Tells people, or with --json programs, how a bake of a folder goes.
+// Tells people, or programs with --json, how a bake of a folder goes.
 class BakeReporter : public BakeObserver {
   public:
     BakeReporter(Console& console, bool json) : console_(console), json_(json) {}
@@ -27,31 +27,33 @@ class BakeReporter : public BakeObserver {
   private:
     Console& console_;
     bool json_;
-    std::vector<std::string> stale_;  // what is to be made, in order
+    std::vector<std::string> stale_;  // the assets that are to be made, in order
 };
 
-// One row per asset: size, files, estimated time and disk, and why it is to be baked.
+// Returns the plan as a table with one row per asset: size, files, estimated time and disk, and why
+// it is to be baked.
 std::string plan_text(const FolderPlan& plan);
 
-// Why assets that were baked before are baked again, one line each; new ones are left out.
+// Says why assets that were baked before are baked again, one line each. New assets are left out.
 std::string reasons_text(const FolderPlan& plan);
 
 struct SummaryOptions {
     double seconds = 0;  // of the whole command
-    int columns = 0;     // of the terminal; 0: any number
-    bool prune = false;  // files of earlier recipes were to be removed
+    int columns = 0;     // of the terminal; 0: no limit
+    bool prune = false;  // --prune asked to remove files of earlier recipes
 };
 
-// One row per file that was made, the first of an asset with its size, times and errors; then what
-// became of files of earlier recipes, and totals.
+// Returns a table with one row per file that was made. The first row of an asset has its size,
+// times and errors. After the table it says what became of files of earlier recipes, and gives
+// totals.
 std::string summary_text(const BakedFolder& baked, const SummaryOptions& options);
 
-// "256x64", "128x128x128".
+// Spells an extent: "256x64", "128x128x128".
 std::string extent_text(std::span<const int> size);
 
 std::string plan_event(const FolderPlan& plan);
 
-// One event per file, then the last one.
+// Returns one event per file, and then the last event of the bake.
 std::string finished_events(const BakedFolder& baked, const std::filesystem::path& folder,
                             double seconds);
 

@@ -1,12 +1,12 @@
-// How a command is declared, and what it is given. Parser, help, man pages and completions all come
-// from these tables.
+// This header says how a command is declared and what it is given. The parser, help, man pages and
+// completions are all made from these tables.
 //
-// One file per command:
+// Each command has one file:
 //
 //   ExitCode run(const Invocation& invocation, Console& console);
 //   Command verify_command() { return {.name = "verify", .summary = "...", .run = run}; }
 //
-// and one line in command.cpp.
+// It also has one line in command.cpp.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ namespace skybake::cli {
 
 // --- Options ------------------------------------------------------------------------------------
 
-// An option of a command, as parser and pages see it.
+// This is an option of a command as the parser and the pages see it.
 struct OptionRow {
     std::string_view name = {};   // long name without dashes: "dry-run"
     char short_name = 0;          // 'j', or 0
@@ -33,9 +33,10 @@ struct OptionRow {
     std::string_view help = {};
     std::string_view fallback = {};              // the value if not given, as help shows it
     std::vector<std::string_view> choices = {};  // the only values allowed; empty: any
-    bool repeatable = false;                     // else the last one wins
+    bool repeatable = false;                     // if false, the last value counts
     bool is_path = false;                        // the value names a file or a folder
-    // E0001 for what the option does not take; null: it takes any text.
+    // It returns E0001 for a text that the option does not take. If it is null, the option takes
+    // any text.
     std::function<std::vector<config::Diagnostic>(const std::string& text)> check = nullptr;
 };
 
@@ -50,40 +51,42 @@ inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
 
-// What an option is called and the type that its value arrives as. bool is a switch; a vector is
-// repeatable. What it is for is said by each command that has it: force("overwrite the file").
+// This is what an option is called, and the type of its value. An option of type bool is a switch,
+// and one whose type is a vector is repeatable. Each command that has the option says what it is
+// for: force("overwrite the file").
 template <class T>
 struct Option {
     std::string_view name = {};
     char short_name = 0;
     std::string_view value = {};
     std::vector<Choice<T>> choices = {};
-    // From text to the value, or E0001. Null: one of the choices, or the text as it is.
+    // It turns the text into the value, or reports E0001. If it is null, the text is one of the
+    // choices or the value itself.
     config::Outcome<T> (*read)(const std::string& text) = nullptr;
 
     OptionRow operator()(std::string_view help, std::string_view fallback = {}) const;
 
-    // No value for what the option does not take.
+    // Returns no value for a text that the option does not take.
     config::Outcome<T> value_of(const std::string& text) const;
 };
 
-// What the user typed, checked against the command's tables.
+// This is what the user typed, checked against the command's tables.
 class Invocation {
   public:
-    // The (last) value given, else the table's fallback, else an empty value: false, 0, "". A list
-    // has all values given, in order.
+    // Returns the last value given, else the table's fallback, else an empty value: false, 0 or "".
+    // For a list it returns all values given, in order.
     template <class T>
     T operator[](const Option<T>& option) const;
     template <class T>
     bool has(const Option<T>& option) const {
         return entry(option.name).given;
     }
-    // Values as they were typed.
+    // Returns the values as they were typed.
     template <class T>
     std::vector<std::string> typed(const Option<T>& option) const {
         return has(option) ? entry(option.name).texts : std::vector<std::string>();
     }
-    // Positional arguments, in order; at least the required ones are there.
+    // Returns the positional arguments in order. At least the required ones are there.
     const std::vector<std::string>& arguments() const { return arguments_; }
 
     void declare(const OptionRow& option);
@@ -93,7 +96,7 @@ class Invocation {
   private:
     struct Entry {
         bool given = false;
-        std::vector<std::string> texts;  // the fallback alone where nothing was given
+        std::vector<std::string> texts;  // only the fallback if nothing was given
     };
     // Throws std::logic_error for an option that is not in the command's table.
     const Entry& entry(std::string_view name) const;
@@ -108,13 +111,13 @@ struct Argument {
     std::string_view name = {};  // "recipe.toml", as help shows it
     std::string_view help = {};
     bool required = true;
-    bool repeatable = false;                     // the last argument only
+    bool repeatable = false;                     // only the last argument may be
     std::vector<std::string_view> choices = {};  // what shells complete; empty: files and folders
 };
 
 struct Example {
     std::string_view command = {};  // "skybake bake earth.toml -o out"
-    std::string_view what = {};     // what it does, in a few words
+    std::string_view what = {};     // what the command does, in a few words
 };
 
 struct Command {
@@ -124,37 +127,38 @@ struct Command {
     std::vector<Argument> arguments = {};
     std::vector<OptionRow> options = {};
     std::vector<Example> examples = {};     // at least one
-    std::vector<ExitCode> exit_codes = {};  // besides done, usage and interrupted
+    std::vector<ExitCode> exit_codes = {};  // in addition to done, usage and interrupted
     ExitCode (*run)(const Invocation& invocation, Console& console) = nullptr;
 };
 
-// In the order of a newcomer's day; help shows them so.
+// Returns all commands, in the order in which a new user needs them. Help shows them in this order.
 const std::vector<Command>& commands();
 
-// Options that every command takes.
+// Returns the options that every command takes.
 const std::vector<OptionRow>& global_options();
 
 // --- Parsing ------------------------------------------------------------------------------------
 
 struct CommandLine {
-    const Command* command = nullptr;             // null where none was named
+    const Command* command = nullptr;             // null if none was named
     Invocation invocation;                        // the command's options and the global ones
     std::vector<config::Diagnostic> diagnostics;  // E0001
 };
 
-// `words` are those behind the program's name. Options may stand anywhere after the command, global
-// ones before it too; "--" ends them. With --help or --version nothing else need be complete.
+// Parses the words after the program's name. Options may stand anywhere after the command, and
+// global ones before it too; "--" ends them. With --help or --version the rest of the line may be
+// incomplete.
 CommandLine parse_arguments(std::span<const std::string> words, std::span<const Command> commands,
                             std::span<const OptionRow> global_options);
 
-// E0001 with the nearest name, if one is near.
+// Returns E0001 with the nearest known name, if one is near.
 config::Diagnostic unknown_command(const std::string& name, std::span<const Command> commands);
 
-// A diagnostic about the command line.
+// Returns an E0001 diagnostic about the command line.
 config::Diagnostic usage_error(std::string message, std::string label = {});
 
-// One run of the program, from its words to its exit code. `words` are those behind the program's
-// name. Exceptions are mistakes of the program's own and end here as `internal`.
+// Runs the program once, from its words to its exit code. `words` are the words after the program's
+// name. An exception is a mistake in the program; it ends here with the exit code `internal`.
 ExitCode run(std::span<const std::string> words, Sink out, Sink error,
              const ColorEnvironment& environment = {});
 
@@ -198,8 +202,8 @@ T Invocation::operator[](const Option<T>& option) const {
     }
 }
 
-// What the program says of itself, made from the tables of commands and options: help, man pages
-// and shell completions.
+// The rest of this header is about what the program says of itself: help, man pages and shell
+// completions. They are made from the tables of commands and options.
 class Console;
 
 inline constexpr std::string_view program_summary =
@@ -210,26 +214,27 @@ struct ExitCodeWords {
     std::string_view words;
 };
 
-// Those of `codes` in the order of their numbers; of an empty list, all.
+// Returns the exit codes of `codes` with their words, in the order of their numbers, or all exit
+// codes if `codes` is empty.
 std::vector<ExitCodeWords> exit_codes(std::span<const ExitCode> codes);
 
-// What an option is for, its choices and its default, in one line.
+// Says in one line what an option is for, its choices and its default.
 std::string option_help(const OptionRow& option);
 
-// What `skybake` without a command prints: twelve lines.
+// Returns the twelve lines that `skybake` prints without a command.
 std::string short_help(std::span<const Command> commands);
 
-// Prints the help of a command, or of the program where that is null: at most 40 lines.
+// Prints the help of a command, or of the program if `command` is null, in at most 40 lines.
 void show_help(const Command* command, Console& console);
 
-// The sources of skybake(1) and skybake-COMMAND(1).
+// These return the sources of the man pages skybake(1) and skybake-COMMAND(1).
 std::string man_page(std::span<const Command> commands, std::span<const OptionRow> globals,
                      std::span<const Example> examples);
 std::string man_page(const Command& command);
 
 enum class Shell { bash, zsh, fish };
 
-// A script that completes commands, options, choices and names of files.
+// Returns a shell script that completes commands, options, choices and file names.
 std::string completion(Shell shell, std::span<const Command> commands,
                        std::span<const OptionRow> globals);
 

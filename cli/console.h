@@ -1,5 +1,5 @@
-// What the process tells the world, and is told by signals: results on stdout, words for people and
-// diagnostics on stderr, the exit code.
+// This header handles what the process tells the world and what signals tell the process: results
+// on stdout, words for people and diagnostics on stderr, the exit code, and interruptions.
 #pragma once
 
 #include <functional>
@@ -14,25 +14,26 @@
 
 namespace skybake::cli {
 
-// What the process says to the shell. main.cpp is the only place that exits.
+// These are the exit codes of the process. main.cpp is the only place that exits.
 enum class ExitCode : int {
     done = 0,
     differs = 1,   // a comparison or verification differs
     usage = 2,     // usage or parameter error
     io = 3,        // cannot open, read or write
     checks = 4,    // the result failed its physical or error checks
-    internal = 5,  // a mistake of the program's own
+    internal = 5,  // a mistake in the program
     interrupted = 130,
 };
 
-// Where text goes. `write` returns false once the other end is gone or the disk is full.
+// This is where text goes. `write` returns false once the other end is gone or the disk is full.
 struct Sink {
     std::function<bool(std::string_view)> write;
     bool terminal = false;
-    int columns = 0;  // of the terminal; 0 where they are not known
+    int columns = 0;  // of the terminal; 0 if not known
 };
 
-// A sink that writes to a file descriptor (1 or 2), whole texts, whatever signals arrive.
+// Returns a sink that writes to a file descriptor (1 or 2). It writes whole texts, whatever signals
+// arrive.
 Sink descriptor_sink(int descriptor);
 
 struct Display {
@@ -40,11 +41,11 @@ struct Display {
     bool color = false;        // on stderr
     bool quiet = false;        // -q: no notes
     bool verbose = false;      // -v: details too
-    bool json = false;         // --json: results are events on stdout, and so is a failure
-    std::string command = {};  // for that event; empty where none was understood
+    bool json = false;         // --json: results and failures are events on stdout
+    std::string command = {};  // for the event of a failure; empty if no command was understood
 };
 
-// What the environment says about colours; null where a variable is not set.
+// This is what the environment says about colours. A pointer is null if the variable is not set.
 struct ColorEnvironment {
     const char* no_color = nullptr;        // https://no-color.org
     const char* clicolor_force = nullptr;  // https://bixense.com/clicolors
@@ -54,38 +55,40 @@ struct ColorEnvironment {
 enum class WhenColor { automatic, always, never };
 
 // Whether to colour a stream. --color=always and --color=never decide. With auto, NO_COLOR turns
-// colours off, else CLICOLOR_FORCE or FORCE_COLOR turns them on, else a terminal gets them. A
-// variable that is empty counts as not set; `0` forces nothing.
+// colours off, else CLICOLOR_FORCE or FORCE_COLOR turns them on, else a terminal gets them. An
+// empty variable counts as not set, and `0` forces nothing.
 bool wants_color(WhenColor choice, bool terminal, const ColorEnvironment& environment);
 
-// Never throws for a stream that is gone. Once a result could not be written the process's exit
-// code becomes `io`, see finish. Notes may come from any thread.
+// Writes to stdout and stderr. It never throws because a stream is gone. Once a result could not be
+// written, the exit code of the process becomes `io` (see finish). Notes may come from any thread.
 class Console {
   public:
     Console(Sink out, Sink error, Display display);
 
-    // To stdout, as it is: the text brings its own newlines.
+    // Writes a text to stdout as it is. The text brings its own newlines.
     void result(std::string_view text);
-    // To stderr, unless -q was given or diagnostics are for a machine (json, sarif), which then has
-    // stderr to itself.
+    // Writes to stderr. It writes nothing if -q was given or if diagnostics are for a machine
+    // (json, sarif), which then has stderr to itself.
     void note(std::string_view text);
-    // To stderr, only with -v.
+    // Writes to stderr, only with -v.
     void detail(std::string_view text);
 
-    // Prints diagnostics as --diagnostics wants them, to stderr, and returns the exit code of the
-    // gravest (done where there are only warnings or none).
+    // Prints diagnostics to stderr as --diagnostics wants them, and returns the exit code of the
+    // gravest (done if there are none or only warnings).
     ExitCode report(std::span<const config::Diagnostic> diagnostics);
-    // The same for a command whose results they are (check): json and sarif go to stdout.
+    // Does the same for a command whose results are diagnostics (check): json and sarif go to
+    // stdout.
     ExitCode report_results(std::span<const config::Diagnostic> diagnostics);
 
-    // Writes what waits for the end of the run, a SARIF document and the event of a failure, and
-    // returns the exit code to leave with.
+    // Writes what waits for the end of the run, which is a SARIF document and the event of a
+    // failure, and returns the exit code for the process.
     ExitCode finish(ExitCode code);
 
     const Display& display() const { return display_; }
     bool error_is_terminal() const { return error_.terminal; }
     bool shows_notes() const;
-    // Of the terminal that notes go to; 0 where there is none, or it does not say.
+    // Returns the columns of the terminal that notes go to, or 0 if there is no terminal or it does
+    // not say.
     int error_columns() const { return error_.columns; }
 
   private:
@@ -100,16 +103,14 @@ class Console {
     bool result_lost_ = false;
     bool sarif_is_result_ = false;
     std::vector<config::Diagnostic> sarif_;
-    std::vector<config::Diagnostic> reported_;  // with --json
+    std::vector<config::Diagnostic> reported_;  // kept with --json
 };
 
-// --- Ctrl-C and its kin -------------------------------------------------------------------------
+// --- Signals such as Ctrl-C ----------------------------------------------------------------------
 
-// The first signal asks the bake to stop and leave no partial file, a second one ends the process
-// at once (and leaves none either).
-
-// Takes over SIGINT, SIGTERM and SIGHUP; ignores SIGPIPE and SIGXFSZ, whose errors the writes
-// report.
+// Takes over SIGINT, SIGTERM and SIGHUP, and ignores SIGPIPE and SIGXFSZ, whose errors the writes
+// report. The first signal asks the bake to stop and leave no partial file. A second one ends the
+// process at once, and leaves no partial file either.
 void install_signal_handlers();
 
 // True once a signal has arrived.

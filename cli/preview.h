@@ -1,4 +1,5 @@
-// What `preview` was asked for, its files, and the watch of --watch.
+// This header describes what `preview` was asked for, writes its files, and watches files for
+// --watch.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@ namespace skybake::cli {
 
 namespace options {
 
-// E0001 for what is no number, has no unit or is out of range.
+// These report E0001 for a text that is not a number, has no unit or is out of range.
 config::Outcome<std::vector<double>> read_elevations(const std::string& text);
 config::Outcome<double> read_azimuth(const std::string& text);
 config::Outcome<double> read_exposure(const std::string& text);
@@ -43,7 +44,7 @@ inline const Option<int> draft{"draft", 0, "N", {}, read_draft};
 struct PreviewRequest {
     enum class Subject { recipe, folder, sweep, files };
     Subject subject = Subject::recipe;
-    std::vector<std::filesystem::path> paths;  // one, but of files
+    std::vector<std::filesystem::path> paths;  // one path, or several files
     std::filesystem::path output;
     bool force = false;
     bool report = false;
@@ -52,46 +53,50 @@ struct PreviewRequest {
     PreviewOptions options;
 };
 
-// A folder or a manifest.json is a folder; .exr, .vdb and .bin are files; anything else is a
-// recipe. E0001: what cannot go together, what is no number or out of range.
+// Reads what is asked for. A folder or a manifest.json is a folder; .exr, .vdb and .bin are files;
+// anything else is a recipe. E0001 is reported for arguments that cannot go together, are not a
+// number or are out of range.
 config::Outcome<PreviewRequest> preview_request(const Invocation& invocation);
 
-// Whether the folder may be written to, as far as one sees before the pictures are made: reported
-// where not. E0302, E0303.
+// Checks whether the folder may be written to, as far as this can be seen before the pictures are
+// made. Reports E0302 or E0303 if not.
 ExitCode check_output(const PreviewRequest& request, Console& console);
 
-// Writes all files at once, and says which in `paths`, the page last. Pictures of earlier previews
-// that are not made any more stay where they are. E0301, E0302, E0303.
+// Writes all files at once and puts their paths into `paths`, the page last. Pictures of earlier
+// previews that are not made any more stay where they are. Reports E0301, E0302 and E0303.
 ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console,
                        std::vector<std::string>& paths);
 
-// Makes a draft of the recipe's pictures and then the pictures at full quality, and again whenever
-// the recipe, an include or a map changes, until interrupted; a change ends what is being made.
-// While the recipe has mistakes its diagnostics are shown and the last good pictures stay. Returns
-// early where the recipe is missing at the start or the folder cannot be written to.
+// Makes a draft of the recipe's pictures and then the pictures at full quality. It does so again
+// whenever the recipe, an include or a map changes, until it is interrupted. A change stops the
+// work on the previous pictures. While the recipe has mistakes, its diagnostics are shown and the
+// last good pictures stay. It returns early if the recipe is missing at the start or the folder
+// cannot be written to.
 ExitCode watch_preview(const Invocation& invocation, const PreviewRequest& request,
                        Console& console);
 
-// Files that are looked at again and again, to see when one of them changes.
+// Looks at files again and again to see when one of them changes.
 class WatchedFiles {
   public:
-    // The files to look at from now on; they may be missing. Those that were among the ones before
-    // have changed if they did since wait() returned, new ones if they do after this call.
+    // Sets the files to look at from now on. They may be missing. Files that were followed before
+    // count as changed if they changed after wait() returned; new files, if they change after this
+    // call.
     void follow(const std::vector<std::filesystem::path>& paths);
 
-    // Waits until a file was written, replaced, made or removed, and then until all have been at
-    // rest for one look (editors write in several goes). True after a change, false once
-    // interrupted. Looks by name, so that editors may rename a new file over the old one, at the
-    // cost of one stat per file and look.
+    // Waits until a file was written, replaced, made or removed, and then until no file has changed
+    // between two looks, because editors write in several steps. Returns true after a change and
+    // false once interrupted. It looks files up by name, so that editors may rename a new file over
+    // the old one. Each look costs one stat per file.
     bool wait();
 
-    // Whether wait() would find a change at once. From any thread, while no other call is under
-    // way.
+    // Whether wait() would find a change at once. Any thread may call it while no other call is
+    // running.
     bool changed() const { return look() != seen_; }
 
   private:
     static constexpr std::chrono::milliseconds look_every{25};
-    // Time, size and identity of a file; equal texts, untouched file.
+    // The text holds the time, size and identity of a file. Equal texts mean that the file is
+    // untouched.
     using Signs = std::map<std::filesystem::path, std::string>;
     Signs look() const;
 

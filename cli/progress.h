@@ -1,4 +1,4 @@
-// How a bake, a preview or a report shows how far it is.
+// This header shows how far a bake, a preview or a report is.
 #pragma once
 
 #include <chrono>
@@ -15,20 +15,20 @@ namespace skybake::cli {
 
 class Console;
 
-// The line that says how far a long run is: rewritten in place on a terminal, a line of its own
-// every ten seconds elsewhere. It is told anew whether or not the work has got on, so that its
-// clock never stands still.
+// This is the line that says how far a long run is. On a terminal it is rewritten in place;
+// elsewhere a new line is written every ten seconds. It is rewritten even if the work has not
+// advanced, so that its clock never stands still.
 class ProgressLine {
   public:
-    // `text` is asked from another thread, until the line ends. Nothing is shown where the console
+    // `text` is called from another thread until the line ends. Nothing is shown if the console
     // shows no notes.
     ProgressLine(Console& console, std::function<std::string()> text);
-    // With another time between two lines.
+    // Uses another time between two lines.
     ProgressLine(Console& console, std::function<std::string()> text,
                  std::chrono::milliseconds every);
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
-    // Takes the line away from a terminal.
+    // Removes the line from a terminal.
     ~ProgressLine();
 
   private:
@@ -44,32 +44,33 @@ class ProgressLine {
     std::thread teller_;
 };
 
-// Where a piece of work stands.
+// This says how far a piece of work is.
 struct ProgressState {
-    int index = 0;  // of `count` pieces, from 1 on; 0: pieces are not counted
+    int index = 0;  // from 1 to `count`; 0 if pieces are not counted
     int count = 0;
     std::string_view what;  // "shape", "cumulus_humilis, pictures"
     std::string_view step;  // "voxels", "lighting, sun 20 deg"; empty before the first
     double fraction = 0;    // of the step
     double elapsed_s = 0;   // of the whole run
-    double left_s = -1;     // of the step; negative where it is not known yet
+    double left_s = -1;     // for the step; negative if not known yet
 };
 
-// "[3/12] cumulus_humilis, pictures: lighting, sun 20 deg  ####......  43 %  31 s, about 20 s left"
+// Returns the text of the line: "[3/12] cumulus_humilis, pictures: lighting, sun 20 deg ####......
+// 43 % 31 s, about 20 s left"
 std::string progress_text(const ProgressState& state);
 
-// How far a step is, and how long it may still take by how fast it has gone since it began. Times
-// are of the whole run.
+// Says how far a step is, and estimates from its speed since it began how long it may still take.
+// Times are seconds since the start of the whole run.
 class StepClock {
   public:
     StepClock(double fraction, double began_s)
         : first_fraction_(fraction), began_s_(began_s), fraction_(fraction), told_s_(began_s) {}
 
-    // False where the step has begun anew. Threads may tell of their shares out of order: a little
-    // less than before is no news.
+    // Returns false if the step has begun anew. Threads may report their shares out of order, so a
+    // fraction a little below the last one is ignored.
     bool advance(double fraction, double seconds);
     double fraction() const { return fraction_; }
-    // Negative where too little is known.
+    // Returns a negative number if too little is known.
     double seconds_left(double seconds) const;
 
   private:
@@ -79,10 +80,10 @@ class StepClock {
     double told_s_;
 };
 
-// The steps of a bake, a preview or a report on such a line.
+// Shows the steps of a bake, a preview or a report on a progress line.
 class BakeProgress : public StageProgress {
   public:
-    // `what` is made: the piece `index` of `count`; 0 of 0 where pieces are not counted.
+    // `what` is the piece of work, number `index` of `count`. Both are 0 if pieces are not counted.
     BakeProgress(std::string what, Console& console, int index = 0, int count = 0);
 
     void advance(std::string_view step, double fraction) override;
@@ -100,7 +101,7 @@ class BakeProgress : public StageProgress {
     std::string what_;
     std::string step_;
     StepClock clock_{0, 0};
-    ProgressLine line_;  // the last, so that it ends before what it asks
+    ProgressLine line_;  // the last member: it ends before the members that it reads
 };
 
 }  // namespace skybake::cli

@@ -1,4 +1,4 @@
-// The folder of a report, and the report of the sky.
+// This header checks and writes the folder of a report, and declares the report of the sky.
 #pragma once
 
 #include <cstdint>
@@ -23,17 +23,17 @@ inline const Option<bool> csv{"csv"};
 
 }  // namespace options
 
-// Whether files of these names may be written: asked before the minute that a report takes.
-// E0302; E0303 unless forced.
+// Checks whether files with these names may be written. It is called before the report, which takes
+// a minute. Reports E0302, and E0303 unless `force` is set.
 [[nodiscard]] std::vector<config::Diagnostic> check_report_folder(
     const std::filesystem::path& folder, const std::vector<std::string>& names, bool force);
 
-// All or none of them; their paths are notes.
+// Writes all files or none. Their paths are printed as notes.
 ExitCode write_report_files(const std::vector<ReportFile>& files,
                             const std::filesystem::path& folder, Console& console);
 
-// `report --truth`: the sky of a recipe by each method of multiple scattering, against path
-// tracing.
+// Runs `report --truth`, which compares the sky of a recipe by each method of multiple scattering
+// with path tracing.
 ExitCode report_truth(const Invocation& invocation, Console& console);
 
 }  // namespace skybake::cli

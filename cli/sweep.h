@@ -1,4 +1,5 @@
-// What a sweep tells, and the scripts that farms run.
+// This header declares the options of a sweep, what a sweep tells, and the scripts that run it on
+// farms.
 #pragma once
 
 #include <chrono>
@@ -39,8 +40,8 @@ inline const Option<int> tasks{"tasks", 0, "N", {}, read_tasks};
 
 }  // namespace options
 
-// Tells people, or with --json programs, how a sweep goes: on a terminal one line that is
-// rewritten, elsewhere a line for each variant that was made and one every ten seconds.
+// Tells people, or programs with --json, how a sweep goes. On a terminal one line is rewritten.
+// Elsewhere there is a line for each variant that was made, and one every ten seconds.
 class SweepReporter : public SweepObserver {
   public:
     SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json);
@@ -50,10 +51,10 @@ class SweepReporter : public SweepObserver {
     void waits(const VariantResult& variant) override;
     void finished(const VariantResult& variant, bool made, double seconds) override;
 
-    // Takes the line away.
+    // Removes the line.
     void finish();
 
-    // How many were made anew.
+    // Returns how many variants were made in this run.
     int made() const { return made_; }
 
   private:
@@ -65,7 +66,7 @@ class SweepReporter : public SweepObserver {
     Console& console_;
     bool json_;
     std::chrono::steady_clock::time_point start_;
-    mutable std::mutex mutex_;  // of what follows
+    mutable std::mutex mutex_;  // protects the members below
     std::size_t finished_ = 0;
     int made_ = 0;
     int failed_ = 0;
@@ -73,58 +74,62 @@ class SweepReporter : public SweepObserver {
     std::optional<ProgressLine> line_;
 };
 
-// "12 variants, 6 in this shard, 2 up to date; 4 share shape (baked once)".
+// Returns a summary of the plan: "12 variants, 6 in this shard, 2 up to date; 4 share shape (baked
+// once)".
 std::string plan_note(const SweepJob& job, const std::vector<PlannedVariant>& plan);
 
-// "2 folders are no longer in the sweep; kept: 0004_seed=5, 0005_seed=6"; empty for none.
+// Returns a note on folders of earlier sweeps: "2 folders are no longer in the sweep; kept:
+// 0004_seed=5, 0005_seed=6". It is empty if there are none.
 std::string earlier_note(const std::vector<std::string>& folders);
 
-// One row per variant: its name, and why it is to be baked.
+// Returns a table with one row per variant: its name, and why it is to be baked.
 std::string plan_table(const std::vector<PlannedVariant>& plan);
 
-// Events of --json; event_schema.json describes them.
+// These are the events of --json, which event_schema.json describes.
 std::string sweep_event(const SweepJob& job, const std::vector<PlannedVariant>& plan);
 std::string planned_variant_events(const SweepJob& job, const std::vector<PlannedVariant>& plan);
 std::string swept_event(const std::vector<VariantResult>& results, int made, double seconds);
 
-// "2 of 12 variants failed" and so on: E0406. None if all are done.
+// Returns E0406, such as "2 of 12 variants failed", or nothing if all are done.
 [[nodiscard]] std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results);
 
 // --- Scripts for farms --------------------------------------------------------------------------
 
-// A script hands a sweep to an engine that a farm has already. Its tasks are shards of the sweep: a
-// task that is run again, after a node has died, does no harm.
+// A script hands a sweep to an engine that a farm already has. Its tasks are shards of the sweep. A
+// task may safely be run again, for example after a node has died.
 struct SweepScript {
     std::vector<std::string> words;  // of the command without --shard and --merge
     std::string folder;              // of the sweep
     int variants = 0;
     int tasks = 0;
-    int threads = 1;                            // of a task
+    int threads = 1;                            // threads per task
     std::vector<std::filesystem::path> inputs;  // what the variants are made from
-    std::vector<std::string> names;             // of all variants' folders; inputs and names are
-                                                // for ninja_file alone
+    std::vector<std::string> names;             // of all variants' folders; both are
+                                                // only for ninja_file
 };
 
-// A word that a POSIX shell reads back as it is.
+// Quotes a word so that a POSIX shell reads it back unchanged.
 std::string shell_word(std::string_view text);
 
-// The command of one task, or of the merge that ends the sweep, for a shell.
+// These return the shell command of one task, and of the merge that ends the sweep.
 std::string task_command(const SweepScript& script, std::string_view task);
 std::string merge_command(const SweepScript& script);
 
-// One task per line, without the merge: commands of a shell, quoted so that `sh`, GNU parallel and
-// `xargs -d '\n' -I{} sh -c '{}'` run them from any folder.
+// Returns one task per line, without the merge. The lines are shell commands, quoted so that `sh`,
+// GNU parallel and `xargs -d '\n' -I{} sh -c '{}'` run them from any folder.
 std::string command_lines(const SweepScript& script);
 
-// A shell script that submits an array job and, after it, the merge. Its arguments go to sbatch.
+// Returns a shell script that submits an array job and, after it, the merge. The arguments of the
+// script go to sbatch.
 std::string slurm_script(const SweepScript& script);
 
-// A build.ninja: a stamp in each variant's folder, and the index files. A task with variants that
-// fail leaves their stamps as they are, so that it is run again, and lets the merge run, which
-// fails in its place.
+// Returns a build.ninja that makes a stamp in each variant's folder, and the index files. A task
+// with variants that fail leaves their stamps unchanged, so that it is run again. It lets the merge
+// run, and the merge fails in its place.
 std::string ninja_file(const SweepScript& script);
 
-// Prints the script that --emit asks for. E0001 for --tasks and for values that no line can hold.
+// Prints the script that --emit asks for. Reports E0001 for --tasks and for values that no line can
+// hold.
 ExitCode emit_script(const Invocation& invocation, const SweepJob& job, Console& console);
 
 }  // namespace skybake::cli

@@ -19,7 +19,7 @@ namespace skybake::config {
 struct Recipe {
     Parameters parameters;
     std::vector<ResolvedValue> values;          // in the order of the field tables, layers by name
-    std::vector<std::filesystem::path> inputs;  // recipe, includes and maps, for dependency files
+    std::vector<std::filesystem::path> inputs;  // recipe, includes, maps: for dependency files
     Sweep sweep;                                // what [sweep] varies
     std::vector<ResolvedValue> sweep_values;    // the values of [sweep], for `show`
 };
