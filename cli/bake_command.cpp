@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 using config::Outcome;
 
-// What stands between the command line and a bake.
+// Translates the options of the command line into a bake.
 FolderBake folder_bake(const Invocation& invocation, const BakeSelection& selection) {
     FolderBake bake;
     bake.recipe = &selection.recipe;

@@ -58,7 +58,7 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
     return event;
 }
 
-// Relative to the folder, as the manifest has them.
+// Returns the paths relative to the folder, as the manifest spells them.
 Json paths_of(const std::vector<RetiredFile>& files) {
     Json paths = Json::array();
     for (const RetiredFile& file : files) paths.push_back(file.path);
@@ -77,7 +77,7 @@ std::string channels_text(const ManifestAsset& asset) {
     return text;
 }
 
-// What the first row of an asset says.
+// Returns the cells of the first row of an asset.
 std::vector<std::string> first_row(const FinishedAsset& finished) {
     const ManifestAsset& asset = finished.entry;
     const ManifestFile& file = asset.files.front();
@@ -94,17 +94,17 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
                 : "not measured"};
 }
 
-// Further files of a volume: another format or level of detail.
+// Returns the cells of a further file of a volume, which has another format or level of detail.
 std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestFile& file) {
     return {"", file.level == 0 ? "" : extent_text(size_of(asset, file)), "", file.path,
             std::string(to_string(file.pixel_type))};
 }
 
-// The table of what was made; empty where all was up to date.
+// Returns the table of what was made. It is empty if all was up to date.
 std::string assets_text(const BakedFolder& baked, int columns) {
     TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
                      Align::right, Align::right, Align::left});
-    // Those that a narrow terminal does without: write, certify, pixel type, channels.
+    // A narrow terminal does not show these columns: write, certify, pixel type, channels.
     constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
     constexpr std::array<std::size_t, 2> names = {0, 3};
     table.add_row(
@@ -155,7 +155,7 @@ std::string retired_text(const BakedFolder& baked, bool prune) {
     return text;
 }
 
-// What a bake with --prune would do with files of earlier recipes.
+// Says what a bake with --prune would do with files of earlier recipes.
 std::string planned_retired_text(const FolderPlan& plan) {
     std::string text;
     for (const RetiredFile& file : plan.retired) {
@@ -170,7 +170,7 @@ std::string planned_retired_text(const FolderPlan& plan) {
     return text;
 }
 
-// "2 assets (1 up to date) (1 from the cache)"
+// Returns "2 assets (1 up to date) (1 from the cache)".
 std::string count_text(const BakedFolder& baked) {
     const auto count_of = [&baked](AssetState state) {
         return std::count_if(baked.assets.begin(), baked.assets.end(),

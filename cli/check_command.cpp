@@ -1,4 +1,4 @@
-// skybake check: all errors of a recipe, nothing baked.
+// skybake check: reports all errors of a recipe and bakes nothing.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -21,8 +21,8 @@ std::string count(std::size_t number, std::string_view what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
-// "3 layers, 1 noise, 1 cloud, 2 assets to bake": layers, noises and clouds where the recipe is
-// about them.
+// Returns "3 layers, 1 noise, 1 cloud, 2 assets to bake". Layers, noises and clouds are named only
+// if the recipe is about them.
 std::string contents(const config::Parameters& parameters) {
     std::string text;
     const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;

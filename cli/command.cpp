@@ -15,7 +15,7 @@
 
 namespace skybake::cli {
 
-// The one table of commands, and a run of the program.
+// This file holds the one table of commands, and runs the program.
 
 // --- What is given ------------------------------------------------------------------------------
 
@@ -36,7 +36,7 @@ const Invocation::Entry& Invocation::entry(std::string_view name) const {
 
 // --- Tables -------------------------------------------------------------------------------------
 
-// Each is defined in NAME_command.cpp.
+// Each of these is defined in NAME_command.cpp.
 Command init_command();
 Command check_command();
 Command show_command();
@@ -78,8 +78,8 @@ const std::vector<OptionRow>& global_options() {
 
 namespace {
 
-// Global options that could not be understood show themselves in the default way; but a program
-// that asks for JSON is to read of every mistake.
+// Returns the display that the global options ask for. A global option that could not be understood
+// has its default. But a program that asks for JSON gets every mistake as JSON.
 Display display_of(const CommandLine& line, std::span<const std::string> words, bool terminal,
                    const ColorEnvironment& environment) {
     const Invocation& invocation = line.invocation;

@@ -32,7 +32,7 @@ int columns_of_terminal(int descriptor) {
 std::atomic<bool> signal_arrived{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// Does only what is allowed in a handler: an atomic, unlink, _exit.
+// The handler only does what is allowed in one: it uses an atomic, unlink and _exit.
 void on_signal(int) {
     if (!signal_arrived.exchange(true)) return;
     unlink_current_temporaries();
@@ -141,8 +141,9 @@ void install_signal_handlers() {
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-        // Under nohup a lost terminal stays ignored. Ctrl-C does not, though shells ignore it for
-        // what scripts start in the background: whoever sends it means it.
+        // Under nohup the loss of the terminal (SIGHUP) stays ignored. Ctrl-C (SIGINT) is handled
+        // even where it was ignored. Shells ignore it for commands that a script starts in the
+        // background, but whoever sends it wants the program to stop.
         struct sigaction old {};
         const bool ignored = ::sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN;
         if (number == SIGHUP && ignored) continue;

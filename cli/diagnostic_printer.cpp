@@ -18,7 +18,7 @@ using config::Severity;
 
 // --- Words that the formats share ---------------------------------------------------------------
 
-// "earth.toml:14:1", as far as it is known.
+// Returns a place as far as it is known, such as "earth.toml:14:1".
 std::string place(const config::SourceRange& where) {
     if (where.line == 0) return where.source;
     if (where.column == 0) return fmt::format("{}:{}", where.source, where.line);
@@ -31,20 +31,21 @@ std::string counted(std::size_t count, std::string_view noun) {
 
 // --- For people ---------------------------------------------------------------------------------
 
-// ANSI colours, or nothing.
+// These are ANSI colours, or empty texts.
 struct Palette {
     std::string_view error, warning, gutter, bold, off;
 };
 constexpr Palette plain;
 constexpr Palette colored = {"\x1b[1;31m", "\x1b[1;33m", "\x1b[1;34m", "\x1b[1m", "\x1b[0m"};
 
-// One sign of a line as it is shown, and its columns.
+// This is one character of a line as it is shown, and the columns that it takes.
 struct Cell {
     std::string_view text;
     int width;
 };
 
-// The line sign by sign: tabs as spaces, what a terminal would obey rather than show as U+FFFD.
+// Splits a line into characters. Tabs become spaces, and characters that would control the terminal
+// become U+FFFD.
 std::vector<Cell> cells_of(std::string_view line) {
     constexpr std::string_view tab = "    ";
     constexpr std::string_view not_shown = "\xEF\xBF\xBD";
@@ -64,14 +65,14 @@ std::vector<Cell> cells_of(std::string_view line) {
     return cells;
 }
 
-// A piece of a line with a range to underline, both ready to print.
+// This is a piece of a line with a range to underline, both ready to print.
 struct Excerpt {
     std::string text;
     int indent = 0;     // columns before the range
     int underline = 0;  // columns of the range, at least 1
 };
 
-// Crops a long line to a window that shows where the range begins.
+// Crops a long line to a window that shows the beginning of the range.
 Excerpt excerpt(const config::SourceRange& where) {
     constexpr int window = 100;
     constexpr int before = 30;  // columns kept before the range
@@ -102,7 +103,7 @@ Excerpt excerpt(const config::SourceRange& where) {
     }
     if (i < cells.size()) result.text += "…";
     if (range_begin >= cells.size())
-        result.indent = columns;  // behind the line: something is missing
+        result.indent = columns;  // past the end: something is missing there
     result.underline = std::max(result.underline, 1);
     return result;
 }
@@ -140,7 +141,7 @@ std::string human_one(const Diagnostic& diagnostic, const Palette& palette) {
     return text;
 }
 
-// "3 errors, 1 warning"
+// Returns "3 errors, 1 warning".
 std::string count_line(std::span<const Diagnostic> diagnostics) {
     const auto errors = static_cast<std::size_t>(std::count_if(
         diagnostics.begin(), diagnostics.end(),
@@ -154,7 +155,7 @@ std::string count_line(std::span<const Diagnostic> diagnostics) {
 std::string print_human(std::span<const Diagnostic> diagnostics, const Palette& palette) {
     std::string text;
     for (const Diagnostic& diagnostic : diagnostics) text += human_one(diagnostic, palette);
-    // A single complaint about the command line needs no count.
+    // A single diagnostic about the command line needs no count.
     const bool alone = diagnostics.size() == 1 && diagnostics[0].where.source.empty();
     return diagnostics.empty() || alone ? text : text + count_line(diagnostics);
 }
@@ -175,8 +176,8 @@ std::string print_short(std::span<const Diagnostic> diagnostics) {
 
 // --- GitHub -------------------------------------------------------------------------------------
 
-// docs.github.com, "Workflow commands for GitHub Actions": % and line ends are escaped, in
-// properties also the signs that end them.
+// Escapes % and line ends, and in properties also the characters that end a property
+// (docs.github.com, "Workflow commands for GitHub Actions").
 std::string github_escaped(std::string_view text, bool property) {
     std::string result;
     for (const char sign : text) {
@@ -191,7 +192,8 @@ std::string github_escaped(std::string_view text, bool property) {
     return result;
 }
 
-// The properties that place an annotation in a file; what is no file has none.
+// Returns the properties that place an annotation in a file, or nothing if the source is not a
+// file.
 std::string github_place(const config::SourceRange& where) {
     if (!is_file(where.source)) return "";
     std::string text = fmt::format("file={},", github_escaped(where.source, true));

@@ -1,4 +1,4 @@
-// skybake diff: how far two baked files or folders are apart.
+// skybake diff: says how far two baked files or folders are apart.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace skybake::cli {
 namespace options {
 
-// A number of at least 0.
+// Reads a number that is at least 0.
 config::Outcome<double> read_tolerance(const std::string& text) {
     double number = 0;
     const char* const end = text.data() + text.size();
@@ -37,10 +37,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two files of one name, or one that has no counterpart.
+// These are two files with the same name, or one file without a counterpart.
 struct FileDifference {
     std::string name;
-    std::string only_in;  // the folder that alone has it, or empty
+    std::string only_in;  // the only folder that has it; empty if both have it
     ImageDifference image;
 };
 
@@ -83,7 +83,7 @@ void compare_images(const fs::path& first, const fs::path& second, Comparison& c
     comparison.files.push_back({second.filename().string(), "", std::move(*difference.value)});
 }
 
-// Files whose values are not looked into: equal is what has the same bytes.
+// Compares files whose values are not read. They are equal if they have the same bytes.
 void compare_bytes(const fs::path& first, const fs::path& second, Comparison& comparison) {
     const auto a = fingerprint(first);
     const auto b = fingerprint(second);
@@ -101,8 +101,8 @@ void compare_bytes(const fs::path& first, const fs::path& second, Comparison& co
 
 bool is_image(const fs::path& path) { return path.extension() == ".exr"; }
 
-// A volume in another format than EXR, or what stands beside one. Not the manifest, which says of
-// each file what it was made of and how long that took.
+// Whether the file is a volume in a format other than EXR, or a file that stands beside a volume.
+// The manifest does not count: it says how each file was made and how long that took.
 bool is_other_volume(const fs::path& path) {
     if (path.extension() == ".json") return path.filename() != "manifest.json";
     return !is_image(path) && path.has_extension() &&
@@ -170,13 +170,13 @@ Comparison compare(const fs::path& first, const fs::path& second) {
 
 // --- Showing ------------------------------------------------------------------------------------
 
-// The nearest position at or before this one where no sign of UTF-8 is cut.
+// Returns the nearest position at or before this one that does not cut a UTF-8 character.
 std::size_t sign_begin(const std::string& text, std::size_t position) {
     while (position > 0 && position < text.size() && (text[position] & 0xC0) == 0x80) --position;
     return position;
 }
 
-// The line of a text around a position, cut where it is long.
+// Returns the line of a text around a position, cut if it is long.
 std::string line_around(const std::string& text, std::size_t position) {
     constexpr std::size_t longest = 60;
     constexpr std::size_t before = 20;
@@ -191,7 +191,7 @@ std::string line_around(const std::string& text, std::size_t position) {
                        end < line.size() ? "..." : "");
 }
 
-// Metadata may hold pages of text: shows both where they first differ.
+// Shows both texts where they first differ, because metadata may hold pages of text.
 std::string difference_text(const AttributeDifference& entry) {
     if (!entry.first) return "only in the second";
     if (!entry.second) return "only in the first";

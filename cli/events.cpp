@@ -20,7 +20,7 @@ std::string_view severity_word(const config::Diagnostic& diagnostic) {
     return diagnostic.severity == config::Severity::error ? "error" : "warning";
 }
 
-// RFC 3986: everything but unreserved signs and the slashes between folders is escaped.
+// Escapes everything except unreserved characters and the slashes between folders (RFC 3986).
 std::string file_uri(std::string_view path) {
     std::string uri;
     for (const char sign : path) {
@@ -63,7 +63,7 @@ Json sarif_result(const config::Diagnostic& diagnostic) {
     return result;
 }
 
-// The codes that occur, each once, in order.
+// Returns the codes that occur, each once, in order.
 Json sarif_rules(std::span<const config::Diagnostic> diagnostics) {
     std::vector<std::string> codes;
     for (const config::Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
@@ -149,7 +149,7 @@ std::string print_sarif(std::span<const config::Diagnostic> diagnostics) {
     const Json document = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                            {"version", "2.1.0"},
                            {"runs", std::move(runs)}};
-    // Sources may hold anything: bytes that are not UTF-8 become U+FFFD.
+    // Sources may hold any bytes. Those that are not UTF-8 become U+FFFD.
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

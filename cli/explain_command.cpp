@@ -1,4 +1,4 @@
-// skybake explain: what a key or a diagnostic code means.
+// skybake explain: says what a key or a diagnostic code means.
 #include <fmt/format.h>
 
 #include <array>
@@ -26,7 +26,7 @@ config::Diagnostic unknown_name(const std::string& name) {
         fmt::format("`{}` is neither a key nor a diagnostic code", config::shorten(name)), label);
 }
 
-// Without a name, that of all keys.
+// Returns the explanation of a name, or of all keys if the name is empty.
 std::optional<std::string> explanation_of(const std::string& name) {
     return name.empty() ? config::explain_all_keys() : config::explain(name);
 }

@@ -1,4 +1,4 @@
-// skybake help: the help of the program or of a command.
+// skybake help: shows the help of the program or of a command.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -35,7 +35,7 @@ constexpr std::array<ExitCodeWords, 7> exit_code_words = {{
     {ExitCode::interrupted, "interrupted"},
 }};
 
-// "-o, --output FOLDER"; long names are aligned whether there is a short one or not.
+// Returns "-o, --output FOLDER". Long names are aligned even if there is no short one.
 std::string option_text(const OptionRow& option) {
     const std::string short_name =
         option.short_name != 0 ? fmt::format("-{}, ", option.short_name) : "    ";

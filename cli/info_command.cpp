@@ -1,4 +1,4 @@
-// skybake info: what a baked file or folder says of itself.
+// skybake info: shows what a baked file or folder says of itself.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -37,14 +37,14 @@ using Json = nlohmann::ordered_json;
 
 // --- One image ----------------------------------------------------------------------------------
 
-// Of the finite values of a channel.
+// This is the range of the finite values of a channel.
 struct ValueRange {
     double smallest = std::numeric_limits<double>::infinity();
     double largest = -std::numeric_limits<double>::infinity();
     long not_finite = 0;
 };
 
-// One range per channel; reads the file row by row.
+// Returns one range per channel. It reads the file row by row.
 config::Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
     const std::size_t channels = image.channel_names().size();
     std::vector<ValueRange> ranges(channels);
@@ -96,7 +96,7 @@ std::string image_json(const std::string& path, const ExrRows& image,
                        {"attributes", attributes_json(image.attributes())}});
 }
 
-// Texts of several lines stand below their name, the others beside it.
+// Lays out facts. A text of several lines stands below its name, any other beside it.
 std::string lines_text(const FactLines& lines) {
     TextTable short_ones;
     std::string long_ones;
@@ -114,7 +114,8 @@ std::string lines_text(const FactLines& lines) {
     return short_ones.text() + long_ones;
 }
 
-// What the file says of itself; the attributes of a file of another program as they are.
+// Shows what the file says of itself. Attributes of a file from another program are shown
+// unchanged.
 std::string attribute_text(const Attributes& attributes) {
     FactLines lines;
     for (const auto& [name, text] : attributes) {
@@ -154,7 +155,7 @@ ExitCode show_image(const fs::path& path, bool json, Console& console) {
 
 // --- One OpenVDB file ---------------------------------------------------------------------------
 
-// "512 x 512 x 64" of the active voxels.
+// Returns the size of the box of active voxels: "512 x 512 x 64".
 std::string active_extent(const VdbGrid& grid) {
     std::array<std::int64_t, 3> size{};
     for (std::size_t i = 0; i < 3; ++i) size[i] = grid.last_active[i] - grid.first_active[i] + 1;
@@ -235,8 +236,8 @@ std::string error_text(const std::optional<Certificate>& error) {
     return fmt::format("{:.1e} / {:.1e}", error->lookup.max, error->lookup.rms);
 }
 
-// "680, 550, 440 nm" of the first asset that has them, or nothing where the recipe has only noises:
-// all assets of a recipe have the same.
+// Returns the wavelengths of the first asset that has them, such as "680, 550, 440 nm", or nothing
+// if the recipe only has noises. All assets of a recipe have the same wavelengths.
 std::string wavelengths_text(const Manifest& manifest) {
     for (const ManifestAsset& asset : manifest.assets) {
         const std::vector<double>& wavelengths = asset.conventions.wavelengths_nm;
@@ -246,7 +247,7 @@ std::string wavelengths_text(const Manifest& manifest) {
     return "";
 }
 
-// "missing" where the manifest lists a file that is not there.
+// Returns the size of a file, or "missing" if the manifest lists a file that does not exist.
 std::string bytes_text(const fs::path& file, std::uint64_t bytes) {
     std::error_code error;
     return fs::exists(file, error) ? fmt::format("{}", bytes) : "missing";

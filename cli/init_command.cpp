@@ -1,4 +1,4 @@
-// skybake init: a commented recipe to start from.
+// skybake init: writes a commented recipe to start from.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -36,7 +36,7 @@ using Json = nlohmann::ordered_json;
 // --- Kinds of presets ---------------------------------------------------------------------------
 
 struct PresetKind {
-    std::string_view name;    // "clouds": what comes before the dot of "clouds.thesis"
+    std::string_view name;    // "clouds": the part before the dot of "clouds.thesis"
     std::string_view plural;  // "clouds", for lists
     std::string_view use;     // how a recipe names such a preset
     std::span<const config::Preset> (*all)();
@@ -46,12 +46,12 @@ struct KnownPreset {
     const PresetKind* kind = nullptr;
     const config::Preset* preset = nullptr;
 
-    // "clouds.thesis"
+    // Returns the full name: "clouds.thesis".
     std::string full_name() const { return fmt::format("{}.{}", kind->name, preset->name); }
     std::string recipe() const { return kind->recipe(*preset); }
 };
 
-// In the order in which `init` lists them.
+// The kinds stand in the order in which `init` lists them.
 constexpr std::array<PresetKind, 5> kinds = {{
     {"atmosphere", "atmospheres", "preset = \"NAME\" at the top of a recipe",
      [] { return config::presets(); }, config::init_text},
@@ -87,7 +87,7 @@ std::string nearest_preset(const std::string& name) {
     return config::did_you_mean(name, names);
 }
 
-// What someone may have meant by a name that no preset has.
+// Suggests what the user may have meant by a name that no preset has.
 std::string preset_hint(const std::string& name) {
     for (const PresetKind& kind : kinds) {
         const bool is_kind = name == kind.name || name == kind.plural;
@@ -103,8 +103,8 @@ std::string preset_hint(const std::string& name) {
     return "`skybake init --list` lists the presets of each kind";
 }
 
-// Presets of that name that `init` can write: none, one, or one of each kind ("thesis"). A full
-// name, "clouds.thesis", fits one.
+// Returns the presets of that name that `init` can write: none, one, or one of each kind
+// ("thesis"). A full name such as "clouds.thesis" fits one preset.
 std::vector<KnownPreset> presets_for_init(std::string_view name) {
     std::vector<KnownPreset> found;
     for (const PresetKind& kind : kinds) {
@@ -119,15 +119,16 @@ std::vector<KnownPreset> presets_for_init(std::string_view name) {
     return found;
 }
 
-// The command that writes a recipe from the first of them: `name`, where it fits just that one, or
-// its full name.
+// Returns the command that writes a recipe from the first of the presets. It uses `name` if that
+// fits just this preset, else the preset's full name.
 std::string init_command_of(std::span<const KnownPreset> presets, std::string_view name) {
     const KnownPreset& first = presets.front();
     return fmt::format("skybake init {}.toml --preset {}", first.preset->name,
                        presets.size() == 1 ? std::string(name) : first.full_name());
 }
 
-// E0115: there is no such preset, or it is one of a layer. The label names those that are meant.
+// Returns E0115: there is no such preset, or it is a preset of a layer. The label suggests presets
+// that may be meant.
 config::Diagnostic unknown_preset(const std::string& name) {
     const bool of_layer = config::find_preset(config::layer_presets(), name) != nullptr;
     config::Diagnostic diagnostic =
@@ -140,7 +141,7 @@ config::Diagnostic unknown_preset(const std::string& name) {
     return diagnostic;
 }
 
-// "noise.thesis or clouds.thesis".
+// Returns "noise.thesis or clouds.thesis".
 std::string full_names(std::span<const KnownPreset> presets) {
     std::vector<std::string> names;
     for (const KnownPreset& preset : presets) names.push_back(preset.full_name());
@@ -180,7 +181,7 @@ std::string preset_list_event() {
     return event_line({{"event", "presets"}, {"presets", std::move(presets)}});
 }
 
-// The one preset that a name means. E0115: there is none, or there are several.
+// Returns the one preset that a name means. Reports E0115 if there is none or there are several.
 config::Outcome<KnownPreset> preset_of(const std::string& name) {
     const auto presets = presets_for_init(name);
     if (presets.size() == 1) return {presets.front(), {}};

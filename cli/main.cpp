@@ -1,4 +1,4 @@
-// The only place that ends the process.
+// This file starts the program, and is the only place that ends the process.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -14,8 +14,9 @@
 
 namespace {
 
-// A process that starts with a closed stdout would get its number for the first file that it opens,
-// and print into it. Opened for reading only, writing to it fails as it should.
+// Opens those of the standard descriptors that are closed. A process that starts with a closed
+// stdout would get the number of stdout for the first file that it opens, and print into that file.
+// The descriptors are opened for reading only, so that writing to them fails as it should.
 void occupy_standard_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(descriptor, F_GETFD) == -1) ::open("/dev/null", O_RDONLY);

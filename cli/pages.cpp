@@ -1,5 +1,5 @@
-// Man pages and shell completions, made from the tables of commands and options. They hold no date,
-// so that equal programs have equal pages.
+// This file makes man pages and shell completions from the tables of commands and options. They
+// hold no date, so that equal programs have equal pages.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +9,7 @@
 namespace skybake::cli {
 namespace {
 
-// A text with each of some signs replaced.
+// Returns a text in which each of the given characters is replaced.
 std::string replaced(std::string_view text,
                      std::initializer_list<std::pair<char, std::string_view>> signs) {
     std::string result;
@@ -25,15 +25,15 @@ std::string replaced(std::string_view text,
 
 // --- Man pages ----------------------------------------------------------------------------------
 
-// Text of a roff source. No line of it begins with a full stop or an apostrophe: those are
-// requests.
+// Returns text for a roff source. None of its lines begins with a full stop or an apostrophe, which
+// would make the line a request.
 std::string roff(std::string_view text) {
     const bool request = text.starts_with('.') || text.starts_with('\'');
     return (request ? "\\&" : "") +
            replaced(text, {{'\\', "\\e"}, {'-', "\\-"}, {'\'', "\\(aq"}, {'`', "\\(ga"}});
 }
 
-// A paragraph with a term and what it means.
+// Returns a paragraph with a term and its meaning.
 std::string term(const std::string& markup, std::string_view text) {
     return fmt::format(".TP\n{}\n{}\n", markup, roff(text));
 }
@@ -83,7 +83,8 @@ std::string synopsis(const Command& command) {
 
 // --- Completions --------------------------------------------------------------------------------
 
-// "-o --output": what a shell completes, and what may stand before a value.
+// Returns the spellings of an option, "-o" and "--output". A shell completes them, and they may
+// stand before a value.
 std::vector<std::string> spellings(const OptionRow& option) {
     std::vector<std::string> words;
     if (option.short_name != 0) words.push_back(fmt::format("-{}", option.short_name));
@@ -93,7 +94,8 @@ std::vector<std::string> spellings(const OptionRow& option) {
 
 bool is_folder(const OptionRow& option) { return option.is_path && option.value == "FOLDER"; }
 
-// The names of an argument that shells complete; of `help` those of the commands.
+// Returns the names that shells complete for an argument. For `help` these are the names of the
+// commands.
 std::vector<std::string_view> argument_choices(const Command& command,
                                                std::span<const Command> commands) {
     std::vector<std::string_view> choices;
@@ -105,7 +107,8 @@ std::vector<std::string_view> argument_choices(const Command& command,
     return choices;
 }
 
-// Cases of `COMMAND:OPTION`, the word before the cursor, that say what stands there.
+// Returns the cases `COMMAND:OPTION`, where OPTION is the word before the cursor, that complete the
+// option's value.
 std::string bash_values(std::string_view command, std::span<const OptionRow> options) {
     std::string text;
     for (const OptionRow& option : options) {
@@ -182,7 +185,7 @@ std::string bash_completion(std::span<const Command> commands, std::span<const O
         bash_words(globals), options, fmt::join(names, " "), arguments);
 }
 
-// Between single quotes of a shell.
+// Puts a text between the single quotes of a shell.
 std::string shell_quoted(std::string_view text) {
     return fmt::format("'{}'", replaced(text, {{'\'', "'\\''"}}));
 }
@@ -243,7 +246,7 @@ std::string zsh_completion(std::span<const Command> commands, std::span<const Op
         described, zsh_specs(globals), cases);
 }
 
-// `where` is what must hold on the command line, or empty.
+// Returns the fish lines of options. `where` is a condition on the command line, or empty.
 std::string fish_options(const std::string& where, std::span<const OptionRow> options) {
     std::string text;
     for (const OptionRow& option : options) {

@@ -1,5 +1,5 @@
-// The one translation unit that knows CLI11. It sorts words into options and arguments; what is
-// allowed stands in the tables, and the words for errors are ours.
+// This is the only file that knows CLI11. The library sorts words into options and arguments. The
+// tables say what is allowed, and the texts of errors are written here.
 #include "cli/command.h"
 
 #include <fmt/format.h>
@@ -31,7 +31,8 @@ bool has_letter(std::span<const OptionRow> options, char letter) {
                        [letter](const OptionRow& option) { return option.short_name == letter; });
 }
 
-// Whether a word that begins like an option is one of these: "--name", "--name=value", "-n", "-nm".
+// Whether a word that begins like an option is one of these options. It may be spelt "--name",
+// "--name=value", "-n" or "-nm".
 bool is_option_of(std::string_view word, std::span<const OptionRow> options) {
     if (!word.starts_with("--")) {
         word.remove_prefix(1);
@@ -42,8 +43,8 @@ bool is_option_of(std::string_view word, std::span<const OptionRow> options) {
     return word.empty() || find_option(options, word.substr(0, word.find('='))) != nullptr;
 }
 
-// The first option before the command that is not a global one. (No value of a global option begins
-// with a dash.)
+// Returns the first option before the command that is not a global one. No value of a global option
+// begins with a dash.
 std::optional<std::string> first_stray(std::span<const std::string> before,
                                        std::span<const OptionRow> globals) {
     for (const std::string& word : before) {
@@ -52,8 +53,8 @@ std::optional<std::string> first_stray(std::span<const std::string> before,
     return std::nullopt;
 }
 
-// The position of the command among the words: the first that is neither an option nor the value of
-// a global one.
+// Returns the position of the command among the words: the first word that is neither an option nor
+// the value of a global option.
 std::size_t command_position(std::span<const std::string> words,
                              std::span<const OptionRow> globals) {
     std::size_t i = 0;
@@ -65,10 +66,11 @@ std::size_t command_position(std::span<const std::string> words,
     return std::min(i, words.size());
 }
 
-// `--name`, for messages.
+// Returns `--name` in backticks, for messages.
 std::string dashed(std::string_view name) { return fmt::format("`--{}`", name); }
 
-// The option of a command that a word before the command's name may mean, as help writes it.
+// Returns the option of a command that a word before the command's name may mean, as help writes
+// it.
 std::string misplaced_option(std::string_view word, const Command& command) {
     for (const OptionRow& option : command.options) {
         const bool by_letter = !word.starts_with("--") && option.short_name == word[1];
@@ -93,8 +95,8 @@ config::Diagnostic unknown_option(const std::string& word, std::span<const Optio
     return usage_error(fmt::format("unknown option `{}`", shown), std::move(hint));
 }
 
-// The command that an option before all commands was meant for: one that is named among the words,
-// else the first that has the option; null where none has it.
+// Returns the command that an option before all commands was meant for: the command that the words
+// name, else the first one that has the option. Returns null if no command has it.
 const Command* command_of_option(const std::string& option, std::span<const std::string> words,
                                  std::span<const Command> commands) {
     const Command* first = nullptr;
@@ -106,7 +108,8 @@ const Command* command_of_option(const std::string& option, std::span<const std:
     return first;
 }
 
-// An option before the command that is no global one: an option of commands, or of none.
+// Reports an option before the command that is not a global one: it belongs to commands, or does
+// not exist.
 config::Diagnostic stray_option(const std::string& option, std::span<const std::string> words,
                                 std::span<const Command> commands,
                                 std::span<const OptionRow> globals) {
@@ -134,8 +137,8 @@ config::Diagnostic missing_value(const OptionRow& option) {
         fmt::format("{} needs a value: --{} {}", dashed(option.name), option.name, option.value));
 }
 
-// The library names the option at fault at the head of its message: "--output: 1 required ...",
-// "json was given a disallowed flag override".
+// Turns an error of the library into a diagnostic. The library names the option at fault at the
+// head of its message: "--output: 1 required ...", "json was given a disallowed flag override".
 config::Diagnostic malformed(const CLI::ParseError& error, std::span<const OptionRow> options) {
     std::string_view text = error.what();
     if (text.starts_with("--")) text.remove_prefix(2);
@@ -148,7 +151,7 @@ config::Diagnostic malformed(const CLI::ParseError& error, std::span<const Optio
     return usage_error("the options cannot be parsed");
 }
 
-// Where the library puts what it finds.
+// The library puts what it finds here.
 struct Found {
     std::vector<std::vector<std::string>> values;  // per option
     std::vector<std::string> arguments;
@@ -182,7 +185,8 @@ Found sort_words(std::vector<std::string> words, std::span<const OptionRow> opti
     return found;
 }
 
-// What is wrong with the values of an option; of one that cannot be repeated the last one counts.
+// Returns what is wrong with the values of an option. If the option cannot be repeated, only its
+// last value counts.
 std::vector<config::Diagnostic> check_values(const OptionRow& option,
                                              const std::vector<std::string>& values) {
     std::vector<config::Diagnostic> problems;
@@ -198,7 +202,8 @@ std::vector<config::Diagnostic> check_values(const OptionRow& option,
     return problems;
 }
 
-// `--output --force` forgets a folder rather than naming one so.
+// Whether a word in place of a value is a known option. In `--output --force` the folder was
+// forgotten; it is not called `--force`.
 bool is_known_option(std::string_view word, std::span<const OptionRow> options) {
     return word.starts_with("--") && find_option(options, word.substr(2)) != nullptr;
 }

@@ -1,4 +1,4 @@
-// skybake preview: pictures of recipes and of baked files, and one page of all of them.
+// skybake preview: makes pictures of recipes and of baked files, and one page that shows them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,7 +32,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Those that lie there and are none of this preview's.
+// Returns the pictures of earlier previews that are in the folder and that this preview has not
+// made.
 std::vector<std::string> retired(const fs::path& folder, const std::vector<std::string>& earlier,
                                  const std::vector<std::string>& names) {
     std::vector<std::string> left;
@@ -47,7 +48,8 @@ std::vector<std::string> retired(const fs::path& folder, const std::vector<std::
 using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
-// Options that no picture will use are told before anything is baked.
+// Bakes the recipe's assets for the preview. Options that no picture uses are reported before
+// anything is baked.
 Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest& request,
                                    StageProgress& progress) {
     auto selection = select_bakes(invocation);
@@ -74,7 +76,7 @@ Outcome<PreviewAssets> gather(const Invocation& invocation, PreviewRequest& requ
     return load_files(request.paths);
 }
 
-// No value and no errors: the user has interrupted.
+// Makes the page. If the user interrupts it, it returns no value and no errors.
 Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest request,
                                StageProgress& progress) {
     PreviewOptions& options = request.options;
@@ -92,7 +94,7 @@ Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest requ
     return page;
 }
 
-// The page comes last among the paths.
+// Returns the event of a finished preview. The page is the last of the paths.
 std::string previewed_event(std::vector<std::string> paths, double seconds) {
     const std::string page = paths.back();
     paths.pop_back();
@@ -130,7 +132,7 @@ ExitCode run_preview(const Invocation& invocation, Console& console) {
     if (const ExitCode code = check_output(*request.value, console); code != ExitCode::done) {
         return code;
     }
-    if (const auto problem = chart_problem()) {  // a warning if there is merely no font
+    if (const auto problem = chart_problem()) {  // only a warning if just the font is missing
         const ExitCode code = console.report(std::array{*problem});
         if (code != ExitCode::done) return code;
     }

@@ -27,7 +27,7 @@ using config::Dimension;
 using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
-// A number, or a quantity of that dimension, in base units.
+// Reads a number, or a quantity of that dimension in base units.
 std::optional<double> value_of(std::string_view text, Dimension dimension) {
     const auto parsed = config::parse_quantity(text);
     const auto* quantity = std::get_if<config::Quantity>(&parsed);
@@ -35,7 +35,7 @@ std::optional<double> value_of(std::string_view text, Dimension dimension) {
     return quantity->value;
 }
 
-// "20" and "20 deg" alike, within these bounds.
+// Reads "20" and "20 deg" as the same angle, in degrees within these bounds.
 std::optional<double> degrees_of(std::string_view text, double lowest, double highest) {
     std::optional<double> degrees = value_of(text, Dimension::number);
     if (!degrees) {
@@ -53,7 +53,7 @@ Diagnostic not_valid(std::string_view option, std::string_view text, std::string
         std::move(label));
 }
 
-// What stands between commas; empty pieces too.
+// Returns the pieces between commas, including empty ones.
 std::vector<std::string_view> pieces_of(std::string_view list) {
     std::vector<std::string_view> pieces;
     for (std::size_t at = 0; at <= list.size();) {
@@ -77,7 +77,7 @@ std::optional<std::array<double, 3>> position_of(std::string_view text) {
     return position;
 }
 
-// One part of a camera, "pitch=12deg". False where it is none.
+// Reads one part of a camera, such as "pitch=12deg". Returns false if it is not one.
 bool read_camera_part(std::string_view name, std::string_view value, CameraRequest& camera) {
     if (name == "position") {
         camera.position_m = position_of(value);
@@ -104,7 +104,8 @@ Subject subject_of(const fs::path& path) {
     return baked ? Subject::files : Subject::recipe;
 }
 
-// Recipes have options that what is baked already has not.
+// Reports options that only recipes have, if baked files are given, and other options that
+// contradict each other.
 void check_combination(const Invocation& invocation, const PreviewRequest& request,
                        std::vector<Diagnostic>& problems) {
     if (request.paths.size() > 1 && request.subject != Subject::files) {
@@ -132,7 +133,7 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
     refuse(options::watch);
 }
 
-// Suns, exposure, camera and size.
+// Returns the options for pictures: suns, exposure, camera and size.
 PreviewOptions picture_options(const Invocation& invocation) {
     PreviewOptions given;
     given.sun_elevations_deg = invocation[options::sun_elevation];
@@ -153,7 +154,7 @@ PreviewOptions picture_options(const Invocation& invocation) {
 
 namespace options {
 
-// Each value may hold several, with commas between.
+// Reads a value that may hold several elevations, separated by commas.
 Outcome<std::vector<double>> read_elevations(const std::string& list) {
     Outcome<std::vector<double>> outcome{std::vector<double>(), {}};
     for (const std::string_view text : pieces_of(list)) {
@@ -177,7 +178,7 @@ Outcome<double> read_azimuth(const std::string& text) {
 
 Outcome<double> read_exposure(const std::string& text) {
     const auto stops = value_of(text, Dimension::number);
-    constexpr double most_stops = 32;  // beyond, every pixel is black or white
+    constexpr double most_stops = 32;  // beyond this, every pixel is black or white
     if (stops && *stops >= -most_stops && *stops <= most_stops) return {*stops, {}};
     return {{},
             {not_valid("--exposure", text, "exposure",

@@ -23,7 +23,7 @@ std::string progress_bar(double fraction) {
     return std::string(filled, '#') + std::string(width - filled, '.');
 }
 
-// "8 s", "3 min 05 s", "2 h 10 min".
+// Spells a duration: "8 s", "3 min 05 s", "2 h 10 min".
 std::string clock_text(double seconds) {
     const long whole = std::lround(seconds);
     if (whole < 60) return fmt::format("{} s", whole);
@@ -84,7 +84,8 @@ bool StepClock::advance(double fraction, double seconds) {
     return true;
 }
 
-// A tenth of a step, or a fiftieth and two seconds, says how fast it goes.
+// Estimates the time left once a tenth of a step is done, or a fiftieth after two seconds. Before
+// that too little is known.
 double StepClock::seconds_left(double seconds) const {
     const double done = fraction_ - first_fraction_;
     const double took_s = told_s_ - began_s_;

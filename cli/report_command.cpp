@@ -1,4 +1,4 @@
-// skybake report: what accuracy costs, for each asset of a recipe.
+// skybake report: shows what accuracy costs, for each asset of a recipe.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,7 +26,7 @@
 namespace skybake::cli {
 namespace {
 
-// Three significant digits without an exponent, so that columns compare at a glance.
+// Writes three significant digits without an exponent, so that columns are easy to compare.
 std::string duration_text(double milliseconds) {
     const int decimals = milliseconds < 10 ? 2 : milliseconds < 100 ? 1 : 0;
     return fmt::format("{:.{}f} ms", milliseconds, decimals);
@@ -50,7 +50,7 @@ std::string remark_of(const ReportRow& row) {
     return fmt::format("{}{}baseline: {}", own, own.empty() ? "" : ", ", row.baseline);
 }
 
-// A column of the table; those of volumes alone are left out of other tables.
+// This is a column of the table. Columns that only volumes have are left out of other tables.
 struct Column {
     std::string_view title;
     Align align;
@@ -195,7 +195,7 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
     const auto problems =
         check_report_folder(folder, report_file_names(names), invocation[options::force]);
     if (!problems.empty()) return console.report(problems);
-    if (const auto problem = chart_problem()) {  // a warning if there is merely no font
+    if (const auto problem = chart_problem()) {  // only a warning if just the font is missing
         const ExitCode code = console.report(std::array{*problem});
         if (code != ExitCode::done) return code;
     }
@@ -227,7 +227,8 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
 std::vector<config::Diagnostic> check_report_folder(const std::filesystem::path& folder,
                                                     const std::vector<std::string>& names,
                                                     bool force) {
-    // No file is named: report_files.h knows its own, which no manifest claims.
+    // No file is named here, because report_files.h knows the files of a report and no manifest
+    // claims them.
     auto diagnostics = inspect_output_folder(folder, {}, true).diagnostics;
     if (force || !diagnostics.empty()) return diagnostics;
     return foreign_report_files(folder, names);

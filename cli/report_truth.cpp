@@ -42,7 +42,7 @@ config::Outcome<std::int64_t> options::read_truth_paths(const std::string& text)
 
 namespace {
 
-// Three digits, and no more than two decimals.
+// Writes a percentage with three digits, but at most two decimals.
 std::string percent(double share) {
     const double value = 100 * share;
     return fmt::format("{:.{}f}", value, value < 10 ? 2 : value < 100 ? 1 : 0);
@@ -77,7 +77,7 @@ struct TruthRequest {
     config::Recipe recipe;
     SkyMedium medium;
     fs::path folder;
-    fs::path cache;  // empty: none
+    fs::path cache;  // empty: no cache
     std::int64_t mean_paths = 0;
     int threads = 0;
     bool quick = false;
@@ -116,7 +116,8 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
     return outcome;
 }
 
-// PNGs carry no sign of their maker: they are a report's where its JSON is beside them.
+// Checks the report's folder. A PNG does not say who made it; it counts as a report's if the
+// report's JSON is beside it.
 std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
     auto problems = check_report_folder(
         request.folder, {kTruthName, kJsonName, "sky_error.csv", "sky_error.svg"}, force);
@@ -136,7 +137,7 @@ std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
     return problems;
 }
 
-// A cache that cannot be written to fails no report.
+// Keeps a text in the cache. If the cache cannot be written to, the report goes on with a warning.
 std::vector<Diagnostic> keep_in_cache(const fs::path& path, const std::string& text) {
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
@@ -151,7 +152,7 @@ std::vector<Diagnostic> keep_in_cache(const fs::path& path, const std::string& t
     return problems;
 }
 
-// Kept as soon as it is there: what follows may be interrupted.
+// Keeps the result as soon as it is there, because the rest of the run may be interrupted.
 ExitCode keep(const TruthRequest& request, const std::string& key, const Truth& truth,
               Console& console) {
     const std::string text = stored_sky_truth(truth, key);
@@ -161,7 +162,7 @@ ExitCode keep(const TruthRequest& request, const std::string& key, const Truth& 
     return write_report_files({{kTruthName, text}}, request.folder, console);
 }
 
-// From the cache, the folder's earlier report, or traced now.
+// Takes the result from the cache or from the folder's earlier report, or else traces it.
 ExitCode find_truth(const TruthRequest& request, Truth& truth, Console& console) {
     const auto directions = sky_truth_directions(request.altitude_km());
     const std::string key = sky_truth_key(request.recipe, directions, request.mean_paths);
@@ -185,7 +186,7 @@ ExitCode add_pictures(const TruthRequest& request, const std::vector<MadeSkyMeth
     SkyErrorPictureOptions options;
     options.camera_altitude_km = request.altitude_km();
     if (request.quick) options.dome_pixels = kQuickDomePixels;
-    if (const auto problem = chart_problem()) {  // a warning if there is merely no font
+    if (const auto problem = chart_problem()) {  // only a warning if just the font is missing
         const ExitCode code = console.report(std::array{*problem});
         if (code != ExitCode::done) return code;
     }

@@ -1,4 +1,4 @@
-// skybake schema: the JSON Schemas of what people write and what skybake writes.
+// skybake schema: prints the JSON Schemas of what people write and of what skybake writes.
 #include "config/recipe/schema.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// skybake show: every resolved value of a recipe, with where it came from. The output is TOML.
+// skybake show: prints every resolved value of a recipe and where it came from. The output is TOML.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// A value, its path split into the table and the key.
+// This is a value whose path is split into the table and the key.
 struct Line {
     std::string table;
     std::string key;
@@ -43,7 +43,8 @@ Line make_line(const config::ResolvedValue& value) {
     return line;
 }
 
-// Whether a path lies at or below the one asked for, in which `*` stands for any name.
+// Whether a path is the one asked for or lies below it. A `*` in the path asked for stands for any
+// name.
 bool is_below(std::string_view path, const Names& asked) {
     const Names names = config::split_path(path).value_or(Names{});
     if (names.size() < asked.size()) return false;
@@ -64,7 +65,8 @@ std::vector<Line> lines_below(const config::Recipe& recipe, const Names& asked) 
     return lines;
 }
 
-// Keys, values and origins of one table below each other. Long values do not push all origins out.
+// Writes the keys, values and origins of one table in aligned columns. A long value does not move
+// the origins of the others.
 std::string block_text(const std::vector<Line>& lines) {
     constexpr int widest_aligned = 64;
     int key_width = 0;
@@ -84,7 +86,8 @@ std::string block_text(const std::vector<Line>& lines) {
     return text;
 }
 
-// Headers are left out where all values are of the one table that was asked for.
+// Writes the values under table headers. The headers are left out if all values are in the one
+// table that was asked for.
 std::string values_text(const std::vector<Line>& lines, const std::string& asked) {
     std::string text;
     const bool one_table = std::all_of(lines.begin(), lines.end(), [&](const Line& line) {
@@ -110,7 +113,8 @@ std::vector<std::string> depth_row(const std::string& name, const std::vector<do
     return row;
 }
 
-// A slip of a unit shows in these sums as in no single number.
+// Writes the optical depths straight up. A wrong unit shows in these sums more clearly than in any
+// single number.
 std::string depths_text(const config::Parameters& parameters) {
     TextTable table({Align::left, Align::right, Align::right, Align::right}, 0);
     std::vector<std::string> heading = {"# zenith optical depth"};
@@ -129,7 +133,8 @@ std::string depths_text(const config::Parameters& parameters) {
     return table.text();
 }
 
-// A recipe of noises alone has none, and no ground.
+// Whether the recipe has an atmosphere. A recipe that only has noises has no atmosphere and no
+// ground.
 bool has_atmosphere(const config::Parameters& parameters) {
     return parameters.atmosphere.ground_radius.meters > 0;
 }
@@ -140,7 +145,7 @@ bool shows_layers(const std::vector<Line>& lines) {
     });
 }
 
-// The first path that ends in the names asked for: "atmosphere.layers.mie" for "mie".
+// Returns the first path that ends in the names asked for: "atmosphere.layers.mie" for "mie".
 std::string path_with_tail(const std::vector<std::string>& known, const Names& tail) {
     for (const std::string& path : known) {
         const Names names = config::split_path(path).value_or(Names{});
@@ -204,7 +209,7 @@ ExitCode run_show(const Invocation& invocation, Console& console) {
     if (!whole && (names.empty() || lines.empty())) {
         return console.report(std::array{unknown_path(*outcome.value, asked)});
     }
-    // Whoever asks for one layer, or one key of all, has not asked for the sums.
+    // A user who asks for one layer, or for one key of all layers, has not asked for the sums.
     const bool all_layers = names.size() <= 2 && shows_layers(lines);
     const bool sums = (whole && has_atmosphere(outcome.value->parameters)) || all_layers;
     const config::Parameters* const sky = sums ? &outcome.value->parameters : nullptr;

@@ -1,4 +1,4 @@
-// skybake sweep: one recipe, many values.
+// skybake sweep: bakes one recipe with many values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +57,8 @@ namespace fs = std::filesystem;
 using config::Diagnostic;
 using config::Outcome;
 
-// Every variant reads the recipe again, which a pipe cannot give twice: opening it would wait.
+// Every variant reads the recipe again. A pipe cannot be read twice: opening it a second time would
+// wait.
 std::vector<Diagnostic> check_rereadable(const fs::path& recipe) {
     if (is_standard_input(recipe.string())) {
         return {
@@ -98,7 +99,7 @@ std::vector<Diagnostic> contradictions(const Invocation& invocation) {
     return {usage_error(fmt::format("{} and {} exclude each other", given[0], given[1]))};
 }
 
-// What stands between the command line and a sweep.
+// Translates the options of the command line into a sweep.
 SweepJob sweep_job(const Invocation& invocation, config::Sweep sweep) {
     SweepJob job;
     job.recipe = invocation.arguments()[0];
@@ -118,7 +119,8 @@ SweepJob sweep_job(const Invocation& invocation, config::Sweep sweep) {
 
 // --- Baking -------------------------------------------------------------------------------------
 
-// The same warning of many variants is one: the same words of the same place of the recipe.
+// Reports each warning once, even if several variants give it: warnings are the same if their texts
+// and their places in the recipe are the same.
 void report_warnings(const std::vector<VariantResult>& results, Console& console) {
     std::set<std::tuple<std::string, std::string, std::string, int, int>> known;
     std::vector<Diagnostic> warnings;
@@ -137,7 +139,7 @@ void report_warnings(const std::vector<VariantResult>& results, Console& console
     console.report(warnings);
 }
 
-// What went wrong with each, and last that something did.
+// Reports what went wrong with each variant, and at the end that something did.
 ExitCode report_unfinished(const std::vector<VariantResult>& results, Console& console) {
     constexpr int most_shown = 20;
     int shown = 0;
@@ -153,7 +155,8 @@ ExitCode report_unfinished(const std::vector<VariantResult>& results, Console& c
     return console.report(unfinished(results));
 }
 
-// Where no variant can even be planned the fault is the recipe's or the folder's, not theirs.
+// Whether no variant could even be planned. Then the recipe or the folder is at fault, not the
+// variants.
 bool all_failed(const std::vector<PlannedVariant>& plan) {
     return !plan.empty() && std::all_of(plan.begin(), plan.end(), [](const PlannedVariant& one) {
         return one.result.status == VariantStatus::failed;
@@ -204,7 +207,7 @@ ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, b
     return console.report(unfinished(failed));
 }
 
-// Variants are written whole, one by one.
+// Says what an interrupted sweep has written. Each variant is written completely or not at all.
 std::string interrupted_text(int made) {
     if (made == 0) return "interrupted; nothing was written\n";
     return fmt::format("interrupted; {} {} written, and the next run continues from there\n", made,

@@ -40,7 +40,7 @@ std::string first_error(const VariantResult& variant) {
     return "";
 }
 
-// Why a variant is to be baked, asset by asset.
+// Says why a variant is to be baked, asset by asset.
 std::string reasons_text(const PlannedVariant& variant) {
     if (variant.result.status == VariantStatus::done) return "up to date";
     if (variant.result.status == VariantStatus::failed) {

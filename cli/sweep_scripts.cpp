@@ -29,14 +29,14 @@ std::string base_command(const SweepScript& script) {
     return text;
 }
 
-// Within a variable's value, ninja reads `$` alone.
+// Escapes the value of a variable. In it, only `$` is special to ninja.
 std::string ninja_value(std::string_view text) {
     std::string value;
     for (const char c : text) value += c == '$' ? "$$" : std::string(1, c);
     return value;
 }
 
-// Within a build line, also what ends a path.
+// Escapes a path in a build line. There the characters that end a path are special too.
 std::string ninja_path(std::string_view text) {
     std::string path;
     for (const char c : text) {
@@ -46,21 +46,23 @@ std::string ninja_path(std::string_view text) {
     return path;
 }
 
-// The `$` of `$task` is ninja's own.
+// Returns the command of a task in ninja's escaping. The `$` of `$task` is not escaped, because
+// ninja replaces it.
 std::string ninja_task_command(const SweepScript& script) {
     SweepScript escaped = script;
     for (std::string& word : escaped.words) word = ninja_value(word);
     return task_command(escaped, "$task");
 }
 
-// Not manifest.json itself: ninja deletes the outputs of what is interrupted, and without it no
-// file of the folder is known as skybake's.
+// Returns the path of a variant's stamp. The stamp is not manifest.json itself: ninja deletes the
+// outputs of an interrupted command, and without the manifest no file of the folder would be known
+// as skybake's.
 std::string ninja_stamp(const SweepScript& script, std::size_t variant) {
     return ninja_path(
         (std::filesystem::path(script.folder) / script.names[variant] / "ninja.stamp").string());
 }
 
-// The stamps of a task's variants; see SweepJob::shard.
+// Returns the stamps of a task's variants (see SweepJob::shard).
 std::string ninja_stamps(const SweepScript& script, int task) {
     std::string stamps;
     for (auto i = static_cast<std::size_t>(task - 1); i < script.names.size();
@@ -78,8 +80,9 @@ std::string ninja_inputs(const SweepScript& script) {
     return inputs;
 }
 
-// Files that are up to date keep their time stamps, so the outputs are touched. A task's stamps may
-// be too many for a command line.
+// Returns the ninja rules. The outputs are touched, because files that are up to date keep their
+// time stamps. The stamps of a task stand in a file, because they may be too many for a command
+// line.
 std::string ninja_rules(const SweepScript& script) {
     const auto list = std::filesystem::path(script.folder) / "ninja-task-";
     return fmt::format(
@@ -100,16 +103,16 @@ std::string ninja_rules(const SweepScript& script) {
 
 // --- From the command line ----------------------------------------------------------------------
 
-// The program itself, so that a node finds it whatever its PATH.
+// Returns the path of the program itself, so that a node finds it whatever its PATH is.
 std::string program_path() {
     const std::vector<fs::path> files = program_files();
     return files.empty() ? "skybake" : files.front().string();
 }
 
-// A farm starts its tasks in folders of its own.
+// Makes a path absolute, because a farm starts its tasks in other folders.
 std::string absolute_path(const fs::path& path) { return fs::absolute(path).string(); }
 
-// An option as the user wrote it.
+// Adds an option in the user's own words.
 template <class T>
 void add_typed(const Invocation& invocation, const Option<T>& option,
                std::vector<std::string>& words) {
@@ -138,7 +141,7 @@ std::vector<std::string> script_words(const Invocation& invocation) {
     return words;
 }
 
-// All files that any variant is made from, the program's among them.
+// Returns all files that any variant is made from, including the program's own.
 std::vector<fs::path> sweep_inputs(const SweepJob& job) {
     std::vector<fs::path> inputs = program_files();
     std::set<fs::path> known;
@@ -153,7 +156,7 @@ std::vector<fs::path> sweep_inputs(const SweepJob& job) {
     return inputs;
 }
 
-// Slurm's own limit of an array job, MaxArraySize, is 1001 where nobody has raised it.
+// Slurm limits an array job to MaxArraySize, which is 1001 unless somebody has raised it.
 constexpr int most_tasks = 1000;
 
 Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& job) {

@@ -13,7 +13,8 @@ struct CodePointRange {
     std::uint32_t last;
 };
 
-// Marks that are drawn onto the sign before them, and signs that are not drawn (Unicode 15 blocks).
+// These are marks that are drawn onto the character before them, and characters that are not drawn
+// (Unicode 15 blocks).
 constexpr std::array<CodePointRange, 9> zero_width = {{
     {0x0300, 0x036F},
     {0x0483, 0x0489},
@@ -26,7 +27,7 @@ constexpr std::array<CodePointRange, 9> zero_width = {{
     {0xFE20, 0xFE2F},
 }};
 
-// East Asian Width W and F, by blocks.
+// These blocks have East Asian Width W or F.
 constexpr std::array<CodePointRange, 10> double_width = {{
     {0x1100, 0x115F},
     {0x2E80, 0x303E},
@@ -48,7 +49,8 @@ bool contains(const std::array<CodePointRange, count>& ranges, std::uint32_t cod
     return false;
 }
 
-// How many bytes a sign with this first byte has; 0 for a byte that cannot be a first one.
+// Returns how many bytes a character with this first byte has, or 0 if the byte cannot be a first
+// one.
 int encoded_length(unsigned char first) {
     if (first < 0x80) return 1;
     if (first >= 0xC2 && first <= 0xDF) return 2;
@@ -74,11 +76,11 @@ std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string
     return widths;
 }
 
-// The first signs of a text and "…", in that many columns.
+// Returns the first characters of a text and "…", in that many columns.
 std::string shortened(const std::string& text, std::size_t columns) {
     if (columns_of(text) <= columns) return text;
     std::size_t end = 0;
-    std::size_t used = 1;  // the sign of omission
+    std::size_t used = 1;  // for the "…"
     for (std::size_t position = 0; position < text.size(); end = position) {
         const auto code_point = next_code_point(text, position);
         used += static_cast<std::size_t>(code_point_width(code_point));
@@ -143,7 +145,7 @@ void TextTable::drop_column(std::size_t column) {
     }
 }
 
-// Takes signs from the widest of these columns. False where none may lose one.
+// Takes characters from the widest of these columns. Returns false if none of them may lose one.
 bool TextTable::shorten_widest(std::span<const std::size_t> columns, int excess) {
     constexpr std::size_t least = 8;
     const std::vector<std::size_t> widths = column_widths(rows_);

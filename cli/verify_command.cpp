@@ -46,7 +46,7 @@ std::string as_text(const VerifyReport& report) {
                               report.files == 1 ? "" : "s", report.checks, verdict);
 }
 
-// A baked file in place of the folder that it lies in.
+// Reports a baked file that is given instead of the folder that contains it.
 std::vector<config::Diagnostic> check_path(const fs::path& path) {
     const std::string extension = path.extension().string();
     const bool is_baked = extension.size() > 1 && find_format(extension.substr(1)) != nullptr;

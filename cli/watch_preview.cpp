@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 using config::Diagnostic;
 using config::Outcome;
 
-// Ends the work once a file is saved: what is being made is of the text before.
+// Ends the work once a file is saved, because the work belongs to the text before.
 class UntilSaved : public BakeProgress {
   public:
     UntilSaved(Console& console, const WatchedFiles& files)
@@ -45,7 +45,7 @@ class UntilSaved : public BakeProgress {
     bool cancelled() const override { return BakeProgress::cancelled() || saved(); }
 
   private:
-    // Files are looked at now and then, by one of the threads.
+    // One of the threads looks at the files from time to time.
     bool saved() const {
         const std::unique_lock lock(look_mutex_, std::try_to_lock);
         const auto now = std::chrono::steady_clock::now();
@@ -64,7 +64,7 @@ class UntilSaved : public BakeProgress {
     mutable std::atomic<bool> saved_ = false;
 };
 
-// What earlier rounds of one quality have made.
+// This memo holds what earlier rounds of one quality have made.
 struct RoundMemo {
     AssetMemo assets;
     PictureMemo pictures;
@@ -90,14 +90,14 @@ class Watch {
     }
 
   private:
-    // One round: from the recipe to the page, or to the diagnostics on it.
+    // Runs one round, from the recipe to the page or to the diagnostics on the page.
     ExitCode look_again() {
         const auto start = std::chrono::steady_clock::now();
         Outcome<PreviewPage> page = draft_page();
         if (interrupted()) return ExitCode::interrupted;
         const ExitCode code = console_.report(page.diagnostics);
         state_.diagnostics = std::move(page.diagnostics);
-        // A recipe that was never right yet gets a page without pictures.
+        // A recipe that has been wrong since the start gets a page without pictures.
         if (!page.value && state_.revision == 0) page.value.emplace().title = title();
         if (page.value && !write(*page.value)) return exit_code_;
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -110,7 +110,7 @@ class Watch {
         return code;
     }
 
-    // The same at full quality, unless a file is saved before it is made.
+    // Makes the same page at full quality. It gives up if a file is saved before it is done.
     void refine() {
         if (!selection_ || exit_code_ != ExitCode::done) return;
         const auto start = std::chrono::steady_clock::now();
@@ -163,7 +163,7 @@ class Watch {
         return outcome;
     }
 
-    // Of the sections that are selected, as `recipe` has them.
+    // Makes the page of the selected bakes, with the values that `recipe` gives them.
     Outcome<PreviewPage> page_of(const BakeSelection& selection, const config::Recipe& recipe,
                                  bool draft, RoundMemo& memory, BakeProgress& progress) {
         std::vector<config::Bake> bakes;
@@ -196,7 +196,8 @@ class Watch {
                                    page.diagnostics.end());
     }
 
-    // What the recipe reads now, even if it is wrong, and what it read when it was right.
+    // Follows the files that the recipe reads now, even if it is wrong, and those that it read when
+    // it was last right.
     void follow_inputs() {
         config::DiagnosticList ignored;
         std::vector<fs::path> inputs =
@@ -216,11 +217,11 @@ class Watch {
                                 : paths.back() + "\n");
         }
         state_.revision = page.watch_revision;
-        request_.force = true;  // from now on the files are ours
+        request_.force = true;  // from now on the files are from this run
         return true;
     }
 
-    // A page from file:// reads the state beside it.
+    // Writes the state beside the page. A page opened from file:// reads it there.
     void tell() {
         if (state_.revision == 0) return;
         const auto written =
@@ -237,7 +238,7 @@ class Watch {
     RoundMemo draft_;
     RoundMemo full_;
     PageState state_;
-    ExitCode exit_code_ = ExitCode::done;  // of writing: what ends the watch
+    ExitCode exit_code_ = ExitCode::done;  // of writing; a failure ends the watch
 };
 
 }  // namespace
