@@ -115,8 +115,8 @@ void check_channels(const DecodedSection& bake, Decoder& decoder) {
         "bake content = \"in_scatter\" and content = \"transmittance\" as two assets");
 }
 
-// Fills in the distance of view and the number of `mips`; reports channels that make no picture
-// (E0129) and what any volume's files must have (file_decoder.h).
+// Fills in the distance of view and the number of `mips`. It reports channels that cannot form an
+// image (E0129) and faults of the files of any volume (file_decoder.h).
 void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::optional<Scene>& scene = recipe.parameters.scene;
     DecodedField& distance = bake.at("view_distance");

@@ -40,7 +40,7 @@ const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake);
 
 namespace {
 
-// The scattering and extinction of a layer of particles follow from these.
+// The scattering and extinction of a layer of particles follow from the values listed here.
 std::vector<Read> reads_of_spheres(const Layer& layer) {
     if (layer.phase != Phase::mie) return {};
     std::vector<Read> reads = reads_of_particles(layer.particles.particles.name);
@@ -95,7 +95,7 @@ std::vector<Read> reads_of_cloud(const Parameters& parameters, const std::string
 
 namespace {
 
-// A bake whose keys are read, and that has yet to take what it takes from others.
+// This is a bake whose keys have been read, but which has not yet taken values from other bakes.
 struct OpenBake {
     std::string name;
     const AssetKind* kind = nullptr;
@@ -104,7 +104,7 @@ struct OpenBake {
     Bake bind() const { return kind->bind(name, section); }
 };
 
-// Null if there is none of this name.
+// Returns null if there is no asset of this name.
 const AssetKind* find_kind(std::string_view name) {
     const auto kinds = asset_kinds();
     const auto found = std::find_if(kinds.begin(), kinds.end(), [name](const AssetKind* kind) {
@@ -113,7 +113,7 @@ const AssetKind* find_kind(std::string_view name) {
     return found == kinds.end() ? nullptr : *found;
 }
 
-// The asset's name and where it is said; none if it is no text.
+// This is the name of an asset and the place that gives it.
 struct AssetName {
     std::string name;
     Place place;
@@ -138,7 +138,7 @@ void report_unknown_asset(const AssetName& asset, const std::string& path, Decod
         std::move(label));
 }
 
-// None if the asset is unknown, which is reported.
+// Returns none and reports an error if the asset is unknown.
 std::optional<OpenBake> read_bake(const std::string& name, const Place& place, const Table& table,
                                   Decoder& decoder) {
     const std::string path = join_path("bake", name);
@@ -185,7 +185,8 @@ std::string lower_case(std::string_view name) {
     return text;
 }
 
-// Many file systems of macOS and Windows take them for one file.
+// Warns of names that only differ in upper and lower case. Many file systems of macOS and Windows
+// take their files for one file.
 void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& decoder) {
     std::map<std::string, const Entry*> first;
     for (const Entry* entry : entries) {
@@ -208,7 +209,7 @@ const DecodedField* find_decoded(const DecodedSection& section, std::string_view
     return found == section.fields.end() ? nullptr : &*found;
 }
 
-// Whether the recipe has a layer of that name, at fault or switched off though it may be.
+// Whether the recipe has a layer of that name. The layer may be at fault or switched off.
 bool is_in_recipe(const Table& root, const std::string& name) {
     const Entry* atmosphere = find_entry(root, "atmosphere");
     const Table* table = atmosphere ? as_table(atmosphere->value) : nullptr;
@@ -225,8 +226,8 @@ std::string what_there_is(const std::string& name, const Atmosphere& atmosphere)
     return label.empty() ? fmt::format("this recipe has {}", fmt::join(names, ", ")) : label;
 }
 
-// Names in the list `key` that are none of the atmosphere's layers (E0138). Sections without such a
-// key pass.
+// Reports names in the list `key` that are not layers of the atmosphere (E0138). Sections without
+// this key pass.
 void check_layer_names(const DecodedSection& bake, std::string_view key, const Table& root,
                        const Atmosphere& atmosphere, Decoder& decoder) {
     const DecodedField* decoded = find_decoded(bake, key);
@@ -236,7 +237,7 @@ void check_layer_names(const DecodedSection& bake, std::string_view key, const T
         const bool known = std::any_of(atmosphere.layers.begin(), atmosphere.layers.end(),
                                        [&](const Layer& layer) { return layer.name == *name; });
         const bool again = std::find(names.begin(), name, *name) != name;
-        // A layer that is there and could not be read has been reported.
+        // A layer that exists but could not be read has been reported already.
         const bool is_off = !known && is_in_recipe(root, *name);
         if ((known && !again) || (is_off && decoder.diagnostics.has_errors())) continue;
         const std::string path = join_path(bake.path, key);
@@ -279,7 +280,7 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         }
         bakes.push_back(bake.bind());
     }
-    // What an asset is made of may stand behind it.
+    // The bake that an asset is made from may stand after it in the file.
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (open[i].kind->facts.of_another_bake) {
             open[i].kind->resolve(open[i].section, {recipe, bakes, unreadable}, decoder);

@@ -143,11 +143,13 @@ const std::array bruneton_table = {
                   &BrunetonBake::solar_irradiance},
 };
 
-// The cosine of 102 deg: below, Bruneton's half floats hold nothing. takram has that of 120 deg.
+// This is the cosine of 102 deg. Below it, Bruneton's half floats hold only zeros. takram uses the
+// cosine of 120 deg.
 constexpr double bruneton_sun_cosine = -0.20791169081775934;
 constexpr double takram_sun_cosine = -0.5;
 
-// Of R, G, B, in W / m^2 / nm at 680, 550 and 440 nm (ASTM E-490), as takram has them.
+// These are the solar irradiances of R, G and B in W / m^2 / nm, at 680, 550 and 440 nm (ASTM
+// E-490), as takram uses them.
 constexpr std::array takram_solar_irradiance = {1.474, 1.8504, 1.91198};
 
 VoxelCounts default_size(BrunetonTable table) {
@@ -206,7 +208,8 @@ void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder&
                               "convention = \"bruneton\" takes any atmosphere");
 }
 
-// What the package's loader takes for granted, so that a file of another kind is looked up wrongly.
+// Warns of values other than those that the package's loader takes for granted. The loader would
+// look such a file up wrongly.
 void warn_of_loader(const DecodedSection& bake, BrunetonTable table, Decoder& decoder) {
     const auto is_number = [&](std::string_view key, double wanted) {
         const DecodedField& decoded = bake.at(key);
@@ -228,7 +231,7 @@ void warn_of_loader(const DecodedSection& bake, BrunetonTable table, Decoder& de
         "it loads the default sizes, half floats and one stack upside down, without mips");
 }
 
-// Orders above the first, of which there are none with one.
+// Reports `orders = 1` for the table of orders above the first, which would have no orders.
 void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& orders = bake.at("orders");
     if (!orders.value || std::get<double>(*orders.value) != 1) return;
@@ -246,8 +249,8 @@ std::vector<double> default_solar_irradiance(BrunetonConvention convention, std:
     return std::vector<double>(channels, 1);
 }
 
-// Fills in what depends on the table, the convention and the layers. E0142: a size that the table
-// cannot have.
+// Fills in the values that depend on the table, the convention and the layers. It reports a size
+// that the table cannot have (E0142).
 void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& decoder) {
     const Parameters& recipe = so_far.parameters;
     const auto table = choice_of<BrunetonTable>(bake.at("table"));

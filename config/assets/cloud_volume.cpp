@@ -62,14 +62,14 @@ const std::array cloud_volume_table = {
                      {}},
 };
 
-// Whether cubes of this edge fill the extent without rest.
+// Whether cubes of this edge fill the extent exactly.
 bool divides(const Cloud& cloud, Length edge) {
     return std::none_of(cloud.extent.begin(), cloud.extent.end(),
                         [edge](Length extent) { return whole_voxels(extent, edge).longer; });
 }
 
-// The smallest round edge of cubes that makes at most 640 voxels along each axis and divides the
-// extent; none for extents that no round number divides.
+// Returns the smallest round edge of cubes that gives at most 640 voxels along each axis and
+// divides the extent, or none if no round number divides it.
 std::optional<Length> usual_voxel_size(const Cloud& cloud) {
     constexpr double most_voxels = 640;
     double longest = 0;
@@ -83,7 +83,7 @@ std::optional<Length> usual_voxel_size(const Cloud& cloud) {
     return std::nullopt;
 }
 
-// One section while it is resolved.
+// This is one section while it is resolved.
 struct CloudVolumeResolver {
     DecodedSection& bake;
     Decoder& decoder;
@@ -114,8 +114,8 @@ struct CloudVolumeResolver {
                         length_to_string(cloud.extent[axis].meters)));
     }
 
-    // Voxels of exactly this edge: as many as the extent has, and where that is no whole number the
-    // extent becomes longer. None if that is out of the range of a size.
+    // Sets the size for voxels of exactly this edge. If the extent is not a whole number of voxels,
+    // it is made longer. If a size is out of range, the size is not set.
     void resolve_voxels(const Cloud& cloud, Length edge) const {
         VoxelCounts size{};
         std::array<double, 3> extent{};
@@ -199,7 +199,7 @@ struct CloudVolumeResolver {
         return 1;
     }
 
-    // One warning, of the first tower.
+    // Gives one warning for all narrow towers, at the place of the first one.
     void warn_of_narrow_towers(const Cloud& cloud, const VoxelCounts& size) const {
         std::vector<std::string> narrow;
         for (const Tower& tower : cloud.towers) {
@@ -219,11 +219,12 @@ struct CloudVolumeResolver {
     }
 };
 
-// Fills in `size` from the cloud's extent and `voxel_size`, `extent` where the two make no whole
-// number of voxels (W0210), and the number of `mips`. Reports a cloud that is not there (E0132), a
-// size that is not given (E0105) or out of range (E0110), what any volume's files must have
-// (file_decoder.h), octaves that are nothing at that size (W0208) or too fine for it
-// (W0203), towers narrower than a voxel (W0204), and voxels that are not cubes (W0211).
+// Fills in `size` from the cloud's extent and `voxel_size`, and the number of `mips`. If extent and
+// voxel size do not give a whole number of voxels, it also sets `extent` (W0210). It reports a
+// cloud that does not exist (E0132), a size that is not given (E0105) or out of range (E0110), and
+// faults of the files of any volume (file_decoder.h). It warns of octaves that add nothing at that
+// size (W0208) or are too fine for it (W0203), of towers narrower than a voxel (W0204), and of
+// voxels that are not cubes (W0211).
 void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::span<const Cloud> clouds = recipe.parameters.clouds;
     const std::span<const Noise> noises = recipe.parameters.noises;

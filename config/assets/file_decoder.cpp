@@ -41,7 +41,7 @@ std::optional<PixelType> pixel_type_of(const DecodedSection& bake) {
     return choice_of<PixelType>(bake.at("pixel_type"));
 }
 
-// Without a value, none.
+// Returns no formats if the field has no value.
 std::vector<FileFormat> formats_of(const DecodedSection& bake) {
     const DecodedField& decoded = bake.at("formats");
     std::vector<FileFormat> formats;
@@ -87,7 +87,8 @@ bool has_image(const DecodedSection& bake) {
                        [](FileFormat format) { return facts_of(format).is_image; });
 }
 
-// The layout that the recipe names or, where it names none, one that engines can import.
+// Returns the layout that the recipe names. If it names none, it chooses one that engines can
+// import.
 std::optional<SheetLayout> resolve_layout(DecodedSection& bake, const VoxelCounts& size) {
     DecodedField& decoded = bake.at("layout");
     const auto layout = choice_of<SheetLayout>(decoded);
@@ -98,7 +99,7 @@ std::optional<SheetLayout> resolve_layout(DecodedSection& bake, const VoxelCount
     return SheetLayout::atlas;
 }
 
-// What decides the sheet, as far as the recipe says it.
+// Returns the place in the recipe that decides the sheet.
 const Place& layout_place(const DecodedSection& bake) {
     for (const std::string_view key : {"columns", "layout"}) {
         if (bake.at(key).source) return bake.at(key).source->place;
@@ -137,7 +138,7 @@ void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
 
 void resolve_sheet(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
     if (!has_image(bake)) return;
-    if (voxels_of(size) > most_voxels) return;  // an error of its own
+    if (voxels_of(size) > most_voxels) return;  // this is reported elsewhere
     const auto layout = resolve_layout(bake, size);
     if (!layout) return;
     const auto* columns = value_of<double>(bake.at("columns"));
@@ -146,7 +147,8 @@ void resolve_sheet(DecodedSection& bake, const VoxelCounts& size, Decoder& decod
     warn_of_empty_cells(bake, size, sheet, decoder);
 }
 
-// Down to one voxel: log2(longest edge), rounded as sizes are, + 1.
+// Returns the number of levels down to one voxel: log2(longest edge) + 1, where the logarithm is
+// rounded in the same way as sizes are.
 int levels_of(const VoxelCounts& size, Halving halving) {
     int levels = 1;
     int edge = *std::max_element(size.begin(), size.end());
@@ -174,7 +176,8 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
     if (*asked == 0) decoded.value = levels;
 }
 
-// Axes that the table does not have, and those that need two ends.
+// Reports axes that the table does not have, and axes with fewer than the two texels that their
+// ends need.
 void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, Decoder& decoder) {
     for (int axis = 0; axis < 3; ++axis) {
         const int count = size[static_cast<std::size_t>(axis)];
@@ -221,8 +224,8 @@ void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halvin
     resolve_levels(bake, size, halving, decoder);
 }
 
-// Edges are quotients of doubles, and those of equal voxels may differ by their rounding, some
-// 1e-16 of them. OpenVDB takes edges that differ by less than 5e-7 m for equal.
+// Edges are quotients of doubles, so the edges of equal voxels may differ by rounding, by about
+// 1e-16 of their length. OpenVDB takes edges that differ by less than 5e-7 m as equal.
 void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
                  const Place& size_place, Decoder& decoder) {
     constexpr double rounding = 1e-12;
@@ -270,7 +273,7 @@ void resolve_axes_and_files(DecodedSection& bake, int axes, std::size_t channels
 
 namespace {
 
-// None where an error bound is to choose the size.
+// Returns none if an error bound is to choose the size.
 std::optional<VoxelCounts> table_size(const DecodedSection& bake) {
     const DecodedField& size = bake.at("size");
     if (const auto* texels = value_of<std::array<int, 2>>(size)) {

@@ -28,7 +28,7 @@ const std::array noise_volume_table = {
                      &NoiseVolumeBake::size},
 };
 
-// What the size was said by: the bake, or the noise that it names.
+// Returns the place that decides the size: in the bake, or the name of the noise.
 Place size_place(const DecodedSection& bake) {
     for (const std::string_view key : {"size", "noise"}) {
         if (bake.at(key).source) return bake.at(key).source->place;
@@ -43,10 +43,10 @@ void resolve_size(DecodedSection& bake, const Noise& noise) {
     size.derived = true;
 }
 
-// Fills in `size` from the noise and the number of `mips`. Reports a noise that is not there
-// (E0130), pixel types that a format has not (E0131), more voxels than can be (E0126), columns and
-// levels beyond what the size has (E0110), and octaves that are nothing at that size (W0208) or too
-// fine for it (W0203).
+// Fills in `size` from the noise, and the number of `mips`. It reports a noise that does not exist
+// (E0130), pixel types that a format does not have (E0131), too many voxels (E0126), and columns
+// and levels beyond what the size has (E0110). It warns of octaves that add nothing at that size
+// (W0208) or are too fine for it (W0203).
 void resolve_noise_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::span<const Noise> noises = recipe.parameters.noises;
     check_pixel_type(bake, decoder);

@@ -96,7 +96,7 @@ const T* find_by_name(std::span<const T> things, std::string_view name) {
     return found == things.end() ? nullptr : &*found;
 }
 
-// One section while it is resolved.
+// This is one section while it is resolved.
 struct OccupancyResolver {
     DecodedSection& bake;
     const RecipeSoFar& recipe;
@@ -139,7 +139,7 @@ struct OccupancyResolver {
         return volume;
     }
 
-    // Empty if the volume's cloud or noise is at fault.
+    // Returns the channels of the volume, or an empty list if its cloud or noise is at fault.
     std::vector<std::string> channels_of(const CloudVolumeBake& volume) const {
         const Cloud* cloud = find_by_name<Cloud>(recipe.parameters.clouds, volume.cloud);
         const Noise* noise =
@@ -184,9 +184,10 @@ struct OccupancyResolver {
                         shorten(*text_of(bake.at("of"))), cell));
     }
 
-    // The volume repeats along x and y. A cell that sticks out of the tile would repeat with
-    // another period than the volume: a runtime that repeats both would find other cells than those
-    // that its voxels lie in. One cell that holds the whole tile is the same everywhere.
+    // The volume repeats along x and y. Cells that stick out of the tile would repeat with another
+    // period than the volume. A runtime that repeats both would then find other cells than those
+    // that contain its voxels. A single cell that holds the whole tile is the same everywhere and
+    // therefore allowed.
     void check_tiling(const CloudVolumeBake& volume, int cell) const {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const bool tiles = volume.size[axis] % cell == 0 || volume.size[axis] < cell;
@@ -194,8 +195,8 @@ struct OccupancyResolver {
         }
     }
 
-    // A level of half an odd number of cells, rounded up, spans more than the level before, and one
-    // texture coordinate does not serve both.
+    // If a level has an odd number of cells, the next level has half of it, rounded up, and spans
+    // more than the level before. Then one texture coordinate does not fit both levels.
     void check_halving(const VoxelCounts& cells) const {
         const DecodedField& mips = bake.at("mips");
         if (!mips.value) return;
@@ -222,7 +223,7 @@ struct OccupancyResolver {
         check_cubes(bake, edges, bake.at("of").source->place, decoder);
     }
 
-    // Cells along each axis, those that stick out above among them.
+    // Returns the number of cells along each axis, including those that stick out at the top.
     VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) const {
         VoxelCounts cells{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -232,9 +233,10 @@ struct OccupancyResolver {
     }
 };
 
-// Fills in the number of `mips`. Reports a name of no cloud volume (E0133), a channel that it has
-// not (E0134), two contents (E0129), cells that do not tile as the volume does (E0150), and what
-// any volume's files must have (file_decoder.h). Warns of cells that are not cubes (W0211).
+// Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
+// that the volume does not have (E0134), two contents (E0129), cells that do not tile as the volume
+// does (E0150), and faults of the files of any volume (file_decoder.h). It warns of cells that are
+// not cubes (W0211).
 void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const OccupancyResolver resolver{bake, recipe, decoder};
     check_pixel_type(bake, decoder);
@@ -253,7 +255,7 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }
 
-// Its volume, but for what that one's files are like.
+// Lists the values of the cloud volume, except those of the volume's files.
 std::vector<Read> reads_of(const Parameters& parameters, const OccupancyBake& bake) {
     const auto& volume = bake_named(parameters, bake.of).as<CloudVolumeBake>();
     std::vector<Read> reads = reads_of_cloud(parameters, volume.cloud);

@@ -18,8 +18,8 @@ Frequency scaled(const Frequency& frequency, const OctaveGrid& grid) {
             frequency[2] * grid.scale[2]};
 }
 
-// Calls visit(index, frequency on the grid) for the octaves that weigh something. Keys at fault
-// leave as many gains as there are not octaves.
+// Calls visit(index, frequency on the grid) for the octaves whose weight is not 0. If keys are at
+// fault, the numbers of gains and octaves may differ.
 template <class Visit>
 void for_each_octave(const NoiseOctaves& octaves, const OctaveGrid& grid, const Visit& visit) {
     const std::size_t count = std::min(octaves.frequencies.size(), octaves.gains.size());
@@ -28,7 +28,7 @@ void for_each_octave(const NoiseOctaves& octaves, const OctaveGrid& grid, const 
     }
 }
 
-// Whether the bake is as large as what the noise is made for.
+// Whether the bake is at least as large as the size that the noise is made for.
 bool is_at_home(const Noise& noise, const OctaveGrid& grid, const std::array<int, 3>& size) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (size[axis] < noise.size[axis] * grid.scale[axis]) return false;
@@ -40,7 +40,7 @@ bool is_at_home(const Noise& noise, const OctaveGrid& grid, const std::array<int
 
 void OctaveChecks::add_vanishing(const Noise& noise, const NoiseChannel& channel,
                                  const OctaveGrid& grid) {
-    // The derivatives that curl noise is made of are not 0 where gradient noise is.
+    // Curl noise is made of derivatives, which are not 0 where gradient noise is 0.
     const bool has_gradients =
         channel.type == NoiseType::perlin || channel.type == NoiseType::perlin_worley;
     if (!has_gradients) return;

@@ -115,7 +115,8 @@ VoxelCounts default_size(OpticalDepthTable table) {
     }
 }
 
-// Kinds of rays have their own texels along u, two or more of each.
+// Reports a first axis that is too short. Each kind of rays needs two or more texels of its own
+// along u.
 void check_ray_kinds(const DecodedSection& bake, const VoxelCounts& size, int least,
                      Decoder& decoder) {
     if (size[0] >= least) return;
@@ -125,7 +126,8 @@ void check_ray_kinds(const DecodedSection& bake, const VoxelCounts& size, int le
                 fmt::format("give it at least {} texels", least), decoder);
 }
 
-// Fills in what depends on the table and the layers. E0142: a size that the table cannot have.
+// Fills in the values that depend on the table and the layers. It reports a size that the table
+// cannot have (E0142).
 void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     constexpr std::size_t most_kinds = 4;
     const auto table = choice_of<OpticalDepthTable>(bake.at("table"));

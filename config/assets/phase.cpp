@@ -85,7 +85,8 @@ const std::array phase_table = {
                &PhaseBake::degree},
 };
 
-// Particles, or a layer of the atmosphere, of that name, one of them (E0138, E0140, E0141).
+// Finds the particles or the layer of the atmosphere that the bake names. Exactly one of the two
+// must be given. Reports E0138, E0140 and E0141.
 void resolve_phase(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const DecodedField& particles = bake.at("particles");
     const DecodedField& layer = bake.at("layer");
@@ -107,7 +108,8 @@ void resolve_phase(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& dec
     }
 }
 
-// Particles or a layer, and of the atmosphere nothing else but what makes it a whole one.
+// Lists the values of the particles, or of the layer and the atmosphere's own section. Other layers
+// are not listed.
 std::vector<Read> reads_of(const Parameters& parameters, const PhaseBake& bake) {
     std::vector<Read> reads = {{""}};
     if (!bake.particles.empty()) {

@@ -20,7 +20,7 @@ bool absorbs(const Layer& layer) {
     return false;
 }
 
-// Where a layer belongs; none: nowhere.
+// Returns the member that a layer belongs to, or null if it belongs to none.
 const Layer* TakramLayers::*kind_of(const Layer& layer) {
     const bool exponential = layer.profile == Profile::exponential;
     if (layer.phase == Phase::mie) return nullptr;  // of particles: its phase function is a table

@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t most_diagnostics = 1000;
 constexpr std::size_t longest_line = 1000;
 
-// Text that a terminal or a JSON document can take as it is: UTF-8, no control characters but tabs.
+// Whether a terminal and a JSON document can take the text as it is: it is UTF-8 and has no control
+// characters except tabs.
 bool can_be_shown(std::string_view line) {
     const bool has_control = std::any_of(line.begin(), line.end(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);

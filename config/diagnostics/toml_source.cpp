@@ -29,7 +29,7 @@ Value convert(const toml::node& node, const Source* source);
 Table convert_table(const toml::table& table, const Source* source) {
     Table result;
     result.reserve(table.size());
-    for (auto&& [key, node] : table) {  // a std::map, so sorted by key
+    for (auto&& [key, node] : table) {  // sorted by key, because it is a std::map
         result.push_back(
             {std::string(key.str()), place_of(key.source(), source), convert(node, source)});
     }
@@ -62,7 +62,7 @@ Value convert(const toml::node& node, const Source* source) {
     return value;
 }
 
-// The library's parser is the one thing in this room that throws.
+// The library's parser is the only code of this folder that throws.
 struct Parsed {
     std::optional<toml::table> table;
     std::string error;
@@ -80,14 +80,14 @@ Parsed run_parser(std::string_view text) {
     return parsed;
 }
 
-// A seed may be larger than TOML's integers.
+// Whether a value is an integer too large for TOML, which a seed may be.
 bool is_huge_integer(std::string_view value) {
     constexpr std::size_t digits_of_int64 = 19;
     const bool all_digits = value.find_first_not_of("0123456789") == std::string_view::npos;
     return all_digits && value.size() >= digits_of_int64;
 }
 
-// Where a string of one line begins that the line does not end; npos if there is none.
+// Returns where a one-line string begins that does not end in its line, or npos if there is none.
 std::size_t unclosed_quote(std::string_view line) {
     std::size_t open = std::string_view::npos;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -105,7 +105,7 @@ std::size_t unclosed_quote(std::string_view line) {
     return is_of_many_lines ? std::string_view::npos : open;
 }
 
-// "0,3"
+// Whether the value has a comma as its decimal point: "0,3".
 bool has_decimal_comma(std::string_view value) {
     const std::size_t comma = value.find(',');
     if (comma == std::string_view::npos || comma == 0 || comma + 1 == value.size()) return false;
@@ -115,8 +115,8 @@ bool has_decimal_comma(std::string_view value) {
                (value.find_first_of("+-") == 0 ? 1U : 0U);
 }
 
-// The most common slips deserve better than the parser's words: a quantity without its quotes, a
-// comma for a decimal point.
+// Returns better words than the parser's for the most common mistakes: a quantity without its
+// quotes, and a comma as a decimal point.
 std::string advice(const Place& place) {
     const std::string line = source_range(place).line_text;
     const std::size_t equals = line.find('=');
@@ -155,7 +155,8 @@ bool check_encoding(const Source& source, std::string_view text, DiagnosticList&
     return false;
 }
 
-// Appends without recursion deeper than the text's own nesting, which parse_toml has bounded.
+// Appends the value's text. Its recursion is not deeper than the text's own nesting, which
+// parse_toml has bounded.
 void append_value(const Value& value, std::string& text);
 
 void append_array(const Array& array, std::string& text) {

@@ -26,7 +26,7 @@ std::optional<ChoiceIndex> read_choice(const Reader& reader, const Value& value)
     return std::nullopt;
 }
 
-// The choice of `item` joins those of the list, unless it is there already.
+// Adds the choice of `item` to the list, unless it is there already.
 bool add_choice(const Reader& reader, const Value& item, std::vector<ChoiceIndex>& choices) {
     const std::optional<ChoiceIndex> choice = read_choice(reader, item);
     if (!choice) return false;
@@ -135,7 +135,7 @@ std::optional<FieldValue> read_text_list(const Reader& reader, const Value& valu
     return std::nullopt;
 }
 
-// Lists of texts; a list of texts alone is one group.
+// Reads lists of texts. A plain list of texts counts as one group.
 std::optional<FieldValue> read_path_groups(const Reader& reader, const Value& value) {
     using Texts = std::vector<std::string>;
     const auto* array = std::get_if<Array>(&value.data);
@@ -149,7 +149,7 @@ std::optional<FieldValue> read_path_groups(const Reader& reader, const Value& va
     return groups;
 }
 
-// As it is spelled: what it means is for the key that varies to say.
+// Reads the value without a meaning; the key that varies gives it one.
 std::optional<FieldValue> read_swept(const Reader& reader, const Value& value) {
     const bool is_number = std::holds_alternative<std::int64_t>(value.data) ||
                            std::holds_alternative<double>(value.data);

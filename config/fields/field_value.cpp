@@ -24,14 +24,14 @@ std::string list_to_string(const std::vector<T>& items, ItemText item_text) {
     return text + "]";
 }
 
-// The same on all axes, or one per axis.
+// Spells one number if it is the same on all axes, else one per axis.
 std::string frequency_to_string(const std::array<int, 3>& frequency) {
     const bool isotropic = frequency[0] == frequency[1] && frequency[1] == frequency[2];
     return isotropic ? fmt::format("{}", frequency[0])
                      : fmt::format("[{}, {}, {}]", frequency[0], frequency[1], frequency[2]);
 }
 
-// TOML's integers end at 2^63 - 1; what lies above is text.
+// Spells a seed. TOML's integers end at 2^63 - 1, so a larger seed is written as text.
 std::string seed_to_string(std::uint64_t seed) {
     const bool is_toml_integer = seed <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
     return is_toml_integer ? fmt::format("{}", seed) : fmt::format("\"{}\"", seed);
@@ -39,7 +39,7 @@ std::string seed_to_string(std::uint64_t seed) {
 
 std::string quoted_length(double meters) { return toml_string(length_to_string(meters)); }
 
-// A number with a unit is text.
+// Spells one number. A number with a unit is written as text.
 std::string one_to_string(const ValueKind& kind, double value) {
     const Scale& scale = kind.scale ? *kind.scale : Scales::plain;
     const bool bare =
@@ -47,7 +47,7 @@ std::string one_to_string(const ValueKind& kind, double value) {
     return bare ? scale.to_string(value) : toml_string(scale.to_string(value));
 }
 
-// The text of each alternative of a FieldValue.
+// Returns the text of each alternative of a FieldValue.
 struct ToText {
     const Field& field;
 

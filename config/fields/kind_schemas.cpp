@@ -1,4 +1,4 @@
-// The JSON Schemas of the kinds of values.
+// This file makes the JSON Schemas of the kinds of values.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A number followed by one of a dimension's units, as units.h reads it.
+// Describes a number followed by one of a dimension's units, as units.h reads it.
 Json quantity(Dimension dimension) {
     std::string names;
     for (const std::string_view name : unit_spellings(dimension)) {

@@ -24,7 +24,7 @@ std::string with_hint(const std::string& text, const Field& field) {
     return field.hint.empty() ? text : text + "; " + std::string(field.hint);
 }
 
-// NaN fails every comparison, so it is never within.
+// Whether the value lies within the range. NaN fails every comparison, so it is never within.
 bool within(const Range& range, double value) {
     if (range.or_zero && value == 0) return true;
     const bool above = range.open_minimum ? value > range.minimum : value >= range.minimum;
@@ -37,7 +37,7 @@ Dimension dimension_of(const Reader& reader) { return reader.field.kind.scale->d
 std::optional<double> check_range(const Reader& reader, const Value& value, double number) {
     if (within(reader.field.range, number)) return number;
     const bool is_fraction = dimension_of(reader) == Dimension::fraction;
-    // A whole number above 1 was most likely to be per cents.
+    // A whole number above 1 was most likely meant as a percentage.
     const bool is_percent = is_fraction && number > 1 && within(reader.field.range, number / 100);
     std::string label = with_hint("must be " + describe_range(reader.field), reader.field);
     if (is_percent && !std::holds_alternative<std::string>(value.data)) {

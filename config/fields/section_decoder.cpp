@@ -14,7 +14,7 @@
 namespace skybake::config {
 namespace {
 
-// One section while it is read.
+// This is one section while it is read.
 struct SectionReader {
     const Section& section;
     const Table& table;
@@ -22,7 +22,8 @@ struct SectionReader {
     Decoder& decoder;
     DecodedSection result;
 
-    // The name that the field's selector has chosen; none if that is missing or at fault.
+    // Returns the name that the field's selector has chosen, or none if the selector is missing or
+    // at fault.
     std::optional<std::string_view> selected(const Field& field) const {
         const DecodedField& selector = result.at(field.selector);
         if (!selector.value) return std::nullopt;
@@ -48,7 +49,7 @@ struct SectionReader {
             fmt::format("{} = \"{}\" comes from {}", field.selector, found, said));
     }
 
-    // Whether the field's selector is a key that has itself no meaning here.
+    // Whether the field's selector is a key that does not apply here itself.
     bool selects_nothing(const Field& field) const {
         const Field& selector = *result.at(field.selector).field;
         if (selector.selector.empty()) return false;
@@ -67,7 +68,7 @@ struct SectionReader {
                         fmt::join(selector.selected_by, "\" or \"")));
     }
 
-    // Whether the text that the field needs is there; one at fault passes for it.
+    // Whether the text that the field needs is there. A text at fault counts as there.
     bool has_needed(const Field& field) const {
         if (field.needs.empty()) return true;
         const DecodedField& needed = result.at(field.needs);
@@ -122,7 +123,7 @@ struct SectionReader {
         }
     }
 
-    // Where else a key of this name exists, for one that stands in the wrong table.
+    // Returns another table that has a key of this name, for a key that stands in the wrong table.
     std::string home_of(std::string_view key) const {
         for (const Section& other : sections()) {
             if (other.path == section.path && other.asset == section.asset) continue;
@@ -236,7 +237,7 @@ const std::string* text_of(const DecodedField& decoded) {
 
 namespace {
 
-// The section that is missing, where a preset can be it; empty otherwise.
+// Returns the missing section as text if a preset can provide it, or an empty text.
 std::string what_to_write(const ReferenceWords& words, const std::string& name) {
     if (words.code != noise_reference.code) return "";
     const CloudNoisePreset noise = noise_of_cloud_preset("", name);

@@ -1,4 +1,4 @@
-// Tables of pairs: density over altitude, and a cloud's profile over height.
+// This file reads tables of pairs: density over altitude, and a cloud's profile over height.
 #include <fmt/format.h>
 
 #include <array>
@@ -13,7 +13,7 @@ namespace {
 
 using Pair = std::array<double, 2>;
 
-// What tells one kind of table from the other.
+// This is what differs between the two kinds of tables.
 struct Columns {
     Field first;              // key, kind and range of the first column
     std::string_view plural;  // "altitudes"
@@ -24,7 +24,7 @@ struct Columns {
     std::string (*to_string)(double);
 };
 
-// A table stands on the ground, so a negative altitude is a slip.
+// A table begins at the ground, so a negative altitude is a mistake.
 constexpr Columns density_columns{
     {.key = "altitude", .kind = Kind::length, .range = {0, 1e12}},
     "altitudes",

@@ -1,4 +1,4 @@
-// Values of more than one number, and those of noises and their volumes.
+// This file reads values of more than one number, and the values of noises and their volumes.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,7 +14,7 @@
 namespace skybake::config {
 namespace {
 
-// As many numbers as `count` says; `label` names them.
+// Reads `count` numbers. `label` names them.
 template <std::size_t count>
 std::optional<std::array<double, count>> read_some(const Reader& reader, const Value& value,
                                                    std::string label) {
@@ -26,7 +26,7 @@ std::optional<std::array<double, count>> read_some(const Reader& reader, const V
     return result;
 }
 
-// As many whole numbers.
+// Reads `count` whole numbers.
 template <std::size_t count>
 std::optional<FieldValue> read_wholes(const Reader& reader, const Value& value, std::string label) {
     const Array* items = read_items(reader, value, count, std::move(label));
@@ -44,7 +44,8 @@ std::optional<FieldValue> read_wholes(const Reader& reader, const Value& value, 
 
 bool is_power_of_two(int number) { return (number & (number - 1)) == 0; }
 
-// Of two numbers that are divided by: the slope is finite in single precision.
+// This is the least difference of two numbers that a division uses, so that the slope is finite in
+// single precision.
 constexpr double least_difference = 1e-6;
 
 constexpr std::string_view seed_bounds = "must be from 0 to 18446744073709551615 (2^64 - 1)";
@@ -55,7 +56,7 @@ struct ParsedSeed {
     bool fits = false;
 };
 
-// Digits, or 0x and hexadecimal digits, and nothing else.
+// Reads digits, or 0x and hexadecimal digits, and nothing else.
 ParsedSeed parse_seed(std::string_view text) {
     const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
     if (hexadecimal) text.remove_prefix(2);
@@ -67,7 +68,8 @@ ParsedSeed parse_seed(std::string_view text) {
     return seed;
 }
 
-// The items of a list of one to most_octaves; null, and an error, if it is none.
+// Returns the items of a list of one to most_octaves values. Returns null and reports an error if
+// the value is not such a list.
 const Array* octave_list(const Reader& reader, const Value& value) {
     const auto* array = std::get_if<Array>(&value.data);
     if (!array) {
@@ -82,7 +84,7 @@ const Array* octave_list(const Reader& reader, const Value& value) {
     return array;
 }
 
-// The same on all axes, or one per axis.
+// Reads one number for all axes, or one per axis.
 std::optional<std::array<int, 3>> read_axes(const Reader& reader, const Value& value) {
     const auto* array = std::get_if<Array>(&value.data);
     if (!array && !std::holds_alternative<std::int64_t>(value.data)) {

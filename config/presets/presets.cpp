@@ -13,7 +13,8 @@ constexpr std::array kinds = {
     SectionPresets{"atmosphere.layers", "layer", layer_presets},
 };
 
-// Clouds that are much wider than tall, whose cells are to be as tall as wide all the same.
+// Whether a cloud is much wider than tall. The cells of its noise must still be as tall as they are
+// wide.
 bool is_layer(std::string_view cloud) {
     constexpr std::array<std::string_view, 3> layers = {"cumulus_humilis", "stratocumulus",
                                                         "stratus"};

@@ -16,7 +16,7 @@ constexpr std::size_t explanation_width = 88;
 
 using Names = std::vector<std::string>;
 
-// "bake.transmittance" for the section of that asset, else the pattern.
+// Returns "bake.transmittance" for the section of that asset, else the section's path pattern.
 std::string section_path(const Section& section) {
     return section.asset.empty() ? std::string(section.path) : "bake." + std::string(section.asset);
 }
@@ -34,14 +34,14 @@ bool is_free(const std::string& name) { return name == "*"; }
 bool name_fits(const std::string& asked, const std::string& pattern, const Section& section) {
     if (asked == pattern || is_free(asked)) return true;
     if (!is_free(pattern)) return false;
-    // [bake.NAME]: the name of another asset means that asset's section.
+    // In [bake.NAME] the name of another asset means that asset's section.
     const std::vector<std::string_view> assets = asset_names();
     const bool other_asset = !section.asset.empty() && asked != section.asset &&
                              std::find(assets.begin(), assets.end(), asked) != assets.end();
     return !other_asset;
 }
 
-// Whether `asked` is the pattern, or its tail.
+// Whether `asked` is the pattern or its tail.
 bool tail_fits(const Names& asked, const Names& pattern, const Section& section) {
     if (asked.empty() || asked.size() > pattern.size()) return false;
     const std::size_t skipped = pattern.size() - asked.size();
@@ -51,13 +51,14 @@ bool tail_fits(const Names& asked, const Names& pattern, const Section& section)
     return true;
 }
 
-// A table of named tables, "noise" or "atmosphere.layers", stands for those that are in it.
+// A table of named tables, such as "noise" or "atmosphere.layers", stands for the tables in it.
 bool holds_section(Names asked, const Names& pattern, const Section& section) {
     asked.emplace_back("*");
     return !pattern.empty() && is_free(pattern.back()) && tail_fits(asked, pattern, section);
 }
 
-// A single name that is free in the pattern would fit anything; it fits an asset of that name only.
+// A single name would fit any pattern that ends in `*`, so it only fits the section of an asset
+// with that name.
 bool section_fits(const Names& asked, const Section& section) {
     const Names pattern = names_of(section.path);
     if (holds_section(asked, pattern, section)) return true;

@@ -22,7 +22,7 @@ constexpr std::size_t comment_width = 98;
 
 std::string comment(std::string_view text) { return wrap(text, "# ", comment_width); }
 
-// The comment lines at the head of the preset's text.
+// Returns the comment lines at the head of the preset's text.
 std::string head_comment(std::string_view text) {
     std::string head;
     while (text.starts_with('#')) {
@@ -33,7 +33,7 @@ std::string head_comment(std::string_view text) {
     return head;
 }
 
-// What the table, or else the default, chooses for a selector such as `profile`.
+// Returns what the table, or else the default, chooses for a selector such as `profile`.
 std::string selected_name(const Section& section, const Table& table, std::string_view selector) {
     const Entry* entry = find_entry(table, selector);
     if (entry) {
@@ -46,7 +46,7 @@ std::string selected_name(const Section& section, const Table& table, std::strin
     return text ? *text : "";
 }
 
-// Whether an absent key's default would take effect, so that it is worth showing.
+// Whether the default of an absent key takes effect, so that it is worth showing.
 bool is_at_default(const Field& field, const Section& section, const Table& table) {
     if (field.fallback.empty()) return false;
     if (!field.selector.empty() && !applies(field, selected_name(section, table, field.selector))) {
@@ -78,7 +78,7 @@ std::string table_text(const Section& section, const std::string& path, const Ta
                        section_text(section, table));
 }
 
-// The tables below a key, in the order of the text.
+// Returns the tables below a key, in the order of the text.
 std::vector<const Entry*> named_tables(const Table& table, std::string_view key) {
     std::vector<const Entry*> entries;
     const Entry* parent = find_entry(table, key);
@@ -107,7 +107,7 @@ std::string bakes_text(const Table& root) {
         const Entry* asset = find_entry(table, "asset");
         const auto* named = asset ? std::get_if<std::string>(&asset->value.data) : nullptr;
         const Section* section = find_section("bake.*", named ? *named : entry->key);
-        if (!section) continue;  // no preset has such
+        if (!section) continue;  // no preset has such a table
         text += table_text(*section, join_path("bake", entry->key), table);
     }
     return text;
@@ -120,7 +120,7 @@ std::optional<Table> parse_preset(const Preset& preset) {
     return parse_toml(source, none_expected);
 }
 
-// The keys of a table as comments, each with the value that the preset gives it.
+// Writes the keys of a table as comments, each with the value that the preset gives it.
 std::string commented_keys(const Section& section, const Table& table) {
     std::string text;
     for (const Field& field : section.fields) {
@@ -135,7 +135,7 @@ std::string commented_keys(const Section& section, const Table& table) {
     return text;
 }
 
-// What can be overridden in each channel: the keys that the preset gives.
+// Writes what can be overridden in each channel, which is the keys that the preset gives.
 std::string commented_channels(const Table& preset, const std::string& path) {
     std::string text;
     for (const Entry* entry : named_tables(preset, "channels")) {
@@ -153,7 +153,8 @@ Entry text_entry(std::string key, std::string text) {
     return {std::move(key), {}, {std::move(text), {}}};
 }
 
-// Those that copy what a web runtime loads are baked as it loads them: raw bytes.
+// Returns the bake of a noise. A preset that copies the files of a web runtime is baked as that
+// runtime loads them, as raw bytes.
 Table bake_of_noise(std::string_view preset, const std::string& name) {
     const Entry asset = text_entry("asset", "noise_volume");
     const Entry noise = text_entry("noise", name);
@@ -169,7 +170,7 @@ std::string note_on_comments(std::string_view preset) {
         preset);
 }
 
-// A section that starts from a preset: keys of its own, and the preset's as comments.
+// Writes a section that starts from a preset: keys of its own, and the preset's keys as comments.
 std::string section_from_preset(const Section& section, const std::string& path,
                                 std::string_view preset, const Table& keys) {
     std::string text = fmt::format("\n# {}\n[{}]\n", section.documentation, path);
@@ -187,7 +188,8 @@ std::array<int, 3> triple_of(const Table& table, const Section& section, std::st
     return value ? std::get<std::array<int, 3>>(*value) : std::array<int, 3>{1, 1, 1};
 }
 
-// The noises of a cloud preset, as sections of a recipe, and the voxels that show them all.
+// These are the noises of a cloud preset, as sections of a recipe, and the number of voxels that
+// shows them all.
 struct CloudNoises {
     std::string text;
     std::array<int, 3> size{1, 1, 1};
@@ -208,7 +210,7 @@ struct CloudNoises {
     }
 };
 
-// The tables below a cloud as comments: its height profile, its towers.
+// Writes the tables below a cloud as comments: its height profile and its towers.
 std::string commented_tables(const Table& cloud, const std::string& path) {
     std::string text;
     const auto append = [&](std::string_view pattern, const std::string& at, const Table& table) {
@@ -243,7 +245,7 @@ std::string bakes_of_cloud(const std::string& name, const std::array<int, 3>& si
                       occupancy);
 }
 
-// How the recipe would be baked with many values of one of its keys.
+// Says how the recipe would be baked with many values of one of its keys.
 std::string sweep_text(const std::string& path, std::string_view values) {
     return fmt::format(
         "\n# One recipe, many values: `skybake sweep` bakes it with each of\n#   [sweep]\n#   {} = "

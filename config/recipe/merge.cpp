@@ -20,7 +20,7 @@ const std::string* text_at(const Table& table, std::string_view key) {
     return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
 }
 
-// What a bake section bakes: its `asset`, else its name.
+// Returns what a bake section bakes: its `asset`, else its name.
 std::string asset_of(const Table& table, const std::string& name) {
     const std::string* asset = text_at(table, "asset");
     return asset ? *asset : name;
@@ -34,7 +34,7 @@ bool names_fit(const Names& names, const Section& section) {
                       });
 }
 
-// The section that a table at these names has; null if it has no fields or is unknown.
+// Returns the section of a table at these names, or null if it has no fields or is unknown.
 const Section* section_of(const Names& names, const Table& table) {
     for (const Section& section : sections()) {
         if (!names_fit(names, section)) continue;
@@ -44,7 +44,7 @@ const Section* section_of(const Names& names, const Table& table) {
     return nullptr;
 }
 
-// Whether `over`, by naming its keys, drops the earlier value of this field.
+// Whether `over` drops the earlier value of this field because of the keys that it names.
 bool is_dropped(const Field& field, const Section& section, const Table& over) {
     for (const Field& other : section.fields) {
         if (exclude_each_other(field, other) && find_entry(over, other.key)) return true;
@@ -56,7 +56,7 @@ bool is_dropped(const Field& field, const Section& section, const Table& over) {
     return selected && !applies(field, *selected);
 }
 
-// What particles have in place of it.
+// Whether the key is a coefficient. Layers of particles have particles instead of coefficients.
 bool is_coefficient(std::string_view key) {
     return key == "scattering" || key == "extinction" || key == "absorption" ||
            key == "single_scattering_albedo";
@@ -177,7 +177,8 @@ Table* table_at(Table& parent, std::string_view key) {
     return entry ? std::get_if<Table>(&entry->value.data) : nullptr;
 }
 
-// Any other layer stays as it is, so that its fault is reported.
+// Renames the keys of a layer of particles. Any other layer stays as it is, so that its fault is
+// reported.
 void name_particles(Table& layer) {
     Entry* phase = find_entry(layer, "phase");
     const Table* inner = phase ? as_table(phase->value) : nullptr;

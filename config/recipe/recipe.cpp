@@ -18,7 +18,8 @@
 namespace skybake::config {
 namespace {
 
-// The pictures of the clouds that are baked: a change of theirs is one of the recipe.
+// Adds the pictures of the clouds that are baked, because a change of a picture is a change of the
+// recipe.
 void append_maps(const Parameters& parameters, std::vector<std::filesystem::path>& inputs) {
     for (const Cloud& cloud : parameters.clouds) {
         const auto bakes_it = [&](const Bake& bake) {
@@ -32,11 +33,11 @@ void append_maps(const Parameters& parameters, std::vector<std::filesystem::path
     }
 }
 
-// All sources of a recipe as one tree.
+// This is all sources of a recipe as one tree.
 struct MergedSources {
     Table root;
     const Source* file = nullptr;  // the recipe itself; null if it could not be read
-    bool complete = true;          // false: keys may be missing since a source is
+    bool complete = true;          // false: keys may be missing because a source is
 };
 
 MergedSources merge_sources(RecipeSources& sources, DiagnosticList& diagnostics) {
@@ -119,9 +120,9 @@ Outcome<Recipe> load_variant(const std::filesystem::path& path,
 
 namespace {
 
-// parameters_toml of recipe.h.
+// The functions below make the texts of parameters_toml (recipe.h).
 
-// The path of the table that holds a key, and the key itself.
+// This is the path of the table that holds a key, and the key itself.
 struct SplitPath {
     std::string table;
     std::string key;

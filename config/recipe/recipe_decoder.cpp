@@ -43,7 +43,7 @@ void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere
     }
 }
 
-// A recipe without one has an atmosphere of no size.
+// Decodes [atmosphere]. A recipe without it has an atmosphere of size 0.
 Atmosphere decode_atmosphere(const Table& root, const Parameters& recipe, Decoder& decoder) {
     Atmosphere result;
     const Entry* entry = find_entry(root, "atmosphere");
@@ -77,7 +77,7 @@ std::vector<Particles> decode_all_particles(const Table& root, std::span<const L
     std::vector<Particles> result;
     for (const Entry& entry : subtable(root, "particles", "", decoder)) {
         const Table* table = named_table(entry, "particles", decoder);
-        // Those that are no table are particles all the same, so that layers may name them.
+        // An entry that is not a table still counts as particles, so that layers may name it.
         Particles named;
         named.name = entry.key;
         result.push_back(
@@ -91,7 +91,7 @@ std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
     std::vector<Noise> noises;
     for (const Entry& entry : subtable(root, "noise", "", decoder)) {
         const Table* table = named_table(entry, "noise", decoder);
-        // One that is no table is a noise all the same, so that bakes may name it.
+        // An entry that is not a table still counts as a noise, so that bakes may name it.
         Noise named;
         named.name = entry.key;
         noises.push_back(table ? decode_noise(entry.key, entry.key_place, *table, decoder) : named);
@@ -104,7 +104,7 @@ std::vector<Cloud> decode_clouds(const Table& root, std::span<const Noise> noise
     std::vector<Cloud> clouds;
     for (const Entry& entry : subtable(root, "clouds", "", decoder)) {
         const Table* table = named_table(entry, "clouds", decoder);
-        // One that is no table is a cloud all the same, so that bakes may name it.
+        // An entry that is not a table still counts as a cloud, so that bakes may name it.
         Cloud named;
         named.name = entry.key;
         clouds.push_back(table ? decode_cloud(entry.key, entry.key_place, *table, noises, decoder)
@@ -113,7 +113,8 @@ std::vector<Cloud> decode_clouds(const Table& root, std::span<const Noise> noise
     return clouds;
 }
 
-// The sky's assets need an atmosphere; a recipe of nothing at all was to be one of a sky.
+// Reports a missing atmosphere. The assets of the sky need one, and an empty recipe was probably
+// meant to be one of a sky.
 void check_atmosphere(const Table& root, const Parameters& parameters, const Source& source,
                       Decoder& decoder) {
     if (find_entry(root, "atmosphere") || !decoder.complete) return;
@@ -150,7 +151,8 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
 
 namespace {
 
-// The list of all sections (fields.h): those of config/sections, of the assets and of [sweep].
+// The functions below make the list of all sections (fields.h): those of config/sections, of the
+// assets and of [sweep].
 template <class S>
 Section make_section(std::string_view path, std::string_view documentation,
                      std::span<const Row<S>> rows) {
@@ -159,7 +161,7 @@ Section make_section(std::string_view path, std::string_view documentation,
     return section;
 }
 
-// Of keys that fill no struct's members.
+// Makes a section of keys that do not fill the members of a struct.
 Section make_section(std::string_view path, std::string_view documentation,
                      std::span<const Field> table) {
     return {path, "", documentation, {table.begin(), table.end()}};

@@ -37,7 +37,7 @@ void assign_place(Value& value, const Place& place) {
     }
 }
 
-// The tree a.b.c = value.
+// Makes the tree a.b.c = value.
 Table wrap(const std::vector<std::string>& names, Value value) {
     Table table;
     for (auto name = names.rbegin(); name != names.rend(); ++name) {
@@ -50,7 +50,7 @@ Table wrap(const std::vector<std::string>& names, Value value) {
     return std::get<Table>(std::move(value.data));
 }
 
-// Whether two paths lead to the same file; a file that does not exist is like no other.
+// Whether two paths lead to the same file. A file that does not exist is not the same as any other.
 bool is_same_file(const fs::path& a, const fs::path& b) {
     std::error_code error;
     return fs::equivalent(a, b, error) && !error;
@@ -61,7 +61,7 @@ class Loader {
     Loader(RecipeSources& result, DiagnosticList& diagnostics)
         : result_(result), diagnostics_(diagnostics) {}
 
-    // --set texts are read first, since they may name another preset or other includes.
+    // The texts of --set are read first, because they may name another preset or other includes.
     void read_settings(std::span<const std::string> settings, std::string_view option) {
         for (const std::string& setting : settings) read_setting(setting, option);
     }
@@ -95,7 +95,7 @@ class Loader {
         check_exclusive_keys(*root, diagnostics_);
         load_preset(effective(*root, "preset", is_root));
         load_includes(effective(*root, "include", is_root), folder);
-        // The order of overriding, which is not that of reading: a file comes after its includes.
+        // This is the order of overriding, not of reading: a file comes after its includes.
         source.order = next_order_++;
         result_.trees.push_back({&source, std::move(*root)});
     }
@@ -141,8 +141,8 @@ class Loader {
         settings_.push_back({&source, std::move(root)});
     }
 
-    // What a file says under a key at the top level; for the recipe itself, what --set says
-    // instead.
+    // Returns what a file says under a key at the top level. For the recipe itself, --set overrides
+    // it.
     const Value* effective(const Table& root, std::string_view key, bool is_root) const {
         const Entry* entry = find_entry(root, key);
         for (const SourceTree& tree : settings_) {
@@ -159,14 +159,14 @@ class Loader {
         if (!preset) {
             result_.complete = false;
             if (name) report_unknown_preset(*name, value->place);
-            return;  // the decoder reports a value that is no text
+            return;  // the decoder reports a value that is not a text
         }
         Source& source =
             add_source(Source::Kind::preset, "preset " + *name, std::string(preset->text));
         source.order = next_order_++;
         std::optional<Table> root = parse_toml(source, diagnostics_);
         if (!root) return;
-        // What to bake is for the recipe to say.
+        // Only the recipe itself decides what to bake.
         std::erase_if(*root, [](const Entry& entry) { return entry.key == "bake"; });
         result_.trees.push_back({&source, std::move(*root)});
     }
@@ -246,7 +246,7 @@ class Loader {
     DiagnosticList& diagnostics_;
     std::vector<SourceTree> settings_;
     std::vector<fs::path> chain_;  // the files that are being read, each included by the one before
-    fs::path root_folder_;         // the recipe's own
+    fs::path root_folder_;         // the folder of the recipe itself
     int next_order_ = 0;
     bool root_loaded_ = false;
     bool reported_most_files_ = false;

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The default as JSON: those of the field tables are TOML that is JSON as well.
+// Returns the default as JSON. The defaults of the field tables are TOML that is also JSON.
 Json default_json(const Field& field) { return Json::parse(field.fallback, nullptr, false); }
 
 Json field_schema(const Field& field) {
@@ -22,7 +22,7 @@ Json field_schema(const Field& field) {
     return schema;
 }
 
-// At most one key of each exclusive group.
+// Adds rules that allow at most one key of each exclusive group.
 void add_exclusions(const Section& section, Json& rules) {
     for (std::size_t i = 0; i < section.fields.size(); ++i) {
         const Field& a = section.fields[i];
@@ -34,7 +34,7 @@ void add_exclusions(const Section& section, Json& rules) {
     }
 }
 
-// Where a selector names a value, the keys of its other values are not allowed.
+// Adds rules that forbid the keys of a selector's other values once the selector names a value.
 void add_variants(const Section& section, Json& rules) {
     for (const Field& selector : section.fields) {
         for (const Choice& choice : selector.choices) {
@@ -73,7 +73,7 @@ Json section_schema(const Section& section) {
 
 Json reference(std::string_view name) { return {{"$ref", fmt::format("#/definitions/{}", name)}}; }
 
-// A bake section of any asset, which `asset` must name.
+// Describes a bake section of any asset. Its `asset` must name the asset.
 Json named_bake_schema() {
     Json alternatives = Json::array();
     for (const std::string_view asset : asset_names()) {
@@ -107,20 +107,20 @@ Json noise_schema() {
     return schema;
 }
 
-// A table of tables under any names.
+// Describes a table of tables under any names.
 Json named_schema(std::string_view description, std::string_view definition) {
     return {{"type", "object"},
             {"description", description},
             {"additionalProperties", reference(definition)}};
 }
 
-// Names that become those of files.
+// Restricts names that become file names.
 Json with_bare_names(Json schema) {
     schema["propertyNames"] = {{"pattern", "^[A-Za-z0-9_-]+$"}};
     return schema;
 }
 
-// Towers are tables under any names, or a list.
+// Describes towers, which are tables under any names or a list.
 Json towers_schema() {
     const Json list = {{"type", "array"}, {"items", reference("tower")}};
     return {{"anyOf", {list, named_schema("towers, by name", "tower")}}};
@@ -139,7 +139,7 @@ Json cloud_schema() {
     return schema;
 }
 
-// Paths of keys, each with a list of values or a range.
+// Describes paths of keys, each with a list of values or a range.
 Json sweep_schema() {
     const Json list = {{"type", "array"}, {"minItems", 1}};
     Json schema = section_schema(*find_section("sweep"));
@@ -147,7 +147,7 @@ Json sweep_schema() {
     return schema;
 }
 
-// The phase function is a name, or { mie = "NAME" } of particles.
+// Describes a layer. Its phase function is a name, or { mie = "NAME" } of particles.
 Json layer_schema() {
     Json schema = section_schema(*find_section("atmosphere.layers.*"));
     schema["properties"]["preset"]["examples"] = layer_preset_names();

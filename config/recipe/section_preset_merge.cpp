@@ -18,7 +18,8 @@
 namespace skybake::config {
 namespace {
 
-// Where a preset of another kind belongs; empty if there is none of that name.
+// Says where a preset of another kind belongs. The text is empty if there is no preset of that
+// name.
 std::string home_of(const std::string& name) {
     if (find_preset(name)) {
         return fmt::format(
@@ -41,12 +42,12 @@ void report_unknown_preset(const SectionPresets& kind, const std::string& name, 
                       std::move(label));
 }
 
-// The keys of the preset that a section names. None if it names none, or there is none of that
-// name.
+// Returns the keys of the preset that a section names, or none if it names none or there is no
+// preset of that name.
 std::optional<Table> preset_of(const SectionPresets& kind, const Value& name,
                                std::deque<Source>& sources, DiagnosticList& diagnostics) {
     const auto* text = std::get_if<std::string>(&name.data);
-    if (!text) return std::nullopt;  // the decoder reports a value that is no text
+    if (!text) return std::nullopt;  // the decoder reports a value that is not a text
     const Preset* preset = find_preset(kind.all(), *text);
     if (!preset) {
         report_unknown_preset(kind, *text, name.place, diagnostics);
@@ -59,7 +60,7 @@ std::optional<Table> preset_of(const SectionPresets& kind, const Value& name,
     return keys;
 }
 
-// The presets of the sections below `path`, under the tables that lead there:
+// Returns the presets of the sections below `path`, within the tables that lead there, as in
 // [atmosphere.layers.*].
 std::optional<Entry> nested(const Table& root, std::string_view path,
                             const std::function<Table(const Table& named)>& presets) {
@@ -102,7 +103,7 @@ const std::string* string_under(const Table& table, std::string_view key) {
     return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
 }
 
-// Whether the recipe says by itself what the noise is made of.
+// Whether the recipe itself says what the noise is made of.
 bool has_noise(const Table& root, const std::string& name) {
     const Entry* noises = find_entry(root, "noise");
     const Table* all = noises ? as_table(noises->value) : nullptr;
@@ -112,8 +113,8 @@ bool has_noise(const Table& root, const std::string& name) {
     return !noise || find_entry(*noise, "preset") || find_entry(*noise, "channels");
 }
 
-// The noise `name` of a cloud that starts from a preset, as a recipe's text; empty if the recipe
-// has one, or there is none that goes with the preset.
+// Returns the noise `name` of a cloud that starts from a preset, as the text of a recipe. The text
+// is empty if the recipe has this noise or if no noise goes with the preset.
 std::string brought_noise(const Table& root, const std::string& cloud_preset,
                           const std::string& name) {
     if (has_noise(root, name) || !is_bare_key(name)) return "";
@@ -123,7 +124,8 @@ std::string brought_noise(const Table& root, const std::string& cloud_preset,
                        noise.pack);
 }
 
-// Lays the recipe over the noises that presets of its clouds name, where it has none of that name.
+// Lays the recipe over the noises that the presets of its clouds name, where it has no noise of
+// that name.
 void lay_over_noises_of_clouds(Table& root, std::deque<Source>& sources,
                                DiagnosticList& diagnostics) {
     const Entry* entry = find_entry(root, "clouds");
@@ -157,7 +159,7 @@ bool lay_sections_over_presets(Table& root, std::deque<Source>& sources,
     const auto lay = [&](const SectionPresets& kind) {
         complete = lay_over_presets(kind, root, sources, diagnostics) && complete;
     };
-    // Presets of clouds name noises, which start from presets in their turn.
+    // Presets of clouds name noises, which themselves start from presets.
     const auto is_of_clouds = [](const SectionPresets& kind) { return kind.section == "clouds"; };
     const auto all = section_presets();
     const SectionPresets& clouds = *std::find_if(all.begin(), all.end(), is_of_clouds);

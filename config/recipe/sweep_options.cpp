@@ -12,7 +12,7 @@
 namespace skybake::config {
 namespace {
 
-// The pieces between separators that stand neither in quotes nor in brackets.
+// Returns the pieces between separators that are not in quotes or brackets.
 std::vector<std::string_view> split_outside(std::string_view text, char separator) {
     std::vector<std::string_view> pieces;
     std::size_t start = 0;
@@ -38,7 +38,7 @@ std::vector<std::string_view> split_outside(std::string_view text, char separato
     return pieces;
 }
 
-// What is no TOML is text, as in --set.
+// Reads a value. A text that is not TOML counts as a string, as in --set.
 Value value_of(std::string_view text) {
     std::optional<Value> value = parse_toml_value(text);
     return value ? std::move(*value) : Value{std::string(text), {}};
@@ -46,12 +46,14 @@ Value value_of(std::string_view text) {
 
 Entry entry_of(std::string key, Value value) { return {std::move(key), {}, std::move(value)}; }
 
-// Whether a text is a number too large for TOML, or a misspelt one: no scale's name.
+// Whether a text begins as a number. Then it is a number too large for TOML or a misspelt one, not
+// the name of a scale.
 bool begins_as_number(std::string_view text) {
     return std::string_view("+-.0123456789").find(text.front()) != std::string_view::npos;
 }
 
-// FROM:TO, then a count or a scale or both; none if there are more pieces, or an empty one.
+// Reads FROM:TO, then a count or a scale or both. Returns none if there are more pieces, or an
+// empty one.
 std::optional<Value> range_of(const std::vector<std::string_view>& pieces) {
     constexpr std::size_t most_pieces = 4;
     if (pieces.size() > most_pieces) return std::nullopt;
@@ -93,7 +95,7 @@ std::optional<Value> swept_values(std::string_view text) {
     return is_range ? range_of(pieces) : list_of(pieces);
 }
 
-// The entry of [sweep] that one --vary stands for.
+// Returns the entry of [sweep] that one --vary stands for.
 std::optional<Entry> varied_entry(const std::string& option) {
     const std::string_view text = option;
     const std::size_t equals = find_equals(text);

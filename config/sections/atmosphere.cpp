@@ -15,8 +15,9 @@
 namespace skybake::config {
 namespace {
 
-// The part of the line from a to b, where the density runs linearly from density_a to density_b,
-// that lies between `bottom` and `top`: its length times its mean density.
+// Integrates the density over the part of a line that lies between `bottom` and `top`. The line
+// runs from a to b, and the density on it linearly from density_a to density_b. The result is the
+// length of the part times its mean density.
 double linear_column(double a, double density_a, double b, double density_b, double bottom,
                      double top) {
     const double low = std::max(a, bottom);
@@ -74,7 +75,7 @@ const std::vector<double>* numbers_of(const DecodedField& decoded) {
     return decoded.value ? std::get_if<std::vector<double>>(&*decoded.value) : nullptr;
 }
 
-// The place of a channel's value within its list.
+// Returns the place of a channel's value within its list.
 Place channel_place(const Value& value, std::size_t channel) {
     const auto* array = std::get_if<Array>(&value.data);
     if (!array || array->size() <= 1) return value.place;
@@ -105,13 +106,13 @@ void check_extinction(const DecodedSection& layer, Decoder& decoder) {
     }
 }
 
-// Extinction from what was given in its place: absorption, the albedo, or nothing.
+// Derives the extinction from what was given instead: absorption, the albedo, or nothing.
 void derive_extinction(DecodedSection& layer, Decoder& decoder) {
     DecodedField& extinction = layer.at("extinction");
     const DecodedField& absorption = layer.at("absorption");
     const DecodedField& albedo = layer.at("single_scattering_albedo");
     const std::vector<double>* scattering = numbers_of(layer.at("scattering"));
-    // A source without a value is one at fault, which has been reported.
+    // A source without a value was at fault, which has been reported.
     const bool at_fault =
         (absorption.source && !absorption.value) || (albedo.source && !albedo.value);
     if (extinction.source || at_fault || !scattering) return;
@@ -138,7 +139,7 @@ void derive_extinction(DecodedSection& layer, Decoder& decoder) {
     extinction.derived = true;
 }
 
-// The upper bound of a slab above its lower one.
+// Checks that the top of a slab is above its bottom.
 void check_slab(const DecodedSection& section, Decoder& decoder) {
     const DecodedField& bottom = section.at("bottom_altitude");
     const DecodedField& top = section.at("top_altitude");
@@ -159,8 +160,8 @@ bool is_switched_off(const Table& table) {
     return enabled && !*enabled;
 }
 
-// A layer that is switched off is checked, so that a slip is not found only when it is wanted
-// again, but shown as no more than that.
+// Checks a layer that is switched off, so that a mistake is found before the layer is wanted again.
+// Only the key `enabled` of the layer is shown.
 void decode_switched_off(DecodedSection& section, Decoder& decoder) {
     check_extinction(section, decoder);
     check_slab(section, decoder);
@@ -175,7 +176,8 @@ bool is_of_particles(const DecodedSection& layer) {
     return choice_of<Phase>(phase) == Phase::mie;
 }
 
-// Coefficients follow from the particles: given besides, they would contradict them.
+// Removes the coefficients of a layer of particles and reports any that are given. They follow from
+// the particles, and given ones would contradict them.
 void leave_coefficients_to_particles(DecodedSection& layer, Decoder& decoder) {
     for (const std::string_view key :
          {"scattering", "extinction", "absorption", "single_scattering_albedo"}) {
@@ -190,7 +192,7 @@ void leave_coefficients_to_particles(DecodedSection& layer, Decoder& decoder) {
     }
 }
 
-// A section that is whole, with what it takes from the recipe.
+// Turns a complete section into a layer, with what it takes from the recipe.
 Layer bind_layer(const std::string& name, const DecodedSection& section, const Parameters& recipe,
                  Decoder& decoder) {
     Layer layer;

@@ -1,12 +1,12 @@
-// Rows of the recipe as a whole, of [atmosphere] and of its layers.
+// This file holds the rows of the recipe as a whole, of [atmosphere] and of its layers.
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
 
 namespace skybake::config {
 namespace {
 
-// Ranges. The outer bounds are wider than any planet and narrower than anything that would overflow
-// a double when squared, so that the bakers need not ask again.
+// The outer bounds of these ranges are wider than any planet, and narrow enough that no square
+// overflows a double. So the bakers need not check them again.
 constexpr Range radius_range{1, 1e12};
 constexpr Range altitude_range{-1e9, 1e12};
 constexpr Range thickness_range{1e-3, 1e9};
@@ -34,7 +34,7 @@ constexpr std::array phase_choices = {
            "the phase function of [particles.NAME], and with it scattering and extinction"},
 };
 
-// For which profiles and phases a key has a meaning.
+// These are the profiles and phases for which a key applies.
 constexpr std::string_view exponential[] = {"exponential"};
 constexpr std::string_view tent[] = {"tent"};
 constexpr std::string_view slab[] = {"slab"};

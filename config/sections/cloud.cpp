@@ -30,7 +30,7 @@ std::vector<std::string> cloud_channel_names(const Noise& noise, CloudChannels c
 
 namespace {
 
-// The section of a table below a cloud, filled into its struct.
+// Decodes the section of a table below a cloud and fills its struct.
 template <class S, class Bound>
 DecodedSection decode_into(S& target, std::span<const Bound> fields, std::string_view pattern,
                            const std::string& path, const Place& place, const Table& table,
@@ -42,7 +42,7 @@ DecodedSection decode_into(S& target, std::span<const Bound> fields, std::string
     return section;
 }
 
-// One cloud while its tables are read.
+// This is one cloud while its tables are read.
 struct CloudReader {
     const std::string& path;
     const Place& place;
@@ -50,7 +50,7 @@ struct CloudReader {
     Decoder& decoder;
     Cloud& cloud;
 
-    // The place of a table's name, or of the cloud's where it is not given.
+    // Returns the place of a table's name, or of the cloud's name if the table is not given.
     Place place_of(std::string_view key) const {
         const Entry* entry = find_entry(table, key);
         return entry ? entry->key_place : place;
@@ -62,7 +62,8 @@ struct CloudReader {
                            subtable(table, "height_profile", path, decoder), decoder);
     }
 
-    // Files are looked for where includes are: in the folder of the recipe that names them.
+    // Resolves the path of a map. Files are looked for where includes are: in the folder of the
+    // recipe that names them.
     void resolve_path(const DecodedSection& section, CloudMap& map) const {
         const DecodedField& file = section.at("file");
         if (!file.source || !file.value) return;
@@ -126,7 +127,7 @@ struct CloudReader {
     }
 };
 
-// The greatest frequency of the channels, by axis.
+// Returns the greatest frequency of the channels along each axis.
 std::array<int, 3> greatest_frequency(std::span<const NoiseChannel> channels) {
     std::array<int, 3> greatest{};
     for (const NoiseChannel& channel : channels) {
@@ -141,7 +142,7 @@ std::array<int, 3> greatest_frequency(std::span<const NoiseChannel> channels) {
     return greatest;
 }
 
-// Scaled frequencies have the range of those that a noise may give.
+// Checks that scaled frequencies stay in the range of those that a noise may give.
 void check_scale(const DecodedSection& section, std::string_view key, const Noise* noise,
                  CloudChannels channels, const std::array<int, 3>& scale, Decoder& decoder) {
     if (!noise) return;

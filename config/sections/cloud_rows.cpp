@@ -59,7 +59,7 @@ constexpr std::array color_space_choices = {
     Choice{MapColorSpace::srgb, "srgb", "numbers converted from the sRGB curve to linear light"},
 };
 
-// For which profiles, and for which place of the threshold, a key has a meaning.
+// These are the profiles, and the place of the threshold, for which a key applies.
 constexpr std::string_view at_bake[] = {"bake"};
 constexpr std::string_view thesis[] = {"thesis"};
 constexpr std::string_view blended[] = {"blended"};
@@ -234,7 +234,7 @@ const std::array height_profile_table = {
         &HeightProfile::table},
 };
 
-// Both maps have the same keys, and differ in what their numbers mean.
+// Both maps have the same keys. They differ in what their numbers mean.
 constexpr std::string_view coverage_file = "picture whose numbers multiply coverage";
 constexpr std::string_view type_file = "picture whose numbers replace cloud_type";
 

@@ -14,7 +14,8 @@ std::int64_t longer_edge(const std::array<int, 3>& size, const SliceSheet& sheet
     return std::max(width, height);
 }
 
-// The image that has the shortest longer edge is the nearest to a square: all have equal areas.
+// Returns the sheet whose image is nearest to a square. All images without empty cells have equal
+// areas, so it is the one with the shortest longer edge.
 SliceSheet full_sheet(const std::array<int, 3>& size) {
     SliceSheet best = sheet_of_columns(size, 1);
     for (int columns = 2; columns <= size[2]; ++columns) {
@@ -25,10 +26,11 @@ SliceSheet full_sheet(const std::array<int, 3>& size) {
     return best;
 }
 
-// The width grows and the height falls with the columns, so that halving finds the fewest.
+// Returns the sheet with the fewest columns whose image is at least as wide as it is high. With
+// more columns the width grows and the height falls, so halving finds them.
 SliceSheet squarest_sheet(const std::array<int, 3>& size) {
     int low = 1;
-    int high = size[2];  // one row of cells: enough wherever anything is
+    int high = size[2];  // one row of cells, which is enough if any number is
     while (low < high) {
         const int middle = low + (high - low) / 2;
         const auto [width, height] = sheet_size(size, sheet_of_columns(size, middle));

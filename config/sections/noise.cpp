@@ -9,7 +9,7 @@ namespace {
 
 using Frequency = std::array<int, 3>;
 
-// One series of one channel while it is resolved.
+// This is one series of one channel while it is resolved.
 struct SeriesResolver {
     DecodedSection& channel;
     const OctaveKeys& keys;
@@ -21,7 +21,8 @@ struct SeriesResolver {
         return decoded.source ? decoded.source->place : channel.place;
     }
 
-    // As many as are asked for; as many as there are gains, where nothing is asked.
+    // Returns the number of octaves that `octaves` asks for, or the number of gains if `octaves` is
+    // not given.
     std::optional<std::size_t> count() const {
         const DecodedField& octaves = channel.at(keys.octaves);
         const DecodedField& gains = channel.at(keys.gains);
@@ -45,7 +46,7 @@ struct SeriesResolver {
                 static_cast<int>(range.maximum)));
     }
 
-    // frequency * lacunarity^i along each axis.
+    // Returns frequency * lacunarity^i along each axis.
     std::optional<std::vector<Frequency>> series(std::size_t octaves) const {
         const auto most =
             static_cast<std::int64_t>(channel.at(keys.frequencies).field->range.maximum);
@@ -72,7 +73,7 @@ struct SeriesResolver {
         const std::optional<std::size_t> octaves = count();
         const bool has_series =
             channel.at(keys.frequency).value && channel.at(keys.lacunarity).value && octaves;
-        // A source without a value is one at fault, which has been reported.
+        // A source without a value was at fault, which has been reported.
         if (frequencies.source || !has_series) return;
         std::optional<std::vector<Frequency>> resolved = series(*octaves);
         if (!resolved) return;
@@ -80,7 +81,8 @@ struct SeriesResolver {
         frequencies.derived = true;
     }
 
-    // Whichever was said last, so that it is not a preset that is found at fault.
+    // Returns the place of the key that was given last, so that the error does not point to a
+    // preset.
     Place latest_place() const {
         const DecodedField* latest = &channel.at(keys.gains);
         for (const std::string_view key : {keys.octaves, keys.frequencies}) {
@@ -140,8 +142,9 @@ bool at_corners(std::size_t axis, NoiseSampling sampling) {
            (sampling == NoiseSampling::slices_at_corners && axis == 2);
 }
 
-// (2i + 1) f / 2N is an integer for all i if it is one for i = 0; i f / N if it is one for i = 1. A
-// single voxel at a corner lies at 0, and 1 divides f.
+// Whether all voxels of an axis lie on lattice points. (2i + 1) f / 2N is an integer for all i if
+// it is one for i = 0, and i f / N if it is one for i = 1. A single voxel at a corner lies at 0,
+// and its size 1 divides every f.
 bool meets_only_lattice_points(int frequency, int size, bool corners) {
     const std::int64_t denominator = std::int64_t{corners ? 1 : 2} * size;
     return frequency % denominator == 0;

@@ -14,10 +14,10 @@
 namespace skybake::config {
 namespace {
 
-// In the order of a noise's channels.
+// The names stand in the order of a noise's channels.
 constexpr std::array<std::string_view, 5> channel_names = {"R", "G", "B", "A", "Y"};
 
-// The sets that a picture's channels can be.
+// These are the sets of channels that a picture can have.
 constexpr std::array<std::string_view, 4> channel_sets = {"Y", "R", "RGB", "RGBA"};
 
 std::size_t channel_order(std::string_view name) {
@@ -44,7 +44,7 @@ void report_unknown_channel(const Entry& entry, const std::string& path, Decoder
                               "a noise has the channels R, G, B and A, or Y alone");
 }
 
-// The entries of [noise.NAME.channels] that are channels, in the order R, G, B, A, Y.
+// Returns the entries of [noise.NAME.channels] that are channels, in the order R, G, B, A, Y.
 std::vector<const Entry*> channel_entries(const Table& channels, const std::string& path,
                                           Decoder& decoder) {
     std::vector<const Entry*> entries;
@@ -67,7 +67,8 @@ std::string set_of(const std::vector<const Entry*>& entries) {
     return letters;
 }
 
-// Where the channel stands that was added last, which is no preset's if it can be helped.
+// Returns the place of the channel that was added last. It is not in a preset if any channel is
+// outside one.
 Place latest_place(const std::vector<const Entry*>& entries) {
     const auto order = [](const Entry* entry) {
         const Place& place = entry->key_place;
@@ -89,7 +90,7 @@ void report_set(const std::string& set, const std::string& path, const Place& pl
             : "expected Y alone, R alone, R, G, B, or R, G, B, A");
 }
 
-// A packing takes the channels that its formula names.
+// Checks that the noise has the channels that the formula of its packing names.
 void check_packing(const DecodedSection& section, const std::string& set, Decoder& decoder) {
     const DecodedField& pack = section.at("pack");
     if (!pack.value || !pack.source) return;
@@ -119,7 +120,8 @@ std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const T
     const std::string set = set_of(entries);
     const bool is_known =
         std::find(channel_sets.begin(), channel_sets.end(), set) != channel_sets.end();
-    // Channels at fault or of an unknown preset would have made up the set: one error is enough.
+    // Channels at fault, or of an unknown preset, might have completed the set. One error is
+    // enough.
     const Entry* given = find_entry(table, "channels");
     const bool at_fault = entries.size() != channels.size() || (given && !as_table(given->value));
     if (is_known) {

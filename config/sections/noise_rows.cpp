@@ -9,9 +9,9 @@ constexpr Range frequency_range{1, 1048576};
 constexpr Range octave_range{1, 16};
 constexpr Range lacunarity_range{1, 16};
 constexpr Range gain_range{0, 4};
-constexpr Range gains_range{0, 1e10};  // holds the weight of the last of 16 octaves of gain 4
+constexpr Range gains_range{0, 1e10};  // includes the weight of the last of 16 octaves with gain 4
 constexpr Range value_range{-1e6, 1e6};
-constexpr Range bias_range{0.001, 0.999};  // beyond, single precision divides by 0
+constexpr Range bias_range{0.001, 0.999};  // beyond it, single precision divides by 0
 
 constexpr std::string_view perlin_and_worley =
     "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function";
@@ -71,7 +71,7 @@ constexpr std::array component_choices = {
     Choice{CurlComponent::y, "y", "d/dz of potential x - d/dx of potential z"},
     Choice{CurlComponent::z, "z", "d/dx of potential y - d/dy of potential x"},
 };
-// For which types a key has a meaning.
+// These are the types for which a key applies.
 constexpr std::string_view constant_noise[] = {"constant"};
 constexpr std::string_view noises[] = {"perlin", "worley", "perlin_worley", "curl"};
 constexpr std::string_view with_perlin[] = {"perlin", "perlin_worley"};

@@ -12,11 +12,11 @@ namespace skybake::config {
 
 namespace {
 
-// Those of the tables that bakers/air/particles/water_refractive_index.h cites.
+// These are the ends of the tables that bakers/air/particles/water_refractive_index.h cites.
 constexpr Length shortest_in_water{0.2e-6};
 constexpr Length longest_in_water{4e-6};
 
-// Below this the difference of the index from that of air is rounding.
+// Below this value the difference between the index and that of air is only rounding.
 constexpr double least_contrast = 1e-6;
 
 void check_material(const DecodedSection& section, const Particles& particles,

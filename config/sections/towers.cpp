@@ -21,7 +21,8 @@ Table named_by_index(Array items) {
     return table;
 }
 
-// Digits compare as numbers by their count and then as text, however many there are.
+// Returns a key for sorting. It compares digits of any count as numbers, by their count and then as
+// text.
 auto order_of(const std::string& name) {
     const bool is_number = !name.empty() && name.find_first_not_of("0123456789") == name.npos;
     const std::string digits =

@@ -45,7 +45,8 @@ std::vector<std::string> variant_settings(const Sweep& sweep, int index) {
 
 namespace {
 
-// The keys of [sweep] itself, and of a range in it. All other keys of [sweep] are paths of keys.
+// These are the keys of [sweep] itself and of a range in it. All other keys of [sweep] are paths of
+// keys.
 constexpr Range value_count_range{2, most_variants};
 constexpr Range points_range{1, most_variants};
 
@@ -126,7 +127,7 @@ constexpr int bits = 32;
 
 using DirectionNumbers = std::array<std::uint32_t, bits>;
 
-// A primitive polynomial over GF(2), x^degree + a_1 x^(degree - 1) + ... + 1, whose inner
+// This is a primitive polynomial over GF(2), x^degree + a_1 x^(degree - 1) + ... + 1, whose inner
 // coefficients are the bits of `inner`, and the first m_i of its recurrence.
 struct Polynomial {
     int degree;
@@ -152,7 +153,8 @@ constexpr std::array<Polynomial, sobol_dimensions - 1> polynomials = {{
     {6, 16, {1, 3, 1, 13, 27, 49}},
 }};
 
-// v_i = m_i 2^(32 - i); the recurrence of the m_i, from the polynomial, in terms of the v_i.
+// Returns v_i = m_i 2^(32 - i). The code states the recurrence of the m_i, which the polynomial
+// gives, in terms of the v_i.
 constexpr DirectionNumbers direction_numbers(const Polynomial& polynomial) {
     DirectionNumbers v{};
     for (int i = 0; i < bits; ++i) {
@@ -186,7 +188,8 @@ constexpr auto directions = all_direction_numbers();
 double sobol_coordinate(std::uint32_t index, int dimension) {
     assert(dimension >= 0 && dimension < sobol_dimensions);
     const DirectionNumbers& v = directions[static_cast<std::size_t>(dimension)];
-    // In the order of Gray's code (Antonov and Saleev 1979), as Joe and Kuo's own program has it.
+    // The points are in the order of Gray's code (Antonov and Saleev 1979), as in Joe and Kuo's own
+    // program.
     const std::uint32_t code = index ^ (index >> 1);
     std::uint32_t x = 0;
     for (std::size_t i = 0; i < bits; ++i) {

@@ -19,13 +19,13 @@ using Groups = std::vector<std::vector<std::string>>;
 
 constexpr std::size_t alone = static_cast<std::size_t>(-1);
 
-// A key that varies.
+// This is a key that varies.
 struct Swept {
     const Entry* entry = nullptr;
     SweptKey key;
-    std::vector<SweepValue> values;   // of a list, or of a range with a count
-    std::optional<SweptRange> range;  // one without a count
-    std::size_t group = alone;        // of those that walk together
+    std::vector<SweepValue> values;   // the values of a list, or of a range with a count
+    std::optional<SweptRange> range;  // a range without a count
+    std::size_t group = alone;        // the group of keys that vary together
 };
 
 struct SweepReader {
@@ -33,7 +33,7 @@ struct SweepReader {
     const Table& table;  // [sweep]
     Decoder& decoder;
     std::vector<Swept> keys = {};
-    std::optional<int> points = {};  // of `sobol`
+    std::optional<int> points = {};  // the number that `sobol` gives
 
     void error(std::string code, const Place& place, std::string message, std::string label) const {
         decoder.diagnostics.error(std::move(code), place, std::move(message), std::move(label));
@@ -49,7 +49,7 @@ struct SweepReader {
                           decoder.diagnostics);
     }
 
-    // All entries but the section's own keys, in the order of writing.
+    // Returns all entries except the section's own keys, in the order in which they are written.
     std::vector<const Entry*> entries() const {
         std::vector<const Entry*> result;
         for (const Entry& entry : table) {
@@ -91,7 +91,7 @@ struct SweepReader {
         return true;
     }
 
-    // How many values an entry asks for, as far as one can see without reading them.
+    // Returns how many values an entry asks for, as far as this can be seen without reading them.
     static std::size_t asked_values(const Value& value) {
         if (const auto* list = std::get_if<Array>(&value.data)) return list->size();
         const Table* range = as_table(value);
@@ -112,7 +112,7 @@ struct SweepReader {
         return false;
     }
 
-    // Two paths that are one key, or keys that exclude each other, cannot both have their way.
+    // Reports two paths that mean the same key, and keys that exclude each other.
     bool check_against_others(const Swept& swept) const {
         for (const Swept& other : keys) {
             const bool same = other.key.path == swept.key.path;
@@ -161,7 +161,8 @@ struct SweepReader {
         return nullptr;
     }
 
-    // What keeps a path from joining a group whose first member is given (null: it is the first).
+    // Says what keeps a path from joining a group whose first member is given. `first` is null if
+    // the path is the first.
     std::string obstacle(const Swept* swept, const Swept* first) const {
         if (!swept) return "does not vary";
         if (swept->group != alone) return "is named twice";
@@ -217,7 +218,7 @@ struct SweepReader {
         }
     }
 
-    // Those that walk together, beginning with the key at `first`, or that key alone.
+    // Returns the keys that vary together, beginning with the key at `first`, or that key alone.
     std::vector<const Swept*> members(std::size_t first) const {
         const Swept& leader = keys[first];
         std::vector<const Swept*> result;

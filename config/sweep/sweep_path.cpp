@@ -22,7 +22,7 @@ bool names_fit(const Names& names, const std::vector<std::string_view>& pattern)
                       });
 }
 
-// The table at these names; null if there is none.
+// Returns the table at these names, or null if there is none.
 const Table* table_at(const Table& root, const Names& names, std::size_t count) {
     const Table* table = &root;
     for (std::size_t i = 0; table && i < count; ++i) {
@@ -32,14 +32,14 @@ const Table* table_at(const Table& root, const Names& names, std::size_t count) 
     return table;
 }
 
-// What a bake section bakes: its `asset`, else its name.
+// Returns what a bake section bakes: its `asset`, else its name.
 std::string asset_of(const Table* table, const std::string& name) {
     const Entry* entry = table ? find_entry(*table, "asset") : nullptr;
     const auto* asset = entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
     return asset ? *asset : name;
 }
 
-// The section of a table of the recipe at these names; null if no table can be there.
+// Returns the section of the recipe's table at these names, or null if no table can be there.
 const Section* section_at(const Table& root, const Names& names) {
     for (const Section& section : sections()) {
         if (is_of_sweep(section) || !names_fit(names, path_names(section))) continue;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int digits = 12;
 
-// Ends that are wilder than any key's range, so that nothing below overflows.
+// These bounds on the ends are wider than any key's range, so that nothing below overflows.
 constexpr double largest_end = 1e100;
 constexpr double smallest_log_end = 1e-100;
 constexpr double largest_whole_end =
@@ -64,7 +64,7 @@ Quantity in_base_units(const Value& value) {
     return {as_number(value), Dimension::number};
 }
 
-// Both ends in the unit that they share, else in the base unit.
+// Sets both ends in the unit that they share, else in the base unit.
 void set_ends(const Value& from, const Value& to, SweptRange& range) {
     range.first = sweep_value(from);
     range.last = sweep_value(to);
@@ -79,7 +79,7 @@ void set_ends(const Value& from, const Value& to, SweptRange& range) {
     range.unit = base_unit(in_base_units(from).dimension);
 }
 
-// The power of ten of a number's first digit.
+// Returns the power of ten of a number's first digit.
 int leading_power(double value) {
     const std::string text = fmt::format("{:.{}e}", std::fabs(value), digits - 1);
     std::string_view exponent = std::string_view(text).substr(text.find('e') + 1);
@@ -89,7 +89,7 @@ int leading_power(double value) {
     return power;
 }
 
-// Rounded to `digits` significant digits of `scale`.
+// Rounds to `digits` significant digits of `scale`.
 double round_to_digits(double value, double scale) {
     const int decimals = std::max(0, digits - 1 - leading_power(scale));
     const std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -98,8 +98,9 @@ double round_to_digits(double value, double scale) {
     return rounded + 0.0;  // -0 becomes 0
 }
 
-// base^exponent for an exponent in [0, 1], by the exponent's binary digits and repeated square
-// roots: within some 80 units in the last place, and the same bits everywhere.
+// Returns base^exponent for an exponent in [0, 1], computed from the exponent's binary digits by
+// repeated square roots. The error is at most about 80 units in the last place, and the bits are
+// the same on every machine.
 double root_power(double base, double exponent) {
     double power = 1;
     double root = base;
@@ -126,7 +127,7 @@ double value_between(const SweptRange& range, double share) {
 double evenly_spaced(const SweptRange& range, int index, int count) {
     const int last = count - 1;
     if (range.log) return value_between(range, double(index) / last);
-    // Not by shares: the products are exact for short decimals more often.
+    // The products below are exact for short decimals more often than shares would be.
     const double value = (range.from * (last - index) + range.to * index) / last;
     return round_to_digits(value, std::max(std::fabs(range.from), std::fabs(range.to)));
 }
@@ -252,7 +253,7 @@ std::optional<std::vector<SweepValue>> range_values(const SweptRange& range,
 
 SweepValue value_at_share(const SweptRange& range, double share) {
     if (!range.whole) return share == 0 ? range.first : spelled(range, value_between(range, share));
-    // One more than the greatest, for its share of the way.
+    // The range ends one above the greatest number, so that this number has its share too.
     const double low = std::min(range.from, range.to);
     const double high = std::max(range.from, range.to);
     const double upward = range.from < range.to ? share : 1 - share;

@@ -39,7 +39,7 @@ int hexadecimal_digit(char c) {
     return -1;
 }
 
-// Reads the escape after a backslash at `at`, as toml_string writes them.
+// Reads the escape after a backslash at `at`, in the form that toml_string writes.
 std::optional<char> read_escape(std::string_view path, std::size_t& at) {
     if (at >= path.size()) return std::nullopt;
     const char c = path[at++];
@@ -55,7 +55,8 @@ std::optional<char> read_escape(std::string_view path, std::size_t& at) {
     return static_cast<char>(high * 16 + low);
 }
 
-// Reads a quoted name whose opening quote stands before `at`; leaves `at` behind the closing one.
+// Reads a quoted name whose opening quote stands before `at`, and moves `at` behind the closing
+// one.
 std::optional<std::string> read_quoted(std::string_view path, std::size_t& at) {
     std::string name;
     while (at < path.size()) {

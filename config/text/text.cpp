@@ -11,8 +11,8 @@
 namespace skybake::config {
 namespace {
 
-// The well-formed sequences, Unicode 15 table 3-7: range of the first byte, range of the second,
-// length; later bytes are 80..BF.
+// These are the well-formed sequences of Unicode 15, table 3-7: the range of the first byte, the
+// range of the second, and the length. Later bytes are 80..BF.
 struct Sequence {
     unsigned char first_minimum, first_maximum;
     unsigned char second_minimum, second_maximum;
@@ -32,7 +32,8 @@ bool within(char c, unsigned char minimum, unsigned char maximum) {
     return byte >= minimum && byte <= maximum;
 }
 
-// The length of the well-formed sequence at the head of a text that is not empty; 0 if none is.
+// Returns the length of the well-formed sequence at the head of a text that is not empty, or 0 if
+// there is none.
 std::size_t sequence_length(std::string_view text) {
     for (const Sequence& sequence : sequences) {
         if (!within(text[0], sequence.first_minimum, sequence.first_maximum)) continue;
@@ -147,7 +148,7 @@ std::optional<std::string> nearest_name(std::string_view name,
     std::optional<std::string> nearest;
     for (const std::string_view candidate : known) {
         const int distance = edit_distance(name, candidate);
-        // A name that keeps none of its letters is no neighbour, however short it is.
+        // A name that keeps none of its letters is not near, however short it is.
         if (distance >= static_cast<int>(name.size())) continue;
         if (nearest ? distance < best : distance <= best) {
             best = distance;
@@ -189,7 +190,8 @@ std::variant<std::string, FileError> read_text(std::FILE* file, std::size_t most
 
 std::variant<std::string, FileError> read_text_file(const std::filesystem::path& path,
                                                     std::size_t most_bytes) {
-    // Streams of the standard library do not say why they failed.
+    // The file is opened with fopen because the streams of the standard library do not say why they
+    // failed.
     const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
     if (!file) return system_error();
     return read_text(file.get(), most_bytes);
@@ -210,8 +212,9 @@ std::size_t find_or_end(std::string_view text, std::string_view what, std::size_
     return std::min(text.find(what, from), text.size());
 }
 
-// The end of a string that is opened at `at`, as TOML sees it: three quotes open a text that spans
-// lines; in the others a line break ends the string, since that is an error the parser will report.
+// Returns the end of a string that opens at `at`, as TOML sees it. Three quotes open a text that
+// may span lines. In other strings a line break ends the string, because it is an error that the
+// parser will report.
 std::size_t skip_string(std::string_view text, std::size_t at) {
     const char quote = text[at];
     const std::string_view three = quote == '"' ? "\"\"\"" : "'''";

@@ -14,8 +14,8 @@
 namespace skybake::config {
 namespace {
 
-// A unit is a power of ten of its base unit, except the degree. Other spellings of a unit are read
-// but not listed.
+// Each unit is a power of ten of its base unit, except the degree. Other spellings of a unit are
+// read but not listed.
 struct Unit {
     std::string_view name;
     Dimension dimension;
@@ -59,7 +59,7 @@ std::size_t skip_digits(std::string_view text, std::size_t at) {
     return at;
 }
 
-// The parts of `[+-]digits[.digits][e[+-]digits]` at the head of a text.
+// These are the parts of `[+-]digits[.digits][e[+-]digits]` at the head of a text.
 struct Decimal {
     std::string mantissa;  // without '+'
     std::string exponent;  // without '+'
@@ -91,7 +91,7 @@ std::optional<Decimal> split_decimal(std::string_view text) {
     return decimal;
 }
 
-// An exponent too long for a long is as good as any that no double has.
+// Returns the exponent. One that is too long for a long is replaced by one that no double has.
 long exponent_value(const std::string& exponent) {
     if (exponent.empty()) return 0;
     constexpr long beyond = 1'000'000'000;
@@ -103,7 +103,8 @@ long exponent_value(const std::string& exponent) {
     return value;
 }
 
-// The power of ten of the first digit that is not 0: 2 for "345.6", -2 for "0.034"; none for zero.
+// Returns the power of ten of the first digit that is not 0, such as 2 for "345.6" and -2 for
+// "0.034", or none for zero.
 std::optional<long> leading_power(const std::string& mantissa) {
     const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
     const std::size_t first = mantissa.find_first_of("123456789");
@@ -120,7 +121,7 @@ std::variant<Quantity, QuantityError> evaluate(const Decimal& decimal, const Uni
     double value = 0;
     if (power) {
         const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (result.ec == std::errc::result_out_of_range) {  // of either end
+        if (result.ec == std::errc::result_out_of_range) {  // too large or too small
             const bool large = *power + exponent > 0;
             return QuantityError{large ? Kind::too_large : Kind::too_small, std::string(written)};
         }
@@ -134,8 +135,8 @@ std::variant<Quantity, QuantityError> evaluate(const Decimal& decimal, const Uni
     return Quantity{value, unit.dimension};
 }
 
-// A positive finite double as its shortest round-trip digits d1d2d3..., value = 0.d1d2d3... *
-// 10^point.
+// This is a positive finite double as its shortest round-trip digits d1d2d3..., where value =
+// 0.d1d2d3... * 10^point.
 struct ShortestDigits {
     std::string digits;
     int point = 0;
@@ -159,8 +160,8 @@ ShortestDigits shortest_digits(double value) {
     return result;
 }
 
-// Plain notation where it stays short, else scientific with at least two exponent digits, as
-// std::to_chars spells it.
+// Spells the number in plain notation if that is short, else in scientific notation with at least
+// two exponent digits, as std::to_chars does.
 std::string digits_to_string(const ShortestDigits& number) {
     const int count = static_cast<int>(number.digits.size());
     const int point = number.point;
@@ -182,7 +183,7 @@ std::string digits_to_string(const ShortestDigits& number) {
     return text + (exponent < 0 ? "e-" : "e+") + (size.size() < 2 ? "0" : "") + size;
 }
 
-// `value` times 10^shift, spelled by moving the point, so without a second rounding.
+// Spells `value` times 10^shift by moving the point, so there is no second rounding.
 std::string shifted_to_string(double value, int shift) {
     if (value == 0) return "0";
     ShortestDigits number = shortest_digits(std::fabs(value));
