@@ -40,7 +40,7 @@ struct PresetKind {
     std::string_view plural;  // "clouds", for lists
     std::string_view use;     // how a recipe names such a preset
     std::span<const config::Preset> (*all)();
-    std::string (*recipe)(const config::Preset& preset);  // the text of init; null: not a recipe
+    std::string (*recipe)(const config::Preset& preset);  // init's text; null: it writes none
 };
 struct KnownPreset {
     const PresetKind* kind = nullptr;

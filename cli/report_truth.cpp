@@ -99,7 +99,7 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
     Outcome<TruthRequest> outcome;
     outcome.diagnostics = std::move(recipe.diagnostics);
     if (!recipe.value) return outcome;
-    if (!(recipe.value->parameters.atmosphere.top_radius.meters > 0)) {  // noises, clouds alone
+    if (!(recipe.value->parameters.atmosphere.top_radius.meters > 0)) {  // no atmosphere
         outcome.diagnostics.push_back(file_error("E0105", recipe_name(invocation.arguments()[0]),
                                                  "the recipe has no [atmosphere] and so no sky"));
         return outcome;

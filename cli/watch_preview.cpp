@@ -234,7 +234,7 @@ class Watch {
     Console& console_;
     WatchedFiles files_;
     std::vector<fs::path> good_inputs_;
-    std::optional<BakeSelection> selection_;  // of the draft that is shown
+    std::optional<BakeSelection> selection_;  // those of the draft that is shown
     RoundMemo draft_;
     RoundMemo full_;
     PageState state_;

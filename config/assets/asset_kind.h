@@ -99,7 +99,6 @@ void append(std::vector<Read>&& more, std::vector<Read>& reads);
 // Reads the [bake.NAME] sections: which asset each one makes, and the asset's own fields. The bakes
 // stand in the order of the file. Bakes of unknown assets are reported and left out. `recipe` holds
 // all sections but the bakes.
-
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder);
 
 }  // namespace skybake::config

@@ -25,7 +25,6 @@ const AssetKind& asset_kind(Tag<CloudVolumeBake>);
 
 // Returns what a cloud volume spans along x, y and up: the bake's own extent or, where it has none,
 // the cloud's.
-
 inline std::array<Length, 3> volume_extent(const Cloud& cloud, const CloudVolumeBake& bake) {
     return bake.extent[0].meters > 0 ? bake.extent : cloud.extent;
 }

@@ -23,7 +23,7 @@ bool absorbs(const Layer& layer) {
 // Returns the member that a layer belongs to, or null if it belongs to none.
 const Layer* TakramLayers::*kind_of(const Layer& layer) {
     const bool exponential = layer.profile == Profile::exponential;
-    if (layer.phase == Phase::mie) return nullptr;  // of particles: its phase function is a table
+    if (layer.phase == Phase::mie) return nullptr;  // its phase function is a table
     if (layer.profile == Profile::tent && !is_scattering(layer)) return &TakramLayers::absorption;
     if (exponential && layer.phase == Phase::rayleigh && !absorbs(layer)) {
         return &TakramLayers::rayleigh;

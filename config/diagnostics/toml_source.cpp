@@ -116,7 +116,7 @@ bool has_decimal_comma(std::string_view value) {
 }
 
 // Returns better words than the parser's for the most common mistakes: a quantity without its
-// quotes, and a comma as a decimal point.
+// quotes, a comma as a decimal point, and an integer that is too large for TOML.
 std::string advice(const Place& place) {
     const std::string line = source_range(place).line_text;
     const std::size_t equals = line.find('=');

@@ -1,7 +1,7 @@
-// The rows that describe every key of a recipe: its kind, range, default, documentation, source and
-// role, and the struct member that it fills. The decoder and its checks, explain, init, the JSON
-// Schema, show, the keys of caches and the metadata in baked files are all generated from these
-// rows; no key is listed elsewhere.
+// This header defines the rows that describe every key of a recipe: its kind, range, default,
+// documentation, source and role, and the struct member that it fills. The decoder and its checks,
+// explain, init, the JSON Schema, show, the keys of caches and the metadata in baked files are all
+// generated from these rows. No key is listed elsewhere.
 #pragma once
 
 #include <numbers>
@@ -25,7 +25,7 @@ struct Range {
     bool or_zero = false;  // 0 is allowed too
 };
 
-// A word that a key may have, and the enumerator that it stands for.
+// This is a word that a key may have, and the enumerator that it stands for.
 struct Choice {
     std::string_view name;
     std::string_view documentation;

@@ -30,7 +30,7 @@ using ReadKind = std::optional<FieldValue>(const Reader& reader, const Value& va
 using KindSchema = nlohmann::ordered_json(const Field& field);
 
 struct ValueKind {
-    std::string_view words;  // after "expected": "a length with a unit"; no two kinds have the same
+    std::string_view words;  // after "expected": "a length with a unit"; unique to the kind
     // It reports at least one error whenever it returns no value.
     ReadKind* read = nullptr;
     KindSchema* schema = nullptr;
@@ -71,7 +71,7 @@ ReadKind read_swept;              // any value; the key that varies decides what
 KindSchema flag_schema, whole_schema, number_schema, text_schema, text_list_schema;
 KindSchema path_groups_schema, choice_schema, choice_list_schema, seed_schema, swept_schema;
 KindSchema numbers_schema;         // a list of `fewest` to `most` numbers
-KindSchema one_or_numbers_schema;  // a number, or such a list
+KindSchema one_or_numbers_schema;  // a number, or a list of `fewest` to `most` numbers
 KindSchema wholes_schema;          // a list of `fewest` to `most` whole numbers
 KindSchema frequency_schema, frequencies_schema, clamp_schema, levels_schema, power_of_two_schema;
 KindSchema density_table_schema, height_table_schema;

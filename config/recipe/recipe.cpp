@@ -44,7 +44,7 @@ MergedSources merge_sources(RecipeSources& sources, DiagnosticList& diagnostics)
     MergedSources merged;
     for (const SourceTree& tree : sources.trees) {
         merge(merged.root, tree.root);
-        if (tree.source->kind == Source::Kind::file) merged.file = tree.source;  // is the last
+        if (tree.source->kind == Source::Kind::file) merged.file = tree.source;  // the last one
     }
     if (!merged.file) return merged;
     const bool laid = lay_sections_over_presets(merged.root, sources.sources, diagnostics);

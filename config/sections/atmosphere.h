@@ -39,7 +39,6 @@ struct Atmosphere {
 
 // Returns the density of a layer integrated over altitude from 0 to `thickness`, in metres. It uses
 // closed forms.
-
 double density_column(const Layer& layer, Length thickness);
 
 // Returns the optical depth of a layer straight up, from the ground to the top of the atmosphere,

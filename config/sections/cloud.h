@@ -67,7 +67,7 @@ struct TowerScatter {
 enum class ThresholdAt { bake, runtime };
 enum class CloudChannels { density, noise };
 
-// One [clouds.NAME].
+// This is one [clouds.NAME].
 struct Cloud {
     std::string name;
     std::string noise;                        // NAME of the [noise.NAME] that gives the base shape
@@ -94,7 +94,6 @@ struct Cloud {
 
 // Returns the channels of the noise that the cloud needs computed. These are all channels if the
 // noise packs or `channels` is noise, else the first one.
-
 std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels channels);
 
 // Returns the names of a cloud volume's channels: {"Y"} for one channel, else the names of the

@@ -32,7 +32,7 @@ struct NoiseOctaves {
     std::vector<double> gains;
 };
 
-// One channel of a noise.
+// This is one channel of a noise.
 struct NoiseChannel {
     std::string name;  // "R", "G", "B", "A", or "Y" where it is the only one
     NoiseType type = NoiseType::perlin;
@@ -40,13 +40,13 @@ struct NoiseChannel {
     NoiseOctaves octaves;  // all types but constant; for perlin_worley, the gradient part
     NoiseFractal fractal = NoiseFractal::fbm;   // perlin, perlin_worley
     NoiseOctaves worley_octaves;                // the cellular part of perlin_worley
-    WorleyFeature feature = WorleyFeature::f1;  // worley, perlin_worley
+    WorleyFeature feature = WorleyFeature::f1;  // for worley and perlin_worley
     WorleyValue value_form = WorleyValue::one_minus_distance;
     CurlComponent component = CurlComponent::x;  // curl
     std::uint64_t seed = 0;                      // used together with the noise's own
     // These change a value v, in this order.
     std::array<double, 4> remap{0, 1, 0, 1};          // [in low, in high, out low, out high]
-    std::optional<std::array<double, 2>> smoothstep;  // from 0 at the first to 1 at the second
+    std::optional<std::array<double, 2>> smoothstep;  // 0 at the first, 1 at the second
     bool invert = false;                              // 1 - v
     double bias = 0.5;                                // Schlick's; 0.5 changes nothing
     std::array<double, 2> clamp{-std::numeric_limits<double>::infinity(),
@@ -56,7 +56,7 @@ struct NoiseChannel {
 enum class NoiseSampling { centers, corners, slices_at_corners };
 enum class NoisePacking { none, shape, detail };
 
-// One [noise.NAME].
+// This is one [noise.NAME].
 struct Noise {
     std::string name;
     std::uint64_t seed = 0;

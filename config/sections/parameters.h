@@ -19,7 +19,7 @@
 
 namespace skybake::config {
 
-// One [bake.NAME] section.
+// This is one [bake.NAME] section.
 struct Bake {
     std::string name;
     std::any asset;  // one of config/assets/assets.h; `asset =` names it, by default NAME does
@@ -52,14 +52,13 @@ struct Parameters {
     std::vector<Length> wavelengths;  // one per channel: 1 (luminance, Y) or 3 (R, G, B)
     Atmosphere atmosphere;            // has no radii and no layers if a recipe has only noises
     std::optional<Scene> scene;
-    std::vector<Particles> particles;  // by name
-    std::vector<Noise> noises;         // by name
-    std::vector<Cloud> clouds;         // by name
+    std::vector<Particles> particles;  // sorted by name
+    std::vector<Noise> noises;         // sorted by name
+    std::vector<Cloud> clouds;         // sorted by name
     std::vector<Bake> bakes;           // in the order of the file
 };
 
 // These return sections that other sections name. load_recipe has made sure that they exist.
-
 const Noise& noise_named(const Parameters& parameters, std::string_view name);
 const Cloud& cloud_named(const Parameters& parameters, std::string_view name);
 const Bake& bake_named(const Parameters& parameters, std::string_view name);

@@ -19,7 +19,6 @@ namespace skybake::config {
 // These are the rows of all sections except [bake.NAME] (config/assets) and [sweep] (config/sweep).
 // To add a key, add its row, and a member of the same name to the section's struct; everything else
 // follows.
-
 using RootField = Row<Parameters>;
 using AtmosphereField = Row<Atmosphere>;
 using LayerField = Row<Layer>;
@@ -50,16 +49,12 @@ std::span<const TowerScatterField> tower_scatter_fields();
 // Decodes one [clouds.NAME] with its height profile, maps and towers. `noises` are the noises of
 // the recipe. It reports names of noises that do not exist (E0130), scaled frequencies that are too
 // high (E0128), and a map of types where the profile blends none (E0111).
-
 Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
                    std::span<const Noise> noises, Decoder& decoder);
 
 // Decodes the fields of one [atmosphere.layers.NAME] and resolves its coefficients to scattering
 // and extinction. It takes particles and wavelengths from the recipe. It returns none if the layer
 // is switched off or has no usable coefficients; errors are reported.
-
-// Takes particles and wavelengths from the recipe. None if the layer is switched off or has no
-// usable coefficients; errors are reported.
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
                                   const Parameters& recipe, Decoder& decoder);
 
@@ -69,14 +64,12 @@ void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const
 
 // Decodes one [noise.NAME] and its channels. The noise is complete only if no error was reported;
 // its name is right in any case.
-
 Noise decode_noise(const std::string& name, const Place& place, const Table& table,
                    Decoder& decoder);
 
 // Decodes one [particles.NAME]. The particles are complete only if no error was reported; their
 // name is right in any case. E0144 is reported for spheres of air in air, and for water at
 // wavelengths where its refractive index is not known.
-
 Particles decode_particles(const std::string& name, const Place& place, const Table& table,
                            std::span<const Length> wavelengths, Decoder& decoder);
 

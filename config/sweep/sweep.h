@@ -13,7 +13,7 @@
 
 namespace skybake::config {
 
-// The most variants that a sweep may have.
+// A sweep may have at most this many variants.
 inline constexpr int most_variants = 100'000;
 
 struct SweepValue {
