@@ -30,7 +30,7 @@ struct AerialPerspectiveBake : AssetFiles {
     Length view_distance;  // where the last slice ends
     SliceSpacing slices = SliceSpacing::squared;
     SkyOrders orders = SkyOrders::all;
-    std::vector<std::string> layers;  // with orders = single
+    std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
 };
 
 const AssetKind& asset_kind(Tag<AerialPerspectiveBake>);

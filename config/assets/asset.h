@@ -1,5 +1,5 @@
-// This header holds what the structs of all assets have in common. Each of the other headers of an
-// asset declares its struct, and a function asset_kind that says how recipes ask for the asset.
+// This header holds what the structs of all assets have in common. The header of each asset
+// declares its struct, and a function asset_kind that says how recipes ask for the asset.
 #pragma once
 
 namespace skybake::config {

@@ -32,8 +32,8 @@ struct BrunetonBake : AssetFiles {
     std::vector<double> solar_irradiance;  // one per channel; it multiplies all light
 };
 
-// Whether a file with the parameters that the table's reader needs is written beside the table. It
-// is for the table of scattering with convention takram.
+// Whether a file with the parameters that the table's reader needs is written beside the table.
+// Only the table of scattering with convention takram has such a file.
 inline bool has_companion(const BrunetonBake& bake) {
     return bake.convention == BrunetonConvention::takram && bake.table == BrunetonTable::scattering;
 }

@@ -16,9 +16,9 @@ enum class IrradianceContent { direct, sky, total };
 struct IrradianceBake : AssetFiles {
     std::array<int, 2> size{};  // texels along the sun's cosine and along altitude
     IrradianceContent content = IrradianceContent::total;
-    SkyOrders orders = SkyOrders::all;  // sky
-    std::vector<std::string> layers;    // with orders = single
-    double max_texel_error = 0;         // decides how many points the quadrature has
+    SkyOrders orders = SkyOrders::all;  // for content sky
+    std::vector<std::string> layers;    // with orders = single: the layers that scatter; empty: all
+    double max_texel_error = 0;         // quadrature error of a texel; sets the number of points
     MultipleScatteringMapping mapping = MultipleScatteringMapping::twilight;
 };
 

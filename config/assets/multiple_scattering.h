@@ -17,11 +17,11 @@ enum class MultipleScatteringContent { hillaire, fitted, moments };
 struct MultipleScatteringBake : AssetFiles {
     std::array<int, 2> size{};        // texels along the sun's cosine and along altitude
     std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
-    double max_texel_error = 0;       // decides how many points the quadrature has
+    double max_texel_error = 0;       // quadrature error of a texel; sets the number of points
     MultipleScatteringMapping mapping = MultipleScatteringMapping::hillaire;
     MultipleScatteringMethod method = MultipleScatteringMethod::converged;
-    MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // for solved
-    int degree = 2;                                                           // moments
+    MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // method solved
+    int degree = 2;                                                           // for content moments
 };
 
 const AssetKind& asset_kind(Tag<MultipleScatteringBake>);

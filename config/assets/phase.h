@@ -18,8 +18,8 @@ struct PhaseBake : AssetFiles {
     int size = 0;                     // texels
     std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
     PhaseContent content = PhaseContent::phase;
-    PhaseSpacing spacing = PhaseSpacing::best;  // phase
-    int degree = 0;                             // of the Legendre moments in the manifest
+    PhaseSpacing spacing = PhaseSpacing::best;  // for content phase
+    int degree = 0;  // highest degree of the Legendre moments in the manifest
 };
 
 const AssetKind& asset_kind(Tag<PhaseBake>);

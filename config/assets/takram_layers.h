@@ -17,8 +17,8 @@ struct TakramLayers {
     const Layer* absorption = nullptr;  // a tent, scatters nothing
 };
 
-// Says in a few words what these three kinds cannot express, or nothing if they express the
-// atmosphere.
+// Says in a few words what takram's AtmosphereParameters cannot express of the atmosphere, or
+// returns none if they can express all of it.
 std::optional<std::string> takram_problem(const Atmosphere& atmosphere, std::size_t channels);
 
 // Sorts the layers of an atmosphere that has no takram_problem. The atmosphere must outlive the

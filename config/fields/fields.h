@@ -69,8 +69,8 @@ struct Section {
     std::vector<Field> fields;
 };
 
-// Returns all sections, in the order of a recipe. The folders of config that know them make them;
-// recipe/recipe_decoder.cpp puts them together.
+// Returns all sections, in the order of a recipe. recipe/recipe_decoder.cpp collects them from the
+// folders of config.
 std::span<const Section> sections();
 
 // Returns the section at a path pattern. For a bake section, `asset` says which one. Returns null

@@ -19,7 +19,7 @@ enum class Role {
     particles,  // the particles that a layer is made of
     ground,     // what the ground reflects
     files,      // what files are like, apart from the values of the texels
-    usual,      // a default of other keys, or a value that only warnings use
+    usual,      // a default of other keys, whose values count, or for warnings only
 };
 
 class Roles {

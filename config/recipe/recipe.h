@@ -56,7 +56,7 @@ std::string parameters_toml(const Recipe& recipe, std::span<const std::string> p
 struct ParameterChange {
     std::string path;    // "clouds.cumulus.threshold"
     std::string before;  // TOML; empty if the parameter was not there
-    std::string after;   // the same
+    std::string after;   // TOML; empty if the parameter is gone
 };
 
 // Returns the changes sorted by path. Everything is new if `before` cannot be read as TOML.

@@ -24,7 +24,7 @@ struct FormatFacts {
     std::string_view name;            // used in recipes and as the end of a file's name
     std::string_view description;     // helps a user to choose
     std::array<bool, 4> pixel_types;  // in the order of PixelType
-    bool is_image = false;            // the slices of a volume lie side by side in it
+    bool is_image = false;            // holds the slices of a volume in one image
     bool only_volumes = false;        // it cannot hold tables
     bool has_all_levels = false;      // one file holds all levels of detail
     bool deflates = false;            // always deflates; EXR and VDB follow their `compression`
@@ -108,7 +108,8 @@ struct SliceSheet {
 //   - If that image has an edge above largest_image_edge, it is the fewest columns that make the
 //     image at least as wide as it is high, if that image fits. This happens for a prime number of
 //     slices, whose only divisors give one long row or column.
-//   - If neither image fits, it is the divisor, unless its image is wider than widest_sheet.
+//   - If neither image fits, it is the divisor again, or the fewest columns if the image of the
+//     divisor is wider than widest_sheet.
 //
 // If two images are equally near to a square, the wider one is taken.
 SliceSheet slice_sheet(const std::array<int, 3>& size, SheetLayout layout, int columns);

@@ -11,7 +11,7 @@ namespace skybake::config {
 enum class ParticleMaterial { water, constant };
 enum class SizeDistribution { monodisperse, log_normal, gamma, modified_gamma };
 
-// One [particles.NAME] describes homogeneous spheres in air and how many there are of each radius
+// One [particles.NAME] describes homogeneous spheres in air, and how many of them have each radius
 // r:
 //   monodisperse    all have r = radius
 //   log_normal      n ~ 1/r exp(-ln^2(r / radius) / (2 ln^2 geometric_deviation))

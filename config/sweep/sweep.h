@@ -51,11 +51,11 @@ std::span<const Field> sweep_range_fields();  // the keys of a range in [sweep]
 
 inline constexpr int sobol_dimensions = 16;
 
-// Returns the coordinate of a point of Sobol's low-discrepancy sequence along a dimension, in [0,
-// 1). The first n points cover a box of many dimensions evenly, for any n. Points and dimensions
-// count from 0, and point 0 is the origin. The coordinate is a multiple of 2^-32. Any 2^k
-// consecutive points whose first index is a multiple of 2^k have one coordinate in each interval of
-// length 2^-k. The points are not scrambled: point i is the same however many points there are.
+// Returns the coordinate of a point of Sobol's low-discrepancy sequence along a dimension. It lies
+// in [0, 1) and is a multiple of 2^-32. The first n points cover a box of many dimensions evenly,
+// for any n. Points and dimensions count from 0, and point 0 is the origin. Any 2^k consecutive
+// points whose first index is a multiple of 2^k have one coordinate in each of the 2^k equal parts
+// of [0, 1). The points are not scrambled: point i is the same however many points there are.
 //
 // The method is from I. M. Sobol, "On the distribution of points in a cube and the approximate
 // evaluation of integrals", 1967. The direction numbers are from S. Joe and F. Y. Kuo,

@@ -20,8 +20,8 @@ std::string key_to_string(std::string_view name);
 
 std::string join_path(std::string_view path, std::string_view name);
 
-// Splits a path that join_path wrote into its names. `*` counts as a name. Returns none if the path
-// is malformed.
+// Splits a path, as join_path writes it, into its names. `*` counts as a name. Returns none if the
+// path is malformed.
 std::optional<std::vector<std::string>> split_path(std::string_view path);
 
 // Whether a path fits the pattern: it has as many names, and each name is equal to the pattern's or
