@@ -59,7 +59,7 @@ enum class WhenColor { automatic, always, never };
 // empty variable counts as not set, and `0` forces nothing.
 bool wants_color(WhenColor choice, bool terminal, const ColorEnvironment& environment);
 
-// Writes to stdout and stderr. It never throws because a stream is gone. Once a result could not be
+// Writes to stdout and stderr. It never throws if a stream is gone. Once a result could not be
 // written, the exit code of the process becomes `io` (see finish). Notes may come from any thread.
 class Console {
   public:

@@ -25,7 +25,7 @@ bool is_file(const std::string& source);
 
 // Returns an array of objects with severity, code, message and label, and, as far as they are
 // known, file, line, column and length. Columns count code points from 1. If the source is not a
-// file, `source` names it, and only standard input has lines.
+// file, `source` names it; of such sources only standard input has lines.
 nlohmann::ordered_json diagnostics_json(std::span<const config::Diagnostic> diagnostics);
 
 // Returns the same objects, one per line.

@@ -55,8 +55,8 @@ struct ProgressState {
     double left_s = -1;     // for the step; negative if not known yet
 };
 
-// Returns the text of the line: "[3/12] cumulus_humilis, pictures: lighting, sun 20 deg ####......
-// 43 % 31 s, about 20 s left"
+// Returns the text of the line:
+// "[3/12] cumulus_humilis, pictures: lighting, sun 20 deg  ####......  43 %  31 s, about 20 s left"
 std::string progress_text(const ProgressState& state);
 
 // Says how far a step is, and estimates from its speed since it began how long it may still take.

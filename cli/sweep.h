@@ -102,10 +102,11 @@ struct SweepScript {
     std::string folder;              // of the sweep
     int variants = 0;
     int tasks = 0;
-    int threads = 1;                            // threads per task
-    std::vector<std::filesystem::path> inputs;  // what the variants are made from
-    std::vector<std::string> names;             // of all variants' folders; both are
-                                                // only for ninja_file
+    int threads = 1;  // threads per task
+    // Only ninja_file needs these two: the files that the variants are made from, and the names of
+    // all variants' folders.
+    std::vector<std::filesystem::path> inputs;
+    std::vector<std::string> names;
 };
 
 // Quotes a word so that a POSIX shell reads it back unchanged.

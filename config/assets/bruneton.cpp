@@ -143,7 +143,7 @@ const std::array bruneton_table = {
                   &BrunetonBake::solar_irradiance},
 };
 
-// This is the cosine of 102 deg. Below it, Bruneton's half floats hold only zeros. takram uses the
+// This is the cosine of 102 deg. Below it, Bruneton's half floats hold no light. takram uses the
 // cosine of 120 deg.
 constexpr double bruneton_sun_cosine = -0.20791169081775934;
 constexpr double takram_sun_cosine = -0.5;

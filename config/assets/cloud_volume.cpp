@@ -199,7 +199,7 @@ struct CloudVolumeResolver {
         return 1;
     }
 
-    // Gives one warning for all narrow towers, at the place of the first one.
+    // Gives one warning for all narrow towers, which names the first of them.
     void warn_of_narrow_towers(const Cloud& cloud, const VoxelCounts& size) const {
         std::vector<std::string> narrow;
         for (const Tower& tower : cloud.towers) {

@@ -149,7 +149,7 @@ std::optional<FieldValue> read_path_groups(const Reader& reader, const Value& va
     return groups;
 }
 
-// Reads the value without a meaning; the key that varies gives it one.
+// Reads the value as it is spelled. The key that varies gives it its meaning.
 std::optional<FieldValue> read_swept(const Reader& reader, const Value& value) {
     const bool is_number = std::holds_alternative<std::int64_t>(value.data) ||
                            std::holds_alternative<double>(value.data);

@@ -33,7 +33,7 @@ void append_maps(const Parameters& parameters, std::vector<std::filesystem::path
     }
 }
 
-// This is all sources of a recipe as one tree.
+// These are all sources of a recipe, merged into one tree.
 struct MergedSources {
     Table root;
     const Source* file = nullptr;  // the recipe itself; null if it could not be read
