@@ -60,7 +60,7 @@ ReadKind read_frequency;          // lattice cells per tile along x, y and z: on
 ReadKind read_frequencies;        // one to most_octaves frequencies
 ReadKind read_gains;              // one to most_octaves numbers, at least one of them above 0
 ReadKind read_remap;              // four numbers with a slope that is finite in single precision
-ReadKind read_edges;              // two numbers with such a slope between them
+ReadKind read_edges;              // two numbers, the second above the first by at least 1e-6
 ReadKind read_clamp;              // true is [0, 1], false is [-infinity, infinity]
 ReadKind read_levels;             // "all" is 0
 ReadKind read_power_of_two;       // 1, 2, 4 ...
