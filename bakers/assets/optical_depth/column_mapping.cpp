@@ -44,8 +44,8 @@ double rise_angle(const Shell& shell, double altitude_km, double gain_km, double
     return part / (1 + std::sqrt(1 - part));
 }
 
-// climb_distance_km of ray.h for s >= 0, but for its rounding of level rays, which have s = 0: the
-// quotient that they have here is the root itself there.
+// This is climb_distance_km of ray.h for s >= 0. It rounds level rays, which have s = 0, otherwise:
+// here they are a quotient by the root, there the root itself.
 double distance_of_gain_km(const Shell& shell, double altitude_km, double s_km, double gain_km) {
     const double q = square_gain_km2(shell, altitude_km, gain_km);
     return q > 0 ? q / (std::sqrt(s_km * s_km + q) + s_km) : 0;
