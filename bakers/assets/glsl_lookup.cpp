@@ -58,11 +58,25 @@ bool calls(const std::string& code, const std::string& function) {
     return false;
 }
 
+// Arguments in lines that are indented by so many blanks.
+std::string broken(std::string_view arguments, std::size_t indent) {
+    std::string text;
+    std::size_t column = indent;
+    while (!arguments.empty()) {
+        const std::string_view one = arguments.substr(0, arguments.find(", "));
+        arguments.remove_prefix(std::min(one.size() + 2, arguments.size()));
+        const bool breaks = !text.empty() && column + one.size() + 3 > kLineWidth;
+        if (!text.empty()) text += breaks ? ",\n" + std::string(indent, ' ') : ", ";
+        column = (breaks ? indent : column) + one.size() + 2;
+        text += one;
+    }
+    return text;
+}
+
 std::string text_of(const GlslFunction& function, const std::string& name) {
-    const std::string head =
-        fmt::format("{} {}{}({}) {{", function.result, name, function.suffix, function.arguments);
-    return fmt::format("{}{}\n{}    return {};\n}}\n", glsl_comment(function.comment), head,
-                       function.before, function.value);
+    const std::string head = fmt::format("{} {}{}(", function.result, name, function.suffix);
+    return fmt::format("{}{}{}) {{\n{}    return {};\n}}\n", glsl_comment(function.comment), head,
+                       broken(function.arguments, head.size()), function.before, function.value);
 }
 
 }  // namespace
