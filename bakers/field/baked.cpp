@@ -57,7 +57,8 @@ std::int64_t divided_up(std::int64_t count, std::int64_t by) { return (count + b
 BoxSequence::BoxSequence(std::array<int, 3> size, int channels, int columns) : size_(size) {
     const std::int64_t row = std::int64_t{size[0]} * channels * columns;
     const std::int64_t group = row * size[1];
-    // Sixteen boxes or more, for threads to share; none so small that its set-up would tell.
+    // There are about sixteen boxes or more for the threads to share, but no box is so small that
+    // its set-up would cost noticeable time.
     constexpr std::int64_t kFewestFloats = 1 << 18;
     const std::int64_t floats = row / columns * size[1] * size[2];
     const std::int64_t budget = std::clamp(floats / 16, kFewestFloats, kFloats);

@@ -1,6 +1,6 @@
-// What a bake makes, a table or a volume: what files and manifests say of it, and its voxels on
-// demand. A table is a volume of one slice whose texels are held in memory. Volumes may be larger
-// than memory, so writers ask for boxes of them.
+// The result of a bake, which is a table or a volume: what files and manifests say about it, and
+// its voxels on demand. A table is a volume of one slice whose texels are held in memory. A volume
+// may be larger than memory, so writers ask for it box by box, in the order of a BoxSequence.
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@ namespace skybake {
 // What a lookup beyond the ends of an axis returns.
 enum class AxisWrap { clamp, repeat };
 
-// How a lookup between texels is made.
+// Whether a lookup interpolates between texels or takes the nearest one.
 enum class AxisFilter { linear, nearest };
 
-// How one texture axis follows from a physical quantity.
+// How one texture coordinate is calculated from a physical quantity.
 struct AxisMapping {
     std::string quantity;    // "cos_zenith", "sun_cos_zenith", "altitude_km"
     std::string formula;     // texture coordinate in [0, 1] from physical quantities
@@ -31,11 +31,11 @@ struct AxisMapping {
     double first = 0;        // the quantity where the axis begins (u or v smallest)
     double last = 0;
 
-    // For programs; all of it stands in words in the formula and the convention.
+    // The rest is for programs. The formula and the convention say the same in words.
     TexelConvention end_points = TexelConvention::end_points_on_texel_centres;
     AxisWrap wrap = AxisWrap::clamp;
     AxisFilter filter = AxisFilter::linear;
-    Facts constants = {};  // the numbers of the formula, with their units in their names
+    Facts constants = {};  // the formula's numbers, with units in their names
 };
 
 // What the numbers of an asset mean. A member is empty where it does not apply: a noise has no
@@ -45,7 +45,7 @@ struct Conventions {
     std::string coefficient_unit;  // of scattering and extinction coefficients: "1/km", "1/m"
     std::string angle_unit;        // of angles along the axes: "cosine", "deg"
     std::string radiance_unit;     // of values that are radiances
-    std::vector<double> solar_irradiance = {};  // E of each colour, which all values are times
+    std::vector<double> solar_irradiance = {};  // E of each colour; all values contain this factor
     std::vector<double> wavelengths_nm = {};    // of each colour
     std::string up_axis = {};                   // "+z", of assets that lie in space
 };
@@ -55,24 +55,24 @@ struct ErrorFigures {
     double rms = 0;
 };
 
-// Of a table that stands for an approximation: radiance of the sky made with it, |value / reference
-// - 1| over sky directions.
+// The error of a sky that is rendered with a table which holds an approximation: |radiance /
+// reference - 1| over sky directions.
 struct SkyError {
     double median = 0;
-    double ninth_decile = 0;  // nine in ten are below
+    double ninth_decile = 0;  // nine in ten errors are below this
     double max = 0;
     int points = 0;
     std::string reference;
 };
 
-// The error that a table has, measured. All figures are pure functions of the parameters.
+// The measured error of a table. All figures are pure functions of the parameters.
 struct Certificate {
     ErrorFigures texel;  // stored texels against the reference at their centres
     ErrorFigures
         lookup;  // bilinear lookups of the stored texels against the reference, between texels
     int texel_points = 0;
     int lookup_points = 0;
-    std::string reference;  // what they were measured against
+    std::string reference;  // what the errors were measured against
     std::string scale;      // what an error of 1 means
     std::string
         worst;  // where the largest lookup error was: "altitude_km 0.02, sun_cos_zenith -0.01"
@@ -80,7 +80,7 @@ struct Certificate {
     std::optional<SkyError> sky = {};
 };
 
-// The texels of all levels that a pixel type holds badly.
+// Counts of texels, over all levels, that a pixel type cannot hold accurately.
 struct RangeCounts {
     long below_normal = 0;  // not 0 in double, and stored as a denormal or as 0
     long above_range = 0;   // beyond what the type can hold
@@ -93,20 +93,22 @@ struct VoxelBox {
     std::int64_t count() const { return std::int64_t{size[0]} * size[1] * size[2]; }
 };
 
-// A pure function from voxel indices to values; any thread may ask. An implementation may keep
-// scratch memory per call, not between calls.
+// A pure function from voxel indices to values. Any thread may call it. An implementation may use
+// scratch memory during a call but must not keep it between calls.
 class VoxelSource {
   public:
     virtual ~VoxelSource() = default;
-    // channels[c] is where channel c goes, box.count() floats, x fastest, then y, then z; null
-    // where it is not wanted. Values are as baked, before rounding to a pixel type.
+    // Writes channel c to channels[c]: box.count() floats, x fastest, then y, then z. A null
+    // pointer means that the channel is not wanted. Values are as baked, before rounding to a pixel
+    // type.
     virtual void fill(const VoxelBox& box, const std::vector<float*>& channels) const = 0;
-    // True only if every voxel of the box is known to be 0 in every channel, without making them.
+    // Returns true only if every voxel of the box is known to be 0 in every channel without being
+    // evaluated.
     virtual bool is_empty(const VoxelBox& /*box*/) const { return false; }
 };
 
-// A table's texels as stored: already rounded to the pixel type. Row y of the image is row y of the
-// one slice.
+// A table's texels as stored, already rounded to the pixel type. Row y of the image is row y of the
+// only slice.
 class DenseTexels : public VoxelSource {
   public:
     explicit DenseTexels(Image2<float> image) : image_(std::move(image)) {}
@@ -117,7 +119,7 @@ class DenseTexels : public VoxelSource {
     Image2<float> image_;
 };
 
-// Of one channel, as stored.
+// Statistics of one channel as stored.
 struct ValueStatistics {
     double min = 0;
     double max = 0;
@@ -126,7 +128,7 @@ struct ValueStatistics {
     std::vector<std::int64_t> histogram;      // bins of equal width; values outside are not counted
 };
 
-// A second lookup that a value is blended with: `share` of it, the rest of the first.
+// A second lookup for a blended value: it has the weight `share`, the first lookup has the rest.
 struct BlendedLookup {
     std::array<double, 3> uvw{};
     double share = 0;
@@ -138,11 +140,11 @@ struct Probe {
     std::array<double, 3> uvw{};    // texture coordinates: texel i is at (i + 1/2) / size; w of a
                                     // table is 1/2
     std::vector<double> value;      // one per channel, in double, as the level is looked up
-    std::vector<double> tolerance;  // one per channel: room for filtering in 1/256 texel
-    std::optional<BlendedLookup> blend = {};  // of two sub-images, Bruneton's along nu
+    std::vector<double> tolerance;  // one per channel; allows filtering in steps of 1/256 texel
+    std::optional<BlendedLookup> blend = {};  // of two sub-images, as in Bruneton's tables along nu
 };
 
-// A voxel that is large among those about it.
+// A voxel whose value is large compared with its neighbours.
 struct VoxelPeak {
     std::array<int, 3> voxel{};
     int channel = 0;
@@ -152,19 +154,19 @@ struct VoxelPeak {
 // One level of detail. Level 0 is the asset itself.
 struct Level {
     std::array<int, 3> size{};                      // voxels along u, v, w; a table has one along w
-    std::array<bool, 3> repeats{true, true, true};  // for lookups; axes that do not are clamped
+    std::array<bool, 3> repeats{true, true, true};  // for lookups; other axes are clamped
     std::shared_ptr<const VoxelSource> voxels;
     std::vector<ValueStatistics> statistics;  // one per channel
-    std::string content_hash;  // xxh3 of the voxels as stored: x, y, z order, channels interleaved
+    std::string content_hash;  // xxh3 of the voxels as stored, in x, y, z order, interleaved
     std::vector<Probe> probes;
-    std::vector<std::string> catches;  // wrong lookups that the probes tell (wrong_lookups.h)
-    bool nearest = false;              // looked up so, in place of between voxels
-    std::vector<VoxelPeak> peaks;      // where there is something; for the choice of probes
+    std::vector<std::string> catches;  // wrong lookups that the probes detect (wrong_lookups.h)
+    bool nearest = false;              // lookups take the nearest voxel
+    std::vector<VoxelPeak> peaks;      // large voxels; for the choice of probes
 };
 
-// A text that readers of the volume's files want beside them.
+// A text file that readers of the volume's files need beside them.
 struct CompanionFile {
-    std::string format;  // "json": the end of its name too
+    std::string format;  // "json"; also the file name's extension
     std::string text;
 };
 
@@ -185,7 +187,7 @@ struct Baked : config::AssetFiles {
     Conventions conventions;
     Facts details;  // further facts, for example counts
 
-    // Of volumes.
+    // These members are for volumes only.
     std::vector<std::string> grid_names;     // VDB: one per channel; empty: density, or R, G, ...
     bool sparse = false;                     // VDB: voxels stored as 0 are background, not active
     std::array<double, 3> voxel_size_m{};    // VDB: edges of a voxel of level 0
@@ -199,25 +201,24 @@ struct Baked : config::AssetFiles {
     const Image2<float>& image() const;
 };
 
-// How the files are to be, as a recipe says it.
+// Copies the recipe's settings for the files into the asset.
 void set_files(const config::AssetFiles& files, Baked& baked);
 
-// Gives a table these texels as its only level, which is not surveyed.
+// Makes these texels the table's only level. The level is not surveyed.
 void set_image(Image2<float> image, Baked& table);
 
-// Along which axes lookups repeat, as the axes say.
+// Returns the axes along which lookups repeat.
 std::array<bool, 3> repeating_axes(const std::vector<AxisMapping>& axes);
 
-// Whether lookups take the nearest voxel, as the axes say.
+// Whether lookups take the nearest voxel.
 bool is_looked_up_nearest(const std::vector<AxisMapping>& axes);
 
-// How a volume is cut into boxes that are made, converted and written one after the other.
-
-// The boxes of a volume in the order in which a file's rows want them: groups of `columns` slices
-// (the cells of one row of an atlas; 1 for a stack), several groups a box where they are small,
-// parts of their rows where they are large. With columns = 1 the voxels of box after box are those
-// of the volume in the order x, y, z. A box has at most kFloats values unless one row of a group
-// has more. A pure function of its arguments: sums over boxes are the same on every machine.
+// The boxes that a volume is cut into, in the order in which a file needs its rows; they are made,
+// converted and written one after the other. A group is `columns` slices: the cells of one row of
+// an atlas, or one slice of a stack. Small groups share a box; large groups are cut into several
+// boxes of whole rows. With columns = 1, the voxels of successive boxes are the volume's voxels in
+// the order x, y, z. A box has at most kFloats values unless a single row of a group has more. The
+// boxes are a pure function of the arguments, so sums over boxes are the same on every machine.
 class BoxSequence {
   public:
     static constexpr std::int64_t kFloats = 1 << 21;  // 8 MiB
@@ -226,19 +227,19 @@ class BoxSequence {
 
     int count() const { return groups_ * parts_; }
     VoxelBox operator[](int index) const;
-    // The most voxels that a box has.
+    // The number of voxels in the largest box.
     std::int64_t largest_count() const;
 
   private:
     std::array<int, 3> size_;
-    int depth_ = 1;   // slices of a box
-    int rows_ = 1;    // rows of a box
+    int depth_ = 1;   // slices per box
+    int rows_ = 1;    // rows per box
     int groups_ = 1;  // boxes along z
     int parts_ = 1;   // boxes along y
 };
 
-// How many boxes may be alive while `threads` threads make them: enough to keep all at work, and
-// few enough for memory not to grow with the machine.
+// How many boxes may be in memory while `threads` threads make them: enough to keep all threads
+// busy, but at most 24, so that memory does not grow with the number of cores.
 int box_slots(int threads);
 
 }  // namespace skybake

@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<std::vector<double>>;
 
-// Values of a function of (y, x[], out) at all points.
+// Evaluates a function of (y, x[], out) at all points.
 template <class Function>
 Values evaluate(const std::vector<PointRow>& rows, int channels, const BakeOptions& options,
                 std::string_view step, const Function& function) {
@@ -43,7 +43,7 @@ ReferencePoints with_reference(const TableModel& model, std::vector<PointRow> ro
     return points;
 }
 
-// Errors of values against the points' own, in the order of the points.
+// Compares values with the reference values of the points, in the order of the points.
 MeasuredErrors measure(const TableModel& model, const ReferencePoints& points,
                        const Values& values) {
     MeasuredErrors measured;
@@ -148,7 +148,7 @@ std::vector<double> shares_of_range(const Level& level, const std::vector<double
     std::vector<double> errors;
     for (std::size_t c = 0; c < found.size(); ++c) {
         const double range = level.statistics[c].max - level.statistics[c].min;
-        // A channel that has one value everywhere is compared as it is.
+        // A channel that has one value everywhere is compared by absolute differences.
         errors.push_back((found[c] - wanted[c]) / (range > 0 ? range : 1));
     }
     return errors;
@@ -199,7 +199,7 @@ VolumeErrors measure_lookups(const Level& level, config::PixelType type,
     for (int i = 0; i < count; ++i) {
         Coordinates place = low_discrepancy_point(i);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            // Along an axis of one voxel there is nothing to look up between.
+            // An axis of one voxel is looked up at the voxel's centre.
             if (level.size[axis] == 1) place[axis] = 0.5;
         }
         places.push_back(comparison.lookup_place ? comparison.lookup_place(place) : place);

@@ -1,4 +1,5 @@
-// Measuring the error of a stored table: what makes an asset's figures.
+// Measures the errors of stored tables and volumes against their references. Certificates and
+// reports show the results.
 #pragma once
 
 #include <array>
@@ -14,8 +15,8 @@
 
 namespace skybake {
 
-// How many points: rows of the table's second coordinate, and points in each. References that share
-// work along a row are asked for few rows.
+// The number of points at which a table is compared: rows (values of the table's second coordinate)
+// and points in each row. A reference that shares work along a row is evaluated in few rows.
 struct PointCounts {
     int rows = 0;
     int per_row = 0;
@@ -24,16 +25,17 @@ struct PointCounts {
 // Points at which a table is compared with its reference, and the reference's values there.
 struct ReferencePoints {
     std::vector<PointRow> rows;
-    std::vector<std::vector<double>> values;  // per row, channels interleaved
-    std::vector<double> scale;                // per channel: the largest value over all points
+    std::vector<std::vector<double>> values;  // one vector per row, channels interleaved
+    std::vector<double> scale;                // the largest value of each channel over all points
     int count() const;
 };
 
-// Points of the fixed low-discrepancy set, between texels.
+// Returns points of the fixed low-discrepancy set, which lie between texels.
 ReferencePoints reference_points(const TableModel& model, PointCounts counts,
                                  const BakeOptions& options);
 
-// Texel centres: those that the same set falls into, or all where the table has no more than that.
+// Returns the centres of the texels that the same set falls into, or all texel centres if the table
+// has no more texels than the set has points.
 ReferencePoints reference_texels(const TableModel& model, std::array<int, 2> size,
                                  PointCounts counts, const BakeOptions& options);
 
@@ -42,57 +44,56 @@ struct MeasuredErrors {
     std::array<double, 2> worst{};  // x, y of the largest error
 };
 
-// Bilinear lookups of the stored image at the points, as a runtime makes them.
+// Measures bilinear lookups of the stored image at the points, as a runtime makes them.
 MeasuredErrors measure_lookups(const TableModel& model, const Image2<float>& image,
                                const ReferencePoints& points);
 
-// The kernel itself at the points, at a quadrature level: what no table can undercut.
+// Measures the kernel itself at the points, at a quadrature level. No table that the kernel fills
+// at this level can be expected to have a smaller error.
 MeasuredErrors measure_kernel(const TableModel& model, int level, const ReferencePoints& points,
                               const BakeOptions& options);
 
-// Measuring the error of a volume as stored. Voxels are asked for one by one: the volume itself is
-// never held.
-
-// The exact values, one per channel, at texture coordinates: voxel i of an axis is at
-// (i + 1/2) / size, whatever it samples. Asked for in [0, 1].
+// The exact values of a volume, one per channel, at texture coordinates in [0, 1]. Voxel i of an
+// axis is at (i + 1/2) / size, whatever place the voxel samples.
 using VolumeReference = std::function<std::vector<double>(const std::array<double, 3>& uvw)>;
 
-// How errors are measured where shares of each channel's value range would tell little. Members
-// that are empty change nothing.
+// Another way of measuring errors, for volumes where errors as fractions of each channel's value
+// range would say little. Empty members change nothing.
 struct VolumeComparison {
-    // The errors at texture coordinates, as many everywhere, from what was found and is wanted
-    // there.
+    // Returns the errors at texture coordinates, given the values found and wanted there. The
+    // number of errors is the same everywhere.
     std::function<std::vector<double>(const std::array<double, 3>& uvw,
                                       const std::vector<double>& found,
                                       const std::vector<double>& wanted)>
         errors;
-    // The nearest texture coordinates to these that a lookup may have.
+    // Returns the texture coordinates nearest to `uvw` that a runtime may look up.
     std::function<std::array<double, 3>(const std::array<double, 3>& uvw)> lookup_place;
     std::string scale;  // what an error of 1 means
 };
 
 struct VolumeErrors {
     ErrorFigures figures;           // over all channels, or all errors of the comparison
-    std::array<double, 3> worst{};  // texture coordinates of the largest
+    std::array<double, 3> worst{};  // texture coordinates of the largest error
     int points = 0;
 };
 
-// Trilinear lookups of the voxels as stored, repeated or clamped as level.repeats says, at `count`
-// points of the fixed set; at the voxel itself along axes that have but one.
+// Measures trilinear lookups of the stored voxels at `count` points of the fixed set. Axes are
+// repeated or clamped as level.repeats says. Along an axis of one voxel, the points lie at its
+// centre. Voxels are evaluated one by one, so the volume is never held in memory.
 VolumeErrors measure_lookups(const Level& level, config::PixelType type,
                              const VolumeReference& reference, int count,
                              const BakeOptions& options, const VolumeComparison& comparison = {});
 
-// The voxels themselves: those that the same set falls into.
+// Measures the voxels that the same set falls into, at their centres.
 VolumeErrors measure_voxels(const Level& level, config::PixelType type,
                             const VolumeReference& reference, int count, const BakeOptions& options,
                             const VolumeComparison& comparison = {});
 
-// What a lookup of the stored voxels finds, one value per channel.
+// Returns the result of a lookup of the stored voxels, one value per channel.
 std::vector<double> look_up(const Level& level, config::PixelType type,
                             const std::array<double, 3>& uvw);
 
-// Maximum and root mean square of a series of errors, in the order given.
+// The maximum and the root mean square of a series of errors, summed in the order given.
 class ErrorStatistics {
   public:
     void add(double error) {

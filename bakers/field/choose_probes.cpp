@@ -20,14 +20,15 @@ namespace skybake {
 
 namespace {
 
-// Off by so many tolerances a wrong lookup shows; more than plenty is no better.
+// A wrong lookup shows if it is off by more than kShows tolerances. More than kPlenty tolerances
+// count as kPlenty.
 constexpr double kShows = 2;
 constexpr double kPlenty = 16;
 
-// Probes are taken until each wrong lookup shows at so many.
+// Probes are taken until each wrong lookup shows at this many of them.
 constexpr int kWantedProbes = kSeveralProbes + 1;
 
-// A texture of no more texels is looked at everywhere, if need be.
+// If necessary, every texel of a texture with at most this many texels is tried.
 constexpr std::int64_t kFewTexels = 4096;
 
 struct ProbeCandidate {
@@ -39,7 +40,7 @@ struct ProbeCandidate {
     bool taken = false;
 };
 
-// Remembers what was read: lookups about one place share their texels.
+// Keeps a memo of what was read, because lookups around one place share their texels.
 ReadableTexture remembering(const ReadableTexture& texture) {
     using Key = std::array<std::array<int, 3>, 2>;
     auto known = std::make_shared<std::map<Key, std::vector<float>>>();
@@ -55,7 +56,8 @@ ReadableTexture remembering(const ReadableTexture& texture) {
     return result;
 }
 
-// How far filtering may move a lookup: by less than 1/256 of a texel along each axis.
+// Adds the largest change that filtering in steps of 1/256 texel can cause: the place moves by less
+// than one step along each axis.
 void add_filtering(const ReadableTexture& texture, const ProbeLookup& lookup,
                    std::vector<double>& tolerance) {
     std::vector<double> exact(texture.channels, 0.0);
@@ -76,7 +78,7 @@ void add_filtering(const ReadableTexture& texture, const ProbeLookup& lookup,
     for (std::size_t c = 0; c < farthest.size(); ++c) tolerance[c] += lookup.share * farthest[c];
 }
 
-// In tolerances, of the channel where it shows most.
+// The error in tolerances, of the channel where it is largest.
 double tolerances_off(const std::vector<double>& found, const ProbeValue& probe) {
     double most = 0;
     for (std::size_t c = 0; c < found.size(); ++c) {
@@ -125,7 +127,7 @@ ProbeCandidate candidate_at(const std::vector<ProbeSpace>& spaces, std::size_t s
     return candidate;
 }
 
-// More places about those where a wrong lookup shows that shows at few.
+// Returns more places around those where a wrong lookup shows, if it shows at few places.
 std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& candidates,
                                          std::size_t wrongs, const std::vector<ProbeSpace>& spaces,
                                          const TextureUse& use) {
@@ -162,7 +164,7 @@ bool has_few_texels(const TextureUse& use) {
     return std::int64_t{use.size[0]} * use.size[1] * use.size[2] <= kFewTexels;
 }
 
-// Places a quarter of a texel to either side of every texel's middle.
+// Returns the places a quarter of a texel to either side of every texel's centre.
 std::vector<ProbeCandidate> places_in_every_texel(const std::vector<ProbeSpace>& spaces,
                                                   const TextureUse& use, int dimensions) {
     std::array<int, 3> places{};
@@ -184,7 +186,7 @@ std::vector<ProbeCandidate> places_in_every_texel(const std::vector<ProbeSpace>&
     return candidates;
 }
 
-// Takes candidates one by one.
+// Chooses probes from the candidates one by one.
 class ProbeTaking {
   public:
     ProbeTaking(std::vector<ProbeCandidate>& candidates, std::size_t wrongs, int share)
@@ -192,13 +194,13 @@ class ProbeTaking {
         for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
             wanted_[wrong] = std::min(kWantedProbes, places_that_show(candidates, wrong));
         }
-        // Most probes of a space lie where there is something: `zeros` is the first of all wrong
-        // lookups.
+        // Most probes of a space lie where the texture is not 0: `zeros` is the first wrong lookup.
         wanted_[0] = std::min(share - share / 4, places_that_show(candidates, 0));
         shows_.assign(wanted_.begin(), wanted_.end());
     }
 
-    // What shows most of what is still wanted, until nothing is.
+    // Takes the candidate that shows the most wrong lookups of those still wanted, until none is
+    // wanted.
     void take_what_is_wanted() {
         const auto gain = [this](const ProbeCandidate& at) {
             double sum = 0;
@@ -211,7 +213,7 @@ class ProbeTaking {
         }
     }
 
-    // Until so many are taken: in all, or of a space.
+    // Takes candidates until `count` are taken, in all or of one space.
     void fill_up(int count) {
         fill_up_where(count, [](const ProbeCandidate&) { return true; });
     }
@@ -270,8 +272,9 @@ void add_name(const std::string& name, std::vector<std::string>& names) {
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-// What the taken candidates catch. Of two wrong lookups with one name both must show. Where every
-// texel has been looked at, what shows at few places shows at no more, and is not missed.
+// Lists what the taken candidates catch. If two wrong lookups have the same name, both must show.
+// If every texel has been tried, a wrong lookup that shows at few places cannot show at more and
+// does not count as missed.
 void add_names(const std::vector<ProbeCandidate>& candidates,
                const std::vector<WrongLookup>& wrongs, const ProbeTaking& choice, bool everywhere,
                ProbeSet& set) {
@@ -291,7 +294,7 @@ void add_names(const std::vector<ProbeCandidate>& candidates,
     }
 }
 
-// Candidates of a space follow each other.
+// Returns the candidates of all spaces, space after space.
 std::vector<ProbeCandidate> candidates_of(const std::vector<ProbeSpace>& spaces) {
     std::vector<ProbeCandidate> candidates;
     for (std::size_t space = 0; space < spaces.size(); ++space) {
@@ -311,7 +314,7 @@ ProbeValue probe_value(const ProbedTexture& probed, const std::vector<ProbeLooku
     probe.tolerance.assign(texture.channels, 0.0);
     for (const ProbeLookup& lookup : lookups) add_filtering(texture, lookup, probe.tolerance);
     for (std::size_t c = 0; c < texture.channels; ++c) {
-        // A channel that is 0 everywhere is measured by 1.
+        // The scale of a channel that is 0 everywhere is 1.
         const double scale = probed.largest[c] > 0 ? probed.largest[c] : 1;
         probe.tolerance[c] +=
             4 * rounding_error(probed.type) * std::max(1e-3 * scale, std::fabs(probe.value[c]));

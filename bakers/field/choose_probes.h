@@ -1,12 +1,13 @@
-// Which places of a texture its probes are taken at: those where a wrong file shows.
+// Chooses the places of a texture's probes so that a wrong file is detected.
 //
-// Many places are looked at, each with every wrong lookup of wrong_lookups.h. A wrong lookup shows
-// at a place where it is off by more than twice the tolerance of a probe there, once for the right
-// lookup and once for the wrong one. Probes are taken until each wrong lookup shows at several of
-// them; the rest, and those that are preferred among equals, lie where most wrong lookups show by
-// far. A wrong lookup that shows nowhere is none: constant noise is the same upside down. Where one
-// shows at few places, a small texture is looked at in every texel: if it has no more such places,
-// probes lie at those there are. The probes catch the others, and a manifest says which.
+// Each of many candidate places is tried with every wrong lookup of wrong_lookups.h. A wrong lookup
+// shows at a place if it is off by more than twice the tolerance of a probe there: once for the
+// right lookup and once for the wrong one. Probes are taken until each wrong lookup shows at
+// several of them. Further probes are placed where most wrong lookups show most clearly, and such
+// places are also preferred among equals. A wrong lookup that shows nowhere is ignored: constant
+// noise is the same upside down. If a wrong lookup shows at few places and the texture is small,
+// every texel is tried; if there are no more such places, probes take those that exist. The probes
+// catch the other wrong lookups, and the manifest lists which ones.
 #pragma once
 
 #include <array>
@@ -41,19 +42,20 @@ struct ProbePlace {
     std::vector<ProbeLookup> lookups;
 };
 
-// The nearest place that a runtime can ask for to coordinates in [0, 1], whatever an asset counts
-// places in.
+// Returns the place nearest to the coordinates `wanted`, in [0, 1], that a runtime can look up. The
+// asset decides what the coordinates mean.
 using ProbePlaces = std::function<ProbePlace(const std::array<double, 3>& wanted)>;
 
-// Places that are to be looked at, in order of preference. A table that is made of several, one
-// below the other, has a list for each.
+// Candidate places in order of preference. A table that consists of several tables, one below the
+// other, has one list for each of them.
 struct ProbeSpace {
     ProbePlaces place;
     std::vector<std::array<double, 3>> wanted;
 };
 
-// A probe's value and how far a lookup may be off it: filtering in 1/256 of a texel, rounded or
-// truncated, and a few roundings of the pixel type, never nothing.
+// A probe's value and the largest allowed error of a lookup. The tolerance allows for filtering in
+// steps of 1/256 texel, rounded or truncated, and for a few roundings of the pixel type. It is
+// never 0.
 struct ProbeValue {
     std::vector<double> value;
     std::vector<double> tolerance;
@@ -73,11 +75,11 @@ struct ProbeSet {
     std::vector<std::string> missed;   // wrong lookups that show, but at too few known places
 };
 
-// Takes `count` probes or more, of several spaces a share of each.
+// Takes at least `count` probes, an equal share from each space.
 ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>& spaces, int count,
                      const BakeOptions& options);
 
-// E0407 where probes miss something.
+// Returns E0407 if the probes miss a wrong lookup.
 [[nodiscard]] std::optional<config::Diagnostic> weak_probes(const std::string& asset,
                                                             const ProbeSet& set);
 

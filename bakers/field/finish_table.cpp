@@ -24,12 +24,11 @@ Diagnostic failure(std::string code, std::string message, std::string label = {}
     return {config::Severity::error, std::move(code), std::move(message), {}, std::move(label)};
 }
 
-// After an interruption tiles were skipped: what they should have made is not to be looked at.
 PointCounts points_of(const AccuracyRequest& request, Certification certification) {
     return certification == Certification::full ? request.full : request.quick;
 }
 
-// The cheapest level whose kernel holds the bound at the texels measured.
+// The cheapest quadrature level whose kernel keeps within the bound at the measured texels.
 struct LevelChoice {
     std::optional<int> level;
     double best_error = 0;
@@ -81,11 +80,11 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const Baked&
     return std::nullopt;
 }
 
-// Where the probes of a table may lie: coordinates (x, y) in [0, 1], of which model.probe_place
-// moves some, told by their places.
+// Returns the places where the probes of a table may lie: coordinates (x, y) in [0, 1], some of
+// which model.probe_place moves.
 ProbeSpace table_space(const TableModel& model, std::array<int, 2> size, PlaceOf place_of) {
-    // Corners, edges, the middle, and places between texels about them, before those that are
-    // spread evenly.
+    // The corners, the edges, the middle and places between the texels around them come before the
+    // places that are spread evenly.
     static const std::vector<std::array<double, 3>> kFirst = {
         {0, 0},          {1, 0},          {0, 1},          {1, 1},         {0.5, 0},
         {0.5, 1},        {0, 0.5},        {1, 0.5},        {0.5, 0.5},     {0.25, 0.125},
@@ -124,11 +123,12 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     const bool certify = options.certification != Certification::off;
     Outcome<TablePart> outcome;
 
-    // The choice is made by points of its own: how a table is certified must not change its texels.
+    // The choice uses its own points, because the kind of certification must not change the texels.
     std::array<int, 2> size = request.size;
     int level = 0;
     if (request.max_error) {
         const ReferencePoints points = reference_points(model, request.choice, options);
+        // After an interruption, tiles were skipped, so results must not be read.
         if (options.cancelled()) return outcome;
         const TableSearch search =
             smallest_table(model, *request.max_error, table.pixel_type, points, options);
@@ -191,7 +191,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     table.certified = certify;
     if (certify) {
         const ReferencePoints points = reference_points(model, counts, options);
-        // Choosing the level has measured the quick certificate's texels already.
+        // Choosing the level has already evaluated the texels of the quick certificate.
         if (!texels || options.certification == Certification::full) {
             texels = reference_texels(model, size, counts, options);
         }
@@ -225,7 +225,7 @@ ProbedTexture probed_texture(const Image2<float>& image, const Level& level,
     return texture;
 }
 
-// The places of table `part` of `parts` that are one below the other.
+// Moves places into part number `part` of a stack of `parts` tables.
 ProbePlaces below_each_other(ProbePlaces place, int part, int parts) {
     return [place = std::move(place), part, parts](const std::array<double, 3>& wanted) {
         ProbePlace result = place(wanted);
@@ -236,11 +236,11 @@ ProbePlaces below_each_other(ProbePlaces place, int part, int parts) {
     };
 }
 
-// Of probes of a table, and of each table of several.
+// The number of probes of a table of one part, and of each part of several.
 constexpr int kTableProbes = 24;
 constexpr int kProbesOfPart = 12;
 
-// Both are figures of so many points.
+// Adds the figures of `part_points` points to the figures of `points` points.
 void add_errors(const ErrorFigures& part, int part_points, ErrorFigures& sum, int points) {
     sum.max = std::fmax(sum.max, part.max);
     const double squares = sum.rms * sum.rms * points + part.rms * part.rms * part_points;
@@ -255,7 +255,7 @@ void add_certificate(const Certificate& part, Certificate& sum) {
     sum.lookup_points += part.lookup_points;
 }
 
-// All values of a source of one slice.
+// Fills an image with all values of a source of one slice.
 void fill_image(const VoxelSource& source, Image2<float>& image) {
     const auto channels = static_cast<std::size_t>(image.channels);
     const std::size_t count = image.texels.size() / channels;
@@ -267,7 +267,7 @@ void fill_image(const VoxelSource& source, Image2<float>& image) {
                  reinterpret_cast<char*>(image.texels.data()));
 }
 
-// Adds levels that are means of the one before, taken before rounding.
+// Adds levels of detail. Each is the mean of the level before it, taken before rounding.
 void add_levels(Baked& table) {
     std::shared_ptr<const VoxelSource> finer = table.levels.front().voxels;
     while (static_cast<int>(table.levels.size()) < table.mips) {
@@ -283,7 +283,8 @@ void add_levels(Baked& table) {
     }
 }
 
-// From 0, or the least value where that is below, to the largest.
+// Returns the range of each channel from its least value, or 0 if that is smaller, to its largest
+// value.
 std::vector<std::array<double, 2>> histogram_ranges(const Image2<float>& image) {
     std::vector<std::array<double, 2>> ranges(static_cast<std::size_t>(image.channels));
     for (std::size_t i = 0; i < image.texels.size(); ++i) {
@@ -324,7 +325,7 @@ std::vector<Diagnostic> look_over(const std::vector<ProbeSpace>& spaces, const B
     return {};
 }
 
-// The images of all parts below each other.
+// Returns the images of all parts in one image, one below the other.
 Image2<float> stacked_image(const std::vector<TablePart>& parts) {
     const Image2<float>& first = parts.front().table.image();
     Image2<float> stack(first.width, first.height * static_cast<int>(parts.size()), first.channels);

@@ -1,5 +1,5 @@
-// The steps that all table bakers share once they know their model: the choice of a size, texels,
-// their range and error, levels of detail, probes.
+// The steps that all table bakers share once they have a model: choosing a size, making the texels,
+// checking their range, measuring their error, and adding levels of detail and probes.
 #pragma once
 
 #include <array>
@@ -18,44 +18,46 @@
 
 namespace skybake {
 
-// What a user asked of a table's accuracy, whatever the asset.
+// The accuracy that a user asked of a table.
 struct AccuracyRequest {
     std::array<int, 2> size{};
-    std::optional<double> max_error;        // in place of size
-    std::optional<double> max_texel_error;  // picks the quadrature level where size is given
-    PointCounts choice;  // points that size and level are chosen by, whatever is certified
+    std::optional<double> max_error;        // replaces size
+    std::optional<double> max_texel_error;  // chooses the quadrature level if size is given
+    PointCounts choice;  // points for choosing size and level; independent of --certify
     PointCounts quick;   // how many points --certify=quick means
     PointCounts full;
 };
 
-// The physical coordinates of coordinates (x, y) of a table.
+// Returns the physical coordinates for the table coordinates (x, y).
 using PlaceOf = std::function<Place(double x, double y)>;
 
-// Names the place of an error or a probe: "altitude_km 0.02, sun_cos_zenith -0.01".
+// Describes the place of an error or a probe: "altitude_km 0.02, sun_cos_zenith -0.01".
 std::string place_text(const Place& place);
 
-// A table that has its texels and figures, and the places that its probes may have.
+// A table with its texels and figures, and the places where its probes may lie.
 struct TablePart {
     Baked table;
     ProbeSpace space;
 };
 
-// Chooses size and level, bakes, rounds and measures. `table` comes with its texts filled in. After
-// an interruption there is neither a value nor a diagnostic. E0401 a texel is not finite, E0402
-// beyond the pixel type, E0403 max_error cannot be held, E0404 max_texel_error neither, E0405 a
-// value that physics does not allow; W0201 texels below the pixel type's normal range.
+// Chooses a size and a quadrature level, then bakes, rounds and measures the texels. The caller has
+// filled in the texts of `table`. After an interruption there is neither a value nor a diagnostic.
+//
+// Errors: E0401 if a texel is not finite, E0402 if it is beyond the pixel type's range, E0403 if
+// max_error cannot be met, E0404 if max_texel_error cannot be met, E0405 if physics does not allow
+// a value. Warning: W0201 if texels are below the pixel type's normal range.
 config::Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
                                      const BakeOptions& options, const PlaceOf& place_of,
                                      Baked table);
 
-// The table of one part, or of several of one size, channels and pixel type below each other: part
-// k of n stands at v from k / n to (k + 1) / n. The first one's texts speak for all; range counts
-// and certificates are those of all parts together. Adds levels of detail, surveys them and chooses
-// their probes, some of each part. E0407 no probes tell a wrong file; no value and no diagnostics
-// after an interruption.
+// Joins parts of the same size, channels and pixel type to one table: part k of n lies at v from
+// k/n to (k + 1)/n. The table has the texts of the first part; its range counts and its certificate
+// cover all parts. Adds levels of detail, surveys them and chooses their probes, some in each part.
+// E0407 if the probes cannot detect a wrong file. After an interruption there is neither a value
+// nor a diagnostic.
 config::Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options);
 
-// A table of one part.
+// Makes a table of one part: make_part, then stack_tables.
 config::Outcome<Baked> finish_table(const TableModel& model, const AccuracyRequest& request,
                                     const BakeOptions& options, const PlaceOf& place_of,
                                     Baked table);

@@ -51,7 +51,8 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volu
 }  // namespace
 
 void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
-    // Levels of no more floats than this are kept, so that those below need not make them again.
+    // Levels with at most this many floats are kept in memory, so that coarser levels need not make
+    // them again.
     constexpr std::int64_t kKeptFloats = 1 << 23;
     const auto channels = static_cast<int>(volume.channel_names.size());
     while (static_cast<int>(volume.levels.size()) < count && !options.cancelled()) {
@@ -137,8 +138,8 @@ ProbedTexture probed_volume(const Level& level, config::PixelType type) {
     return texture;
 }
 
-// Within half a voxel of either end of each axis, where lookups that repeat and such that are
-// clamped differ.
+// Adds places within half a voxel of either end of each axis, where repeating lookups and clamped
+// lookups differ.
 void add_seams(const Level& level, std::vector<UnitPlace>& places) {
     constexpr int kEach = 4;
     int index = 0;
@@ -158,7 +159,7 @@ void add_even_places(std::vector<UnitPlace>& places) {
     for (int i = 0; i < kPlaces; ++i) places.push_back(low_discrepancy_point(i));
 }
 
-// At most so many of the larger peaks, from all over the volume.
+// Returns at most kMostPeaks of the larger peaks, from all over the volume.
 std::vector<VoxelPeak> chosen_peaks(const Level& level) {
     constexpr std::size_t kMostPeaks = 24;
     std::vector<float> largest(level.statistics.size());
@@ -176,14 +177,15 @@ std::vector<VoxelPeak> chosen_peaks(const Level& level) {
     return chosen;
 }
 
-// The slope from a peak along an axis, to one side: where the value falls below half.
+// The slope from a peak along an axis, to one side. The value falls below half of the peak there.
 class Slope {
   public:
     Slope(const Level& level, const StoredVoxels& voxels, const VoxelPeak& peak, std::size_t axis,
           int side)
         : level_(level), voxels_(voxels), peak_(peak), axis_(axis), side_(side) {}
 
-    // Between the two voxels that it lies between; none where it stays above half up to the edge.
+    // Returns a place between the two voxels where the value falls below half, or nothing if it
+    // stays above half up to the edge.
     std::optional<UnitPlace> place() const {
         int high = 0;
         int low = 1;
@@ -224,7 +226,7 @@ class Slope {
     const int side_;
 };
 
-// The peaks, a little beside them, and the slopes about the first of them.
+// Adds the peaks, places a little beside them, and the slopes around some of them.
 void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace>& places) {
     constexpr std::size_t kWithSlopes = 8;
     const StoredVoxels voxels(level, type);
@@ -242,7 +244,7 @@ void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace
             places.push_back(at_seam);
         }
     }
-    // Spread over them.
+    // The peaks whose slopes are added are spread evenly over all chosen peaks.
     const std::size_t steep = std::min(kWithSlopes, peaks.size());
     for (std::size_t i = 0; i < steep; ++i) {
         const VoxelPeak& peak = peaks[i * peaks.size() / steep];
@@ -255,8 +257,8 @@ void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace
     }
 }
 
-// A small level with its voxels in memory: making all of them once is cheaper than making the eight
-// of every lookup.
+// Holds the voxels of a small level in memory, because making all of them once is cheaper than
+// making eight for every lookup.
 Level held_if_small(const Level& level, const BakeOptions& options) {
     constexpr std::int64_t kSmall = 1 << 18;
     Level held = level;

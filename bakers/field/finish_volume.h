@@ -1,5 +1,5 @@
-// What every volume goes through once its voxels can be made: levels of detail, statistics, range,
-// hash, probes, certificate.
+// The steps that all volume bakers share once the voxels can be made: adding levels of detail,
+// statistics, range counts, hashes, probes and a certificate.
 #pragma once
 
 #include <array>
@@ -17,35 +17,34 @@
 
 namespace skybake {
 
-// Adds levels that are box means of volume.levels[0], until there are `count`.
+// Adds levels of detail, each the box mean of the one before, until there are `count` levels.
 void add_mip_levels(int count, const BakeOptions& options, Baked& volume);
 
 struct VolumeFinish {
     std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
-    VolumeReference reference;                            // none: no certificate
+    VolumeReference reference;                            // empty: no certificate
     std::string reference_name;
-    bool expensive = false;  // the reference: then --certify=quick takes fewer points
+    bool expensive = false;  // the reference is expensive: --certify=quick takes fewer points
     VolumeComparison comparison = {};
-    // In place of the reference: for volumes that a runtime looks up in another way than between
-    // the eight nearest voxels.
+    // Replaces the reference for volumes that a runtime does not look up between the eight nearest
+    // voxels.
     std::function<Certificate(const Baked& volume, const BakeOptions& options)> measure = {};
-    // The physical place of texture coordinates of a level, which are moved to the nearest that a
-    // runtime asks for.
+    // Returns the physical place for texture coordinates of a level. The coordinates are moved to
+    // the nearest ones that a runtime looks up.
     std::function<ProbePlace(const std::array<double, 3>& uvw, int level)> probe_place = {};
 };
 
 // Surveys all levels, makes their probes, and measures level 0 against the reference unless
-// options.certification is off. E0401, E0402: a voxel that the pixel type cannot hold; E0407: no
-// probes tell a wrong file. No value and no diagnostics after an interruption.
+// options.certification is off. E0401 or E0402 if the pixel type cannot hold a voxel; E0407 if the
+// probes cannot detect a wrong file. After an interruption there is neither a value nor a
+// diagnostic.
 config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
                                      const BakeOptions& options);
 
-// The probes of a level of a volume.
-
-// Fills probes and catches of a level that has been surveyed. `place` tells the physical place of
-// texture coordinates; empty: texture coordinates are all that is known. Places are looked for all
-// over the volume, at its seams, at the level's peaks and on the slopes about them. E0407, which
-// names `asset`.
+// Fills in the probes and catches of a level that has been surveyed. `place` returns the physical
+// place for texture coordinates; if it is empty, only texture coordinates are known. Candidate
+// places lie all over the volume, at its seams, at the level's peaks and on the slopes around them.
+// E0407 names `asset`.
 [[nodiscard]] std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
                                                                   const ProbePlaces& place,
                                                                   config::PixelType type,

@@ -1,4 +1,5 @@
-// A two-dimensional field that owns its texels.
+// Two-dimensional fields that own their values, and the two conventions that relate texels to
+// coordinates.
 #pragma once
 
 #include <cstddef>
@@ -33,9 +34,8 @@ struct Image2 {
     const T* texel(int x, int y) const { return texels.data() + offset(x, y); }
 };
 
-// A picture of one channel that lies over a cloud's ground plan.
-
-// Row-major, the picture's first row first. Values are in [0, 1] and linear.
+// A picture of one channel that lies over a cloud's ground plan. Row-major, the picture's first row
+// first. Values are in [0, 1] and linear.
 struct MapImage {
     int width = 0;
     int height = 0;
@@ -43,21 +43,21 @@ struct MapImage {
     std::string content_hash;  // xxh3_hex of width, height and values
 };
 
-// From texels to coordinates in [0, 1] and back, for the two conventions that tables use.
+// Which coordinates x in [0, 1] the texels of a table stand for.
 enum class TexelConvention {
     end_points_on_texel_centres,  // x = 0 at the first centre, 1 at the last: u = 1/2N + x (1 -
                                   // 1/N)
     end_points_on_edges,          // u = x
 };
 
-// The coordinate at the centre of texel i of `count`. A single texel whose axis has its end points
-// on texel centres stands for the middle, 1/2.
+// The coordinate at the centre of texel i of `count`. With end points on texel centres, a single
+// texel stands for the middle, 1/2.
 inline double texel_coordinate(TexelConvention convention, int i, int count) {
     if (convention == TexelConvention::end_points_on_edges) return (i + 0.5) / count;
     return count == 1 ? 0.5 : static_cast<double>(i) / (count - 1);
 }
 
-// The texture coordinate of x.
+// The texture coordinate of x in a table of `count` texels.
 inline double texture_coordinate(TexelConvention convention, double x, int count) {
     if (convention == TexelConvention::end_points_on_edges) return x;
     return 0.5 / count + x * (1 - 1.0 / count);

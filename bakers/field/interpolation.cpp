@@ -7,7 +7,7 @@ namespace skybake {
 
 namespace {
 
-// The two voxels about a place on one axis, and how far it is from the first to the second.
+// The two voxels around a place on one axis, and the place's position between them, from 0 to 1.
 struct Neighbours {
     std::array<int, 2> voxel{};
     double fraction = 0;

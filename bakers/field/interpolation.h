@@ -8,10 +8,9 @@
 
 namespace skybake {
 
-// The lookup that a runtime makes: bilinear between texel centres, clamped to the edge.
-
-// The value at texture coordinates (u, v) in double, into out[0 .. channels). Texel centres stand
-// at (x + 1/2) / width, (y + 1/2) / height; beyond the outermost centres the edge goes on.
+// Writes the bilinear lookup at texture coordinates (u, v), calculated in double, to `out`, one
+// value per channel. Texel centres are at (x + 1/2) / width and (y + 1/2) / height. Beyond the
+// outermost centres, lookups are clamped to the edge.
 inline void bilinear(const Image2<float>& image, double u, double v, double* out) {
     const double x = std::clamp(u * image.width - 0.5, 0.0, image.width - 1.0);
     const double y = std::clamp(v * image.height - 0.5, 0.0, image.height - 1.0);
@@ -32,18 +31,16 @@ inline void bilinear(const Image2<float>& image, double u, double v, double* out
     }
 }
 
-// The lookup that a runtime makes of a volume: trilinear between voxel centres.
-
 // A voxel and its weight.
 struct VoxelTap {
     std::array<int, 3> voxel{};
     double weight = 0;
 };
 
-// The eight taps of a lookup at texture coordinates `uvw` (any finite numbers; voxel i of an axis
-// has its centre at (i + 1/2) / size), x fastest. Their weights sum to 1. Voxels beyond the
-// volume's edge are those of its next copy along axes that repeat, else the last ones before it; so
-// that one may come twice.
+// Returns the eight taps of a trilinear lookup at texture coordinates `uvw`, x fastest. `uvw` may
+// be any finite numbers; voxel i of an axis has its centre at (i + 1/2) / size. The weights sum to
+// 1. Along an axis that repeats, voxels beyond the volume's edge are those of its next copy; along
+// other axes, they are the last voxels before the edge, so that one voxel may occur twice.
 std::array<VoxelTap, 8> trilinear_taps(const std::array<int, 3>& size,
                                        const std::array<double, 3>& uvw,
                                        const std::array<bool, 3>& repeats = {true, true, true});

@@ -97,7 +97,8 @@ struct AsHalf {
     static float load(Stored value) { return float_of_half(value); }
 };
 
-// Steps of 1 / kSteps. A float times kSteps is exact in double, so that only the rounding rounds.
+// Values in steps of 1 / kSteps. A float times kSteps is exact in double, so there is only one
+// rounding.
 template <class T, int kSteps>
 struct AsUnorm {
     using Stored = T;
@@ -107,7 +108,7 @@ struct AsUnorm {
     static float load(Stored value) { return static_cast<float>(value / double{kSteps}); }
 };
 
-// Calls `work` with the type's conversion.
+// Calls `work` with the pixel type's conversion.
 template <class Work>
 void with_conversion(PixelType type, const Work& work) {
     switch (type) {
@@ -122,7 +123,8 @@ void with_conversion(PixelType type, const Work& work) {
     }
 }
 
-// The number of channels is known where it is usual, so that the loop has no inner one.
+// The usual numbers of channels are compile-time constants, so that the compiler can unroll the
+// loop over channels.
 template <class Conversion, std::size_t kChannels>
 void interleave(const std::vector<const float*>& channels, std::size_t count,
                 typename Conversion::Stored* __restrict out) {

@@ -1,4 +1,5 @@
-// Rounding to what a file's pixel type can hold, and counting what it holds badly.
+// Rounds values to what a file's pixel type can hold, counts values that it holds inaccurately, and
+// converts voxels to the bytes of a file and back.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +12,14 @@
 
 namespace skybake {
 
-// The value as the pixel type stores it, by way of float, rounded to nearest: half to even on ties,
-// unorm8 and unorm16 to multiples of 1/255 and 1/65535 upwards on ties, as the nearest float.
-// Infinity where a half overflows. A unorm type wants values in [0, 1] and goes on beyond them:
-// whoever stores asks range_of() first.
+// Returns the value as the pixel type stores it. The value is converted to float and rounded to
+// nearest: for half, ties go to even; for unorm8 and unorm16, the result is the float nearest to a
+// multiple of 1/255 or 1/65535, and ties go upwards. The result is infinite if a half overflows. A
+// unorm type expects values in [0, 1] and does not clamp others, so check range_of() before
+// storing.
 float round_to_pixel_type(double value, config::PixelType type);
 
-// What the type holds: a value fits that lies within these bounds, and is thereby finite.
+// The range of a pixel type. Every value within these bounds fits and is finite.
 struct PixelRange {
     float low = 0;
     float high = 0;
@@ -28,33 +30,33 @@ PixelRange range_of(config::PixelType type);
 // The same in words: "[0, 1]".
 const char* range_text(config::PixelType type);
 
-// The bytes that a value takes.
+// The number of bytes per value.
 int bytes_per_value(config::PixelType type);
 
-// The smallest value that the type holds with all its digits. 0 for unorm, whose steps are equal.
+// The smallest positive value that the type holds in full precision; 0 for unorm, whose steps are
+// equal.
 double smallest_normal(config::PixelType type);
 
-// The largest error of rounding: relative to a normal value for float and half (half a unit in the
+// The largest rounding error: relative to a normal value for float and half (half a unit in the
 // last place), absolute for unorm (half a step).
 double rounding_error(config::PixelType type);
 
-// Rounds a value for storage and counts it if the pixel type holds it badly.
+// Rounds a value for storage, and counts it if the pixel type cannot hold it accurately.
 float store(double value, config::PixelType type, RangeCounts& counts);
 
-// Voxels as files store them: channels interleaved, little-endian, in a pixel type.
-
-// Rounds as round_to_pixel_type does; `out` holds count * channels.size() values. Every value must
-// fit the type.
+// Writes voxels to `out` as files store them: channels interleaved, little-endian, rounded as
+// round_to_pixel_type does. `out` has room for count * channels.size() values. Every value must fit
+// the type.
 void store_voxels(const std::vector<const float*>& channels, std::size_t count,
                   config::PixelType type, char* out);
 
-// The same of one array that is interleaved already, or has one channel.
+// Does the same for one array that is already interleaved or has one channel.
 void store_values(const float* values, std::size_t count, config::PixelType type, char* out);
 
-// The values that the bytes stand for, exactly; unorm as the nearest floats.
+// Converts stored bytes to floats: exactly, but for unorm to the nearest floats.
 void load_values(const char* bytes, std::size_t count, config::PixelType type, float* out);
 
-// Rounds in place to what a file of the type would hold. Every value must fit the type.
+// Rounds the values in place to what a file of the type holds. Every value must fit the type.
 void round_values(float* values, std::size_t count, config::PixelType type);
 
 }  // namespace skybake

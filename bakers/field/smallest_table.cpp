@@ -50,7 +50,7 @@ std::vector<Candidate> candidates(const TableModel& model) {
     return all;
 }
 
-// The two texels that surround a coordinate, and how far it is from the first.
+// The two texels around a coordinate, and the coordinate's position between them, from 0 to 1.
 struct TexelPair {
     int first;
     int second;
@@ -77,7 +77,7 @@ std::vector<PointIndex> all_points(const ReferencePoints& points) {
     return all;
 }
 
-// The error of one lookup in a table of which just the four texels needed are made.
+// Returns the error of one lookup. Only the four texels that the lookup needs are made.
 double lookup_error(const TableModel& model, const Candidate& candidate, config::PixelType type,
                     const ReferencePoints& points, PointIndex index) {
     const PointRow& point = points.rows[index.row];
@@ -108,8 +108,8 @@ double lookup_error(const TableModel& model, const Candidate& candidate, config:
 
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
                            const ReferencePoints& points, const BakeOptions& options) {
-    // A level whose kernel is off by more than the bound holds it with no table, and one that is
-    // off by an eighth of it gains next to nothing from a more expensive one.
+    // No table keeps within the bound if the kernel's error at that level exceeds it. If the
+    // kernel's error is an eighth of the bound, a more expensive level gains almost nothing.
     const int levels = static_cast<int>(model.cost_per_texel.size());
     int first = levels;
     int last = levels - 1;
@@ -121,7 +121,8 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
     }
 
     TableSearch search;
-    // Points that refuted the last tables are tried first: most candidates fall at the first one.
+    // Points that refuted the last tables are tried first, so most candidates fail at the first
+    // point.
     std::vector<PointIndex> order = all_points(points);
     for (const Candidate& candidate : candidates(model)) {
         if (options.cancelled()) break;
@@ -142,7 +143,7 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
             return search;
         }
     }
-    // None holds: say what the largest table at the finest level reaches.
+    // No table keeps within the bound: report what the largest table at the finest level reaches.
     const Candidate largest_table = {{widths(model).back(), heights(model).back()}, levels - 1, 0};
     search.best = {largest_table.size, largest_table.level, 0};
     for (const PointIndex& index : order) {

@@ -1,4 +1,4 @@
-// The smallest table that holds an error bound.
+// Finds the smallest table whose lookups keep within an error bound.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,14 @@ struct TableChoice {
 
 struct TableSearch {
     std::optional<TableChoice> found;
-    TableChoice best;  // the least error that was reached, where none is found
+    TableChoice best;  // what the largest table at the finest level reaches, if none is found
 };
 
-// Tries tables of the sizes {4, 6, 8, 12, 16, ... 2048} on each axis, up to 16384 where there is
-// but one row, and all levels in the order of their cost, texels * cost_per_texel (then narrower),
-// and takes the first whose stored lookups are within `max_error` at every point. The cost is
-// fixed, so the choice is a pure function of the parameters.
+// Tries tables of the sizes {4, 6, 8, 12, 16, ... 2048} on each axis (up to 16384 if there is only
+// one row) and all quadrature levels, in the order of their cost, texels * cost_per_texel; of equal
+// costs, the narrower table comes first. Returns the first one whose stored lookups are within
+// `max_error` at every point. The costs are fixed, so the choice is a pure function of the
+// parameters.
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
                            const ReferencePoints& points, const BakeOptions& options);
 

@@ -21,7 +21,7 @@ std::vector<float> StoredVoxels::at(const std::array<VoxelTap, 8>& taps) const {
     return values;
 }
 
-// Of taps that are the same voxel, at an edge or of the nearest one, only the first is asked for.
+// Taps may be the same voxel, at an edge or in a nearest lookup. It is then fetched only once.
 void StoredVoxels::fetch_once(const std::array<VoxelTap, 8>& taps, std::size_t tap,
                               std::vector<float>& values) const {
     for (std::size_t same = 0; same < tap; ++same) {
@@ -32,7 +32,7 @@ void StoredVoxels::fetch_once(const std::array<VoxelTap, 8>& taps, std::size_t t
     fetch({taps[tap].voxel, {1, 1, 1}}, tap, values);
 }
 
-// The box's voxels, in the order of taps, to values from tap `from` on.
+// Writes the box's voxels, in the order of taps, to `values` from tap `from` on.
 void StoredVoxels::fetch(const VoxelBox& box, std::size_t from, std::vector<float>& values) const {
     const auto count = static_cast<std::size_t>(box.count());
     std::vector<float> planar(count * channels());
@@ -84,13 +84,13 @@ void StoredSource::fill(const VoxelBox& box, const std::vector<float*>& channels
 
 namespace {
 
-// The finer voxels under a coarse one along an axis, from `first` on, with weights of sum 1.
+// The finer voxels that a coarse voxel covers along an axis, from `first` on. The weights sum to 1.
 struct Footprint {
     int first = 0;
     std::vector<double> weights;
 };
 
-// In units of 1/m of a finer voxel everything is an integer.
+// Calculates in units of 1/size of a finer voxel, in which all bounds are integers.
 Footprint footprint_of(int coarse, int finer_size, int size) {
     const std::int64_t begin = std::int64_t{coarse} * finer_size;
     const std::int64_t end = begin + finer_size;
@@ -110,12 +110,12 @@ std::vector<Footprint> footprints(int first, int count, int finer_size, int size
     return result;
 }
 
-// How many finer voxels a range of coarse ones lies over.
+// How many finer voxels a range of coarse voxels covers.
 int extent_of(const std::vector<Footprint>& under) {
     return under.back().first + static_cast<int>(under.back().weights.size()) - under.front().first;
 }
 
-// Row (y, z), given as finer voxels of the tile, of an array over a box.
+// Returns row (y, z) of an array over a box; y and z count the tile's finer voxels.
 const float* row_of(const float* values, const VoxelBox& box, int y, int z) {
     const auto row =
         static_cast<std::size_t>(z - box.origin[2]) * static_cast<std::size_t>(box.size[1]) +
@@ -149,7 +149,8 @@ MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<
     : finer_(std::move(finer)), finer_size_(finer_size), size_(next_mip_size(finer_size)) {}
 
 void MipSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    // As many coarse rows and slices at a time as keep the finer ones within 8 MiB, or one row.
+    // Takes as many coarse rows and slices at a time as keep the finer voxels within 8 MiB, but at
+    // least one row.
     constexpr std::int64_t kFinerFloats = 1 << 21;
     const std::int64_t row =
         std::int64_t{2} * (box.size[0] + 1) * 9 * static_cast<std::int64_t>(channels.size());

@@ -1,4 +1,5 @@
-// The voxels of a level as a file holds them, a few at a time.
+// Sources of voxels for levels of detail: the voxels of a level as a file holds them, a small
+// volume that is held in memory, and a volume at half the size.
 #pragma once
 
 #include <array>
@@ -15,12 +16,12 @@ namespace skybake {
 
 class StoredVoxels {
   public:
-    // The level's statistics are known: one per channel.
+    // The level's statistics must be known, one per channel.
     StoredVoxels(const Level& level, config::PixelType type) : level_(level), type_(type) {}
 
     std::size_t channels() const { return level_.statistics.size(); }
 
-    // Values of the eight voxels of a lookup, [tap][channel].
+    // Returns the values of the eight voxels of a lookup, [tap][channel].
     std::vector<float> at(const std::array<VoxelTap, 8>& taps) const;
 
   private:
@@ -35,8 +36,8 @@ class StoredVoxels {
 // A small volume held in memory.
 class StoredSource : public VoxelSource {
   public:
-    // All voxels of `source`; `step` is what the making is called in progress. Left unfinished, for
-    // whoever looks, once options.progress is cancelled.
+    // Reads all voxels of `source`. Progress reports call this `step`. Once options.progress is
+    // cancelled, the voxels are incomplete, so callers must check it.
     StoredSource(const VoxelSource& source, const std::array<int, 3>& size, int channels,
                  const BakeOptions& options, std::string_view step);
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
@@ -46,16 +47,16 @@ class StoredSource : public VoxelSource {
     std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
 };
 
-// A volume at half the size along each axis: level k + 1 of a mip chain from level k.
-//
-// Each voxel of the coarser level is the mean of what lies under it in texture space, [i n/m,
-// (i + 1) n/m) of the finer voxels, n and m the sizes: for even sizes the mean of eight. A runtime
-// uses one texture coordinate for all levels, so this holds whatever place of the tile a voxel
-// samples. Footprints end at the seam, and the mean over the tile is kept.
-
-// Half of each size, rounded down, at least 1.
+// The size of the next coarser level: half of each size, rounded down, at least 1.
 std::array<int, 3> next_mip_size(const std::array<int, 3>& size);
 
+// A volume at half the size along each axis: level k + 1 of a mip chain, made from level k.
+//
+// Each coarse voxel is the mean of the finer voxels that it covers in texture space: voxel i covers
+// [i n/m, (i + 1) n/m) in units of finer voxels, where n and m are the finer and the coarser size.
+// For even sizes that is the mean of eight. This holds whatever place of the tile a voxel samples,
+// because a runtime uses the same texture coordinate for all levels. Footprints end at the seam,
+// and the mean over the tile is preserved.
 class MipSource : public VoxelSource {
   public:
     MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size);

@@ -25,7 +25,7 @@ namespace {
 using config::Diagnostic;
 using config::PixelType;
 
-// What is known of the values of one channel, of a box or of all boxes so far.
+// Summary of one channel's values, for one box or for all boxes so far.
 struct Summary {
     double min = std::numeric_limits<double>::infinity();
     double max = -std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ std::optional<BadValue> first_bad(const std::vector<const float*>& channels, std
     const PixelRange range = range_of(type);
     std::optional<BadValue> bad;
     for (std::size_t c = 0; c < channels.size(); ++c) {
-        // Look for whether before where: the usual box has none.
+        // First checks whether there is a bad value at all, because a typical box has none.
         int outside = 0;
         for (std::size_t i = 0; i < count; ++i) outside |= range.contains(channels[c][i]) ? 0 : 1;
         if (outside == 0) continue;
@@ -65,7 +65,7 @@ std::optional<BadValue> first_bad(const std::vector<const float*>& channels, std
     return bad;
 }
 
-// Of values before they are rounded.
+// Counts values below the normal range. The values are not yet rounded.
 int count_below_normal(const float* values, std::size_t count, PixelType type) {
     const auto smallest = static_cast<float>(smallest_normal(type));
     int below = 0;
@@ -76,15 +76,15 @@ int count_below_normal(const float* values, std::size_t count, PixelType type) {
     return below;
 }
 
-// Without a sign: -0 is stored as it is.
+// Whether all values are +0. A -0 does not count, because it is stored as -0.
 bool is_zero(const float* values, std::size_t count) {
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < count; ++i) bits |= std::bit_cast<std::uint32_t>(values[i]);
     return bits == 0;
 }
 
-// Extremes and sum of one channel, in eight lanes, so that no addition waits for the one before;
-// their order is fixed: value i of a box belongs to lane i mod 8.
+// The extremes and the sum of one channel, in eight lanes, so that no addition waits for the one
+// before. The order of additions is fixed: value i of a box belongs to lane i mod 8.
 class LaneSummary {
   public:
     void add(const float* values, std::size_t count) {
@@ -95,7 +95,7 @@ class LaneSummary {
         for (std::size_t lane = 0; i < count; ++i, ++lane) add(lane, values[i]);
     }
 
-    // What adding zeros alone would do: no sum changes.
+    // Has the effect of adding zeros: the sums do not change.
     void add_zeros() {
         least_[0] = std::min(least_[0], 0.0f);
         most_[0] = std::max(most_[0], 0.0f);
@@ -129,7 +129,7 @@ class LaneSummary {
     std::array<double, kLanes> sums_{};
 };
 
-// The bin of a value; the one past the last for values outside.
+// Returns the bin of a value; values outside the range go to the bin past the last.
 std::size_t bin_of(double value, std::array<double, 2> range, double scale) {
     const bool inside = value >= range[0] && value <= range[1];
     const int bin =
@@ -137,8 +137,8 @@ std::size_t bin_of(double value, std::array<double, 2> range, double scale) {
     return static_cast<std::size_t>(inside ? bin : kHistogramBins);
 }
 
-// Counts of one channel. Two counters a bin: neighbours are alike, and the second need not wait for
-// the first.
+// The histogram of one channel. Each bin has two counters: neighbouring values are often alike, and
+// the second increment need not wait for the first.
 class Histogram {
   public:
     explicit Histogram(std::array<double, 2> range)
@@ -166,8 +166,8 @@ class Histogram {
     std::array<std::array<int, kHistogramBins + 1>, 2> counts_{};
 };
 
-// Sums up the values of one channel of a box and stores them, piece by piece while a piece is in
-// the first cache; `values` are rounded. Most pieces of a cloud's box are empty, and cost a look.
+// Summarises the values of one channel of a box and stores them, piece by piece, while a piece is
+// in the L1 cache. Rounds `values`. Most pieces of a cloud's box are empty and cost only one check.
 Summary summarize(float* values, std::size_t count, std::array<double, 2> range, PixelType type,
                   char* stored) {
     constexpr std::size_t kPiece = 512;
@@ -205,7 +205,7 @@ void add(const Summary& part, Summary& whole) {
     }
 }
 
-// In eight lanes, so that no comparison waits for the one before.
+// Finds the largest value in eight lanes, so that no comparison waits for the one before.
 float largest_of(const float* values, std::size_t count) {
     constexpr std::size_t kLanes = 8;
     std::array<float, kLanes> most{};
@@ -220,8 +220,8 @@ float largest_of(const float* values, std::size_t count) {
     return largest;
 }
 
-// The first of the largest voxels of each eighth of a box, in one channel; none of those where
-// nothing is above 0.
+// Adds the first of the largest voxels of each eighth of a box, in one channel. An eighth in which
+// no value is above 0 adds nothing.
 void add_box_peaks(const float* values, const VoxelBox& box, int channel,
                    std::vector<VoxelPeak>& peaks) {
     constexpr std::size_t kParts = 8;
@@ -265,7 +265,7 @@ class Survey {
           boxes_(level_.size, static_cast<int>(volume.channel_names.size())),
           whole_(volume.channel_names.size()) {}
 
-    // False after an interruption or a bad value.
+    // Returns false after an interruption or a bad value.
     bool run() {
         slots_.resize(static_cast<std::size_t>(box_slots(options_.threads)));
         bool finished = true;

@@ -1,5 +1,5 @@
-// What a two-dimensional table is to the code that bakes, measures and sizes it: a function of two
-// coordinates in [0, 1], known twice, by its kernel and by a reference.
+// The model of a two-dimensional table, for the code that bakes, measures and sizes it: a function
+// of two coordinates in [0, 1], given by a kernel and by a reference.
 #pragma once
 
 #include <array>
@@ -17,21 +17,22 @@ struct TableModel {
     int channels = 0;
     TexelConvention convention = TexelConvention::end_points_on_texel_centres;
 
-    // The v at which a runtime looks up y in a table of so many rows, where that is not what the
-    // convention says; else empty.
+    // Returns the v at which a runtime looks up y in a table with that many rows. Empty if the
+    // convention determines v.
     std::function<double(double y, int rows)> v_of = {};
 
-    // The nearest coordinates to (x, y) that a probe may have, where some are no good: at the
-    // horizon rounding decides what a runtime sees.
+    // Returns the coordinates nearest to (x, y) at which a probe may lie. Some places are
+    // unsuitable: at the horizon, rounding decides what a runtime sees.
     std::function<std::array<double, 2>(double x, double y)> probe_place = {};
 
-    // A table over x alone has one row whatever is asked of its accuracy.
+    // A table over x alone has one row, whatever accuracy is asked for.
     bool one_row = false;
 
-    // The x of points at which lookups are measured, from uniform ones; empty: these themselves.
+    // Maps uniform x to the x at which lookups are measured. Empty: they are measured at the
+    // uniform x.
     std::function<double(double x)> x_of_point = {};
 
-    // Quadrature levels, cheapest first, by their cost in evaluations per texel.
+    // The cost of each quadrature level in evaluations per texel, cheapest level first.
     std::vector<double> cost_per_texel;
 
     // The kernel: values at coordinates (x[i], y), channels interleaved in values[i * channels +
@@ -41,24 +42,25 @@ struct TableModel {
     // The reference, in the same form.
     std::function<void(double y, const std::vector<double>& x, double* values)> reference;
 
-    // The least and the largest value that physics allows.
+    // The smallest and the largest value that physics allows.
     double lowest = 0;
     double highest = 0;
 
-    // Error of a stored or looked-up value. `scale` is the largest reference value of the channel
-    // over the points measured.
+    // Returns the error of a stored or looked-up value. `scale` is the largest reference value of
+    // the channel over the points measured.
     std::function<double(double value, double reference, double scale)> error;
 };
 
-// Texture coordinates of a lookup.
+// The texture coordinates at which a runtime looks up x or y.
 double lookup_u(const TableModel& model, double x, int columns);
 double lookup_v(const TableModel& model, double y, int rows);
 
-// Texels of a table as its kernel gives them, before rounding. Tiles are rows.
+// Returns the texels of a table as its kernel gives them, before rounding. Each row is one tile of
+// the work.
 Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size,
                            const BakeOptions& options);
 
-// The same rounded to the pixel type.
+// Returns the texels rounded to the pixel type, and counts those that it holds inaccurately.
 Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
                            RangeCounts& range);
 

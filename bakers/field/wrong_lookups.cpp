@@ -13,7 +13,8 @@ namespace {
 using TextureCoordinates = std::array<double, 3>;
 
 int nearest_texel(double coordinate, int size, bool repeats) {
-    // Before it becomes an integer: a manifest may say any number.
+    // The coordinate is brought into range before it becomes an integer, because a manifest may
+    // contain any number.
     const double within = repeats ? coordinate - std::floor(coordinate) : coordinate;
     const double last = size - 1;
     return static_cast<int>(std::clamp(std::floor(within * size), 0.0, last));
