@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kDistances = 48;
 constexpr int kElevations = 64;
-// Along azimuth the sky changes slowly.
+// Few azimuths suffice, because the sky changes slowly along azimuth.
 constexpr int kAzimuths = 256;
 
-// The whole ray: to the ground or to the top.
+// Returns the length of the whole ray, which ends at the ground or at the top of the atmosphere.
 double ray_length_km(const Shell& shell, double altitude_km, double s_km) {
     if (s_km < -horizon_distance_km(shell, altitude_km)) {
         return distance_to_ground_km(shell, altitude_km, s_km);
@@ -28,7 +28,8 @@ double ray_length_km(const Shell& shell, double altitude_km, double s_km) {
     return distance_to_top_km(shell, altitude_km, s_km);
 }
 
-// Optical depths at ascending distances, by Simpson's rule between each two.
+// Writes the optical depths at ascending distances, by Simpson's rule between neighbouring
+// distances.
 void optical_depths(const Medium& air, double altitude_km, double mu,
                     const std::vector<double>& distances_km, float* out, std::size_t stride) {
     const Shell shell = shell_of(air);
@@ -96,7 +97,7 @@ void CloudAir::fill_optical_depths(const Medium& air, double altitude_km) {
         }
         optical_depths(air, altitude_km, mu, distances_km, optical_depth_.texel(0, row),
                        static_cast<std::size_t>(air.channels));
-        // The whole ray in as many steps, short ones at first.
+        // The whole ray has the same number of steps, and short ones come first.
         std::vector<float> whole(static_cast<std::size_t>(air.channels * kDistances));
         for (int i = 0; i < kDistances; ++i) {
             const double x = (i + 1.0) / kDistances;
@@ -117,7 +118,7 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     Along result;
     bilinear(panorama_, u, 1 - height, data(result.sky));
 
-    // Row and column of the table, texel i at i.
+    // Row and column in the table, where texel i is at i.
     const double column =
         std::sqrt(std::clamp(distance_m / range_.reach_m, 0.0, 1.0)) * (kDistances - 1);
     const double v = (0.5 + height * (kElevations - 1)) / kElevations;

@@ -1,4 +1,5 @@
-// The air about a cloud layer as its picture needs it: the sky behind, and what lies between.
+// The air around a cloud layer, as the layer's picture needs it: the sky behind the cloud, and the
+// air between camera and cloud.
 #pragma once
 
 #include <vector>
@@ -10,8 +11,8 @@ namespace skybake {
 
 class CloudAir {
   public:
-    // For directions at the camera from `lowest_degrees` to `highest_degrees` above the horizontal
-    // and distances of clouds up to `reach_m`.
+    // The range of lookups: directions at the camera from `lowest_degrees` to `highest_degrees`
+    // above the horizontal, and distances of clouds up to `reach_m`.
     struct Range {
         double lowest_degrees = 0;
         double highest_degrees = 0;
@@ -21,11 +22,11 @@ class CloudAir {
     CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, const SunDirection& sun,
              const Range& range, int threads);
 
-    // Along a direction, told by its elevation and azimuth in degrees.
+    // What the air does along a direction, given by its elevation and azimuth in degrees.
     struct Along {
-        Spectrum sky{};            // radiance of everything behind
-        Spectrum transmittance{};  // of the air up to a distance
-        Spectrum in_scattered{};   // radiance of the air up to there
+        Spectrum sky{};            // radiance of the sky behind the cloud
+        Spectrum transmittance{};  // of the air up to the given distance
+        Spectrum in_scattered{};   // radiance of the air up to that distance
     };
     Along along(double elevation_degrees, double azimuth_degrees, double distance_m) const;
 
@@ -36,9 +37,9 @@ class CloudAir {
     double sun_azimuth_degrees_;
     double horizon_degrees_;
     Image2<float> panorama_;
-    // Of the air, channels interleaved: distances to the square from 0 to reach across, elevations
-    // as the panorama's in few rows, from the lowest up; then, in the last column, of the whole
-    // ray.
+    // Optical depths of the air, channels interleaved. Columns are distances from 0 to the reach,
+    // spaced quadratically; the last column is for the whole ray. Rows are the panorama's
+    // elevations, from the lowest up, but fewer of them.
     Image2<float> optical_depth_;
 };
 

@@ -22,7 +22,8 @@ glm::dvec3 CameraRays::through(double x, double y) const {
     return ray / std::sqrt(glm::dot(ray, ray));
 }
 
-// Jimenez 2014; other layers are the same pattern moved by an irrational number of pixels.
+// The pattern is that of Jimenez 2014. Other layers are the same pattern, moved by an irrational
+// number of pixels.
 float gradient_noise(int x, int y, int layer) {
     const auto fraction = [](double v) { return v - std::floor(v); };
     const double moved = 5.588238 * layer;

@@ -1,4 +1,5 @@
-// From pixels to rays through a cloud layer.
+// The camera of a cloud picture: calculates rays from pixels, and the span of a ray within the
+// cloud layer.
 #pragma once
 
 #include <array>
@@ -10,11 +11,11 @@
 
 namespace skybake {
 
-// Directions in the frame of a cloud layer: x and y along the ground, z up.
+// Directions are in the coordinate system of a cloud layer: x and y along the ground, z up.
 inline double cosine_of_degrees(double degrees) { return cosine_of_turns(degrees / 360); }
 inline double sine_of_degrees(double degrees) { return cosine_of_turns(degrees / 360 - 0.25); }
 
-// Azimuths from +x towards +y.
+// Azimuths are counted from +x towards +y.
 inline glm::dvec3 direction_of(double elevation_degrees, double azimuth_degrees) {
     const double level = cosine_of_degrees(elevation_degrees);
     return {level * cosine_of_degrees(azimuth_degrees), level * sine_of_degrees(azimuth_degrees),
@@ -31,7 +32,7 @@ class CameraRays {
   public:
     CameraRays(const CloudCamera& camera, int width, int height);
 
-    // Through the middle of pixel (x, y), row 0 at the top.
+    // Returns the direction of the ray through the middle of pixel (x, y), with row 0 at the top.
     glm::dvec3 through(double x, double y) const;
 
   private:
@@ -43,11 +44,12 @@ class CameraRays {
     int height_ = 0;
 };
 
-// In [0, 1], a function of the pixel alone; neighbours differ much. `layer` 0, 1 ... makes others.
+// Returns noise in [0, 1] that depends on the pixel alone. Neighbouring pixels differ much. Each
+// `layer` 0, 1 ... is another pattern.
 float gradient_noise(int x, int y, int layer);
 
-// Where a ray is within the layer, or the one tile that there is, as distances; none where first >
-// last.
+// The distances at which a ray enters and leaves the layer, or its only tile if the volume does not
+// repeat. The ray misses it if first > last.
 struct RaySpan {
     double first_m = 0;
     double last_m = 0;

@@ -12,18 +12,19 @@ namespace skybake {
 
 namespace {
 
-// No simple fraction of a turn: tiles do not line up.
+// The heading is no simple fraction of a turn, so that tiles do not line up in the picture.
 constexpr double kHeading = 63;
 constexpr double kField = 50;
-// Eyes of somebody who stands on the ground.
+// The eye height of somebody who stands on the ground.
 constexpr double kLowest_m = 2;
 // The share of the picture's width or height that a framed box fills.
 constexpr double kFilled = 0.9;
-// Of the greatest value: crumbs that are fainter are hardly seen, and are not what is framed.
+// The share of the greatest value below which voxels do not count for the framing, because they are
+// hardly visible.
 constexpr float kFaint = 0.05F;
 
-// From below where the layer is high enough that its nearest clouds are some voxels away, else from
-// above.
+// Places the camera below the layer if the layer is so high that its nearest clouds are some voxels
+// away, else above it.
 void place_under_layer(const CloudMedium& medium, CloudCamera& camera) {
     const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
     const bool from_below = medium.base_m >= 0.1 * tile;
@@ -44,8 +45,8 @@ std::array<glm::dvec3, 8> corners_of(const CloudBox& box) {
     return corners;
 }
 
-// The camera's position along its own axis, so far back from the box's middle that all corners are
-// within kFilled of the picture.
+// Returns a position on the camera's axis through the box's middle, so far back that all corners
+// are within the share kFilled of the picture.
 glm::dvec3 position_before(const CloudBox& box, const CloudCamera& camera,
                            double height_over_width) {
     const glm::dvec3 forward = direction_of(camera.elevation_degrees, camera.azimuth_degrees);
@@ -65,7 +66,8 @@ glm::dvec3 position_before(const CloudBox& box, const CloudCamera& camera,
     return middle - back * forward;
 }
 
-// From a little below, so that the cloud stands against the sky, unless the ground is in the way.
+// Places the camera a little below the box, so that the cloud stands against the sky, unless the
+// ground is in the way.
 void place_before_box(const CloudBox& box, const CameraRequest& request, double height_over_width,
                       CloudCamera& camera) {
     camera.elevation_degrees = request.pitch_degrees.value_or(8);
@@ -99,7 +101,7 @@ CloudCamera camera_for(const CloudMedium& medium, const CameraRequest& request,
         const auto& [x, y, z] = *request.position_m;
         camera.position_m = {x, y, z};
     }
-    // Under the ground there is nothing to be seen from.
+    // The camera must not be below the ground.
     camera.position_m[2] = std::max(camera.position_m[2], kLowest_m);
     return camera;
 }

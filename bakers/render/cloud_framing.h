@@ -1,4 +1,4 @@
-// Where the camera of a lit cloud stands, and how finely its picture is marched.
+// Chooses the camera of a cloud's lit picture and the steps of the march.
 #pragma once
 
 #include <array>
@@ -9,27 +9,28 @@
 
 namespace skybake {
 
-// What the user asks of a camera; what is not asked for is chosen.
+// The camera settings that the user asks for. Missing settings are chosen.
 struct CameraRequest {
-    // x and y from the tile's corner, and the altitude above the ground.
+    // x and y from the tile's corner, and z as the altitude above the ground.
     std::optional<std::array<double, 3>> position_m;
     std::optional<double> heading_degrees;  // from +x towards +y
     std::optional<double> pitch_degrees;    // above the horizontal
     std::optional<double> field_degrees;    // across the picture
 };
 
-// Steps of one voxel (the cube root of its volume), longer ones towards a low sun so that there are
-// at most kSunSamples. Of a volume that repeats a camera that sees much of the layer, and a reach
-// of some tiles; of one that does not a camera that has all of it in the picture.
+// Chooses the settings of a view. Steps are one voxel long (the cube root of its volume); towards a
+// low sun they are longer, so that there are at most kSunSamples. If the volume repeats, the camera
+// sees much of the layer and the reach is some tiles; if it does not repeat, the camera has the
+// whole volume in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height, const CameraRequest& request = {});
 
-// "position=1.86km,0.72km,0.3km heading=63deg pitch=12deg fov=50deg", which --camera reads.
+// Describes the camera in the form that --camera reads: "position=1.86km,0.72km,0.3km heading=63deg
+// pitch=12deg fov=50deg".
 std::string camera_text(const CloudCamera& camera);
 
-// Where there is something to see, a twentieth of the greatest value at least, in metres: x and y
-// from the tile's corner, altitudes. Of a
-// volume without anything the whole tile.
+// The box that holds all voxels of at least a twentieth of the greatest value, in metres: x and y
+// from the tile's corner, z as altitude. For an empty volume it is the whole tile.
 struct CloudBox {
     glm::dvec3 low_m{};
     glm::dvec3 high_m{};

@@ -1,6 +1,7 @@
-// How a ray gets over empty cells, one ray in each lane.
+// Lets rays leap over empty cells (empty-space skipping), one ray in each lane.
 //
-// Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
+// The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
+// include guard.
 #if defined(SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_
 #undef SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_
@@ -17,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// 1 / direction; where a coordinate hardly moves, 2^60 of the unit stands for never, so that no
-// product with it overflows.
+// Returns 1 / direction. If a coordinate hardly changes, the result is 2^60, which means that the
+// ray never gets anywhere along it; products with 2^60 do not overflow.
 HWY_INLINE FloatLanes pace_of(FloatLanes direction) {
     const FloatMask still =
         (FloatLanes(-0x1p-60F) < direction) & (direction < FloatLanes(0x1p-60F));
@@ -26,19 +27,19 @@ HWY_INLINE FloatLanes pace_of(FloatLanes direction) {
                   FloatLanes(1.0F) / select(still, FloatLanes(1.0F), direction));
 }
 
-// Of a path, per lane: metres per voxel.
+// The metres per voxel of a path along each axis, per lane.
 struct Pace {
     FloatLanes x, y, z;
 };
 
-// Places from `low` to below `high`.
+// The interval [low, high).
 struct Interval {
     FloatLanes low, high;
 
     HWY_INLINE FloatMask contains(FloatLanes x) const { return (low <= x) & (x < high); }
 };
 
-// A cell along one axis and everything within its reach.
+// Returns the interval of a cell along one axis, extended by its reach on both sides.
 HWY_INLINE Interval interval_about(IntLanes cell, int shift, int size, FloatLanes tile,
                                    FloatLanes reach) {
     const FloatLanes first = to_float(shifted_left(cell, shift));
@@ -47,14 +48,15 @@ HWY_INLINE Interval interval_about(IntLanes cell, int shift, int size, FloatLane
     return {(tile + first) - reach, (tile + last) + reach};
 }
 
-// About the distance at which a coordinate leaves an interval. `pace` is 1 / direction.
+// Returns, up to rounding, the distance at which a coordinate leaves an interval. `pace` is 1 /
+// direction.
 HWY_INLINE FloatLanes exit_distance(FloatLanes origin, FloatLanes pace, const Interval& within) {
     const FloatLanes face = select(FloatLanes(0.0F) < pace, within.high, within.low);
     return (face - origin) * pace;
 }
 
-// Of lanes that are `looking` at sample k, those whose cell is empty; these get `next`: the first
-// sample that is not known to be in empty cells, or `end`.
+// Returns those of the lanes `looking` at sample k whose cell is empty. For these lanes, `next` is
+// the first sample that is not known to be in empty cells, or `end`.
 HWY_INLINE FloatMask leap(const CloudPath& path, const Pace& pace, const Place& at,
                           FloatMask looking, FloatLanes k, FloatLanes end, FloatLanes& next) {
     const LeapGrid& grid = path.medium.leaps;
@@ -72,8 +74,9 @@ HWY_INLINE FloatMask leap(const CloudPath& path, const Pace& pace, const Place& 
         exit_distance(path.origin_x, pace.x, x),
         minimum(exit_distance(path.origin_y, pace.y, y), exit_distance(path.origin_z, pace.z, z)));
 
-    // Geometry says about where the samples within the box end. Positions go one way along each
-    // axis, their roundings too: if the last of them is within it, all are.
+    // The exit distance gives a first guess of where the samples within the box end. Positions are
+    // monotonic along each axis, even after rounding, so if the last sample is within the box, all
+    // are.
     const FloatLanes at_least = k + FloatLanes(1.0F);
     next = minimum(maximum(path.samples.first_beyond(exit), at_least), end);
     for (;;) {
@@ -86,10 +89,10 @@ HWY_INLINE FloatMask leap(const CloudPath& path, const Pace& pace, const Place& 
     }
 }
 
-// Which lanes look into the volume at their sample; of the others that are going, those that stand
-// in empty cells have leapt on. A lane looks for an empty cell only after a sample that was
-// nothing: in clouds there is none. Where few lanes are left to look into the volume, they wait
-// for the others to leap.
+// Returns the lanes that look into the volume at their sample. Of the other lanes that are going,
+// those in empty cells have leapt. A lane looks for an empty cell only after a sample that was
+// empty, because inside clouds there is none. If only few lanes are left to look into the volume,
+// they wait for the others to leap.
 HWY_INLINE FloatMask leap_or_look(const CloudPath& path, const Pace& pace, const Place& at,
                                   FloatMask going, FloatLanes end, Progress& progress,
                                   std::int64_t& cells) {

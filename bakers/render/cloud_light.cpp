@@ -14,7 +14,8 @@ namespace {
 
 using Plane = std::vector<double>;
 
-// The grid of blocks: block k of an axis has voxels floor(k N / n) ... floor((k + 1) N / n) - 1.
+// The grid of blocks. Block k of an axis has the voxels floor(k N / n) ... floor((k + 1) N / n) -
+// 1.
 struct Blocks {
     std::array<int, 3> voxels{};
     std::array<int, 3> size{};
@@ -46,7 +47,7 @@ double mean_density(const CloudMedium& medium, const Blocks& blocks, int i, int 
     return sum / count;
 }
 
-// (1 - g) sigma h / 2 of each block, plane by plane.
+// Returns (1 - g) sigma h / 2 for each block, plane by plane.
 std::vector<Plane> diffuse_depths(const CloudMedium& medium, const Blocks& blocks, int threads) {
     const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
     const double height_m = medium.extent_m[2] / blocks.size[2];
@@ -65,7 +66,7 @@ std::vector<Plane> diffuse_depths(const CloudMedium& medium, const Blocks& block
     return planes;
 }
 
-// Sums s, 1 - 2 s, s along one axis of a plane that repeats.
+// Smooths a repeating plane along one axis with the weights s, 1 - 2 s, s.
 Plane smoothed(const Plane& plane, const Blocks& blocks, bool along_x, double s) {
     Plane out(plane.size());
     const int nx = blocks.size[0];
@@ -84,16 +85,16 @@ Plane smoothed(const Plane& plane, const Blocks& blocks, bool along_x, double s)
     return out;
 }
 
-// s for a variance of 2 s d^2 = h^2 / 2 with blocks d wide; at most 1/4, where a checkerboard is
-// smoothed away.
+// Returns the s that gives a variance of 2 s d^2 = h^2 / 2 with blocks of width d. It is at most
+// 1/4, which removes a checkerboard completely.
 double smoothing(const CloudMedium& medium, const Blocks& blocks, std::size_t axis) {
     const double h = medium.extent_m[2] / blocks.size[2];
     const double d = medium.extent_m[axis] / blocks.size[axis];
     return std::min(0.25, h * h / (4 * d * d));
 }
 
-// Carries V through the planes in the order `order`; values at the blocks' centres go to `shares`,
-// one per block; returns the mean of V beyond the last plane.
+// Carries V through the planes, downwards or upwards. Writes the values at the blocks' centres to
+// `shares`, one per block, and returns the mean of V beyond the last plane.
 double carry(const CloudMedium& medium, const Blocks& blocks, const std::vector<Plane>& depths,
              bool downwards, std::vector<float>& shares) {
     Plane share(blocks.plane_count(), 1.0);
@@ -171,8 +172,8 @@ double phase_value(const DropletPhase& phase, double offset) {
            phase.draine_share * draine(phase.draine_g, phase.draine_alpha, offset, 2 - offset);
 }
 
-// Draine's, by the moments 1, g and (1 + 2 g^2) / 3, (3 g + 2 g^3) / 5 of u, u^2 and u^3 under
-// Henyey-Greenstein's.
+// The mean cosine of Draine's function follows from the moments of Henyey-Greenstein's: g for u, (1
+// + 2 g^2) / 3 for u^2 and (3 g + 2 g^3) / 5 for u^3.
 double mean_cosine(const DropletPhase& phase) {
     const double g = phase.draine_g;
     const double alpha = phase.draine_alpha;

@@ -14,7 +14,7 @@ namespace {
 
 using occupancy::CellGrid;
 
-// Everything is empty: farther than any ray goes.
+// The reach in an empty volume, which is farther than any ray goes.
 constexpr float kNothingAtAll = 0x1p30F;
 
 float visible_above(const CloudOptics& optics, const PaddedVolume& volume) {
@@ -29,7 +29,7 @@ float visible_above(const CloudOptics& optics, const PaddedVolume& volume) {
     return std::nextafter(threshold + 0x1p-20F * greatest, 0x1p127F);
 }
 
-// The voxels of `steps` consecutive cells of an axis that repeats, at least.
+// Returns the least number of voxels in `steps` consecutive cells of a repeating axis.
 int voxels_of_cells(int steps, int cell, int cells, int size) {
     const int missing = cells * cell - size;  // of the last cell
     return steps * cell - (steps + cells - 1) / cells * missing;
@@ -61,7 +61,7 @@ PaddedVolume padded_volume(const float* voxels, const std::array<int, 3>& size, 
         float* out = padded.values.data() + plane * padded.plane();
         for (int row = 0; row < size[1] + 2; ++row) {
             const int y = occupancy::wrapped(row - 1, size[1]);
-            if (!repeats && y != row - 1) {  // nothing, as the padding began
+            if (!repeats && y != row - 1) {  // the padding stays 0
                 out += padded.row();
                 continue;
             }

@@ -1,9 +1,9 @@
-// A cloud volume as rays see it: what a lookup returns, what extinction that is, and how far a ray
-// may leap without seeing anything.
+// A cloud volume as rays see it: what a lookup returns, which extinction that means, and how far a
+// ray may leap through empty space (the empty-space skip distance).
 //
-// Positions are in voxel units: voxel i of an axis has its centre at i + 1/2. The volume repeats
-// along x and y, or stands alone with nothing beside it; along z it is clamped, and there is
-// nothing below 0 and above size[2].
+// Positions are in voxel units: voxel i of an axis has its centre at i + 1/2. The volume either
+// repeats along x and y or has empty space beside it. Along z lookups are clamped, and space below
+// 0 and above size[2] is empty.
 #pragma once
 
 #include <array>
@@ -16,8 +16,9 @@
 
 namespace skybake {
 
-// From a lookup's value v to extinction: extinction_per_m * v * smoothstep(threshold, threshold +
-// edge_softness, v) where the threshold comes after filtering, else extinction_per_m * v.
+// How a lookup's value v becomes extinction. If the threshold is applied after filtering,
+// extinction is extinction_per_m * v * smoothstep(threshold, threshold + edge_softness, v); else it
+// is extinction_per_m * v.
 struct CloudOptics {
     double extinction_per_m = 0;
     bool has_edge = false;
@@ -27,11 +28,12 @@ struct CloudOptics {
 
 CloudOptics cloud_optics(const config::Cloud& cloud);
 
-// Extinction over extinction_per_m, of a value in double.
+// Returns extinction / extinction_per_m for a value in double.
 double density(const CloudOptics& optics, double value);
 
-// Voxels with one more on each side, so that the eight voxels of any lookup are where they should
-// be: of the next tile along x and y, or 0 where there is none; the same again along z.
+// Voxels with one more on each side, so that no lookup needs to wrap or clamp. Along x and y, the
+// padding is the next tile, or 0 if the volume does not repeat. Along z, it repeats the outermost
+// voxels.
 struct PaddedVolume {
     std::array<int, 3> size{};  // without the padding
     AlignedFloats values;       // (size + 2)^3, x fastest
@@ -40,12 +42,13 @@ struct PaddedVolume {
     std::ptrdiff_t plane() const { return row() * (size[1] + 2); }
 };
 
-// Of channel `channel` of `channels` interleaved ones. At most 2^31 - 1 padded voxels.
+// Pads channel number `channel` of `channels` interleaved channels. There may be at most 2^31 - 1
+// padded voxels.
 PaddedVolume padded_volume(const float* voxels, const std::array<int, 3>& size, int channel,
                            int channels, int threads, bool repeats = true);
 
-// How far a ray may leap: everything within `reach` voxels of an empty cell's faces is empty; -1
-// where a cell is occupied.
+// How far a ray may leap. Everything within `reach` voxels of an empty cell's faces is empty; the
+// reach of an occupied cell is -1.
 struct LeapGrid {
     int cell = 1;  // voxels along each edge, a power of two
     std::array<int, 3> cells{};
@@ -53,35 +56,36 @@ struct LeapGrid {
 };
 
 // `leaps` are Chebyshev distances in cells to the nearest occupied one (leap_distance.h), 0 in
-// occupied cells. A box of L - 1 cells about a cell has (L - 1) * cell voxels on each side, less
-// what the tile's last cells lack where `cell` does not divide the size: at most one of them in
-// every tile of cells.
+// occupied cells. A cell with a leap of L has L - 1 empty cells on each side. They are (L - 1) *
+// cell voxels, minus what the tile's last cells lack if `cell` does not divide the size: at most
+// one such cell per tile.
 LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector<float>& leaps);
 
 struct CloudMedium {
-    std::array<double, 3> extent_m{};  // of the tile, and the layer's height
+    std::array<double, 3> extent_m{};  // the tile's edges along x and y, and the layer's height
     double base_m = 0;                 // altitude of z = 0
     bool repeats = true;               // along x and y
     CloudOptics optics;
     PaddedVolume volume;
-    // A lookup in float above this is something. Roundings of a trilinear lookup in float, three
-    // nested interpolations a + t (b - a) of at most 5 units of 2^-24 each, are less than 2^-20 of
-    // the greatest magnitude of a voxel: this is so much above the threshold, so that nothing that
-    // exact arithmetic calls empty can be something. With threshold 0 and no negative voxels it is
-    // 0, since sums and products of zeros are exact.
+    // A lookup in float is cloud if it is above this. It exceeds the threshold by 2^-20 of the
+    // greatest magnitude of a voxel, so that rounding never makes cloud of what exact arithmetic
+    // calls empty: a trilinear lookup in float is three nested interpolations a + t (b - a), each
+    // with an error of at most 5 units of 2^-24, which together are less than that margin. If the
+    // threshold is 0 and no voxel is negative, this is 0, because sums and products of zeros are
+    // exact.
     float visible_above = 0;
     LeapGrid leaps;
 
     double meters_per_voxel(std::size_t axis) const { return extent_m[axis] / volume.size[axis]; }
 };
 
-// Without leaps: all cells are occupied. Leaps of a volume that repeats hold for one that does not,
-// which has less.
+// Makes a medium without leaps: all its cells count as occupied. The leaps of a repeating volume
+// are also valid for the same volume without repetition, which contains less cloud.
 CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
                          const std::array<int, 3>& size, int channels, int threads,
                          bool repeats = true);
 
-// Leaps from the voxels themselves, by the exact rule for trilinear lookups.
+// Calculates leaps from the voxels, by the exact rule for trilinear lookups.
 LeapGrid leaps_of_voxels(const CloudMedium& medium, int cell, int threads);
 
 }  // namespace skybake

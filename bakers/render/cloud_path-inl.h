@@ -1,6 +1,7 @@
-// Places along rays through a cloud, one ray in each lane, and what is there.
+// Places along rays through a cloud, with the cells and the extinction there, one ray in each lane.
 //
-// Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
+// The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
+// include guard.
 #if defined(SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
 #undef SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
@@ -19,15 +20,16 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// Somewhere along a ray, in voxels: `x`, `y` within the tile that begins at tile_x, tile_y.
+// A place on a ray, in voxels. `x` and `y` are within the tile that begins at tile_x, tile_y.
 struct Place {
     FloatLanes x, y, z;
     FloatLanes tile_x, tile_y;
-    FloatMask within;  // where the volume is; both its faces along z belong to it
+    FloatMask within;  // inside the volume, including both its faces along z
 };
 
-// Splits x into the tile's beginning and the rest in [0, size), in steps that are exact but for
-// one rounding of places just below a tile's beginning, to that beginning: it keeps their order.
+// Splits a position into the tile's beginning and the rest in [0, size). All steps are exact,
+// except that a place just below a tile's beginning may round to that beginning; this keeps the
+// order of places.
 HWY_INLINE void split(FloatLanes position, float size, FloatLanes& rest, FloatLanes& tile) {
     const FloatLanes length(size);
     tile = length * floor_of(position * FloatLanes(1 / size));
@@ -40,8 +42,8 @@ HWY_INLINE void split(FloatLanes position, float size, FloatLanes& rest, FloatLa
     tile = select(beyond, tile + length, tile);
 }
 
-// The two voxels beside a coordinate, as the index of the first in a padded axis, and the second's
-// weight.
+// The two voxels around a coordinate: the index of the first in a padded axis, and the weight of
+// the second.
 struct Taps {
     IntLanes index;
     FloatLanes weight;
@@ -69,20 +71,20 @@ HWY_INLINE FloatLanes lookup(const PaddedVolume& volume, FloatLanes x, FloatLane
                  mixed(along_x(plane), along_x(plane + row), ty.weight), tz.weight);
 }
 
-// Samples stand evenly along a ray.
+// The samples along a ray, evenly spaced.
 struct CloudSamples {
     FloatLanes jitter;
     float step_m;
     float steps_per_m;
 
     HWY_INLINE FloatLanes distance(FloatLanes k) const { return (k + jitter) * FloatLanes(step_m); }
-    // About the first sample at or beyond a distance.
+    // Returns, up to rounding, the first sample at or beyond a distance.
     HWY_INLINE FloatLanes first_beyond(FloatLanes distance_m) const {
         return ceil_of(distance_m * FloatLanes(steps_per_m) - jitter);
     }
 };
 
-// A ray with its samples, in each lane.
+// One ray per lane, with its samples.
 struct CloudPath {
     const CloudMedium& medium;
     FloatLanes origin_x, origin_y, origin_z;           // voxels
@@ -111,7 +113,7 @@ struct CloudPath {
     }
 };
 
-// The cell of a place; of lanes in `wanted`.
+// The cell of a place, for the lanes in `wanted`.
 struct CellPlace {
     IntLanes x, y, z;
 };
@@ -126,7 +128,7 @@ HWY_INLINE IntLanes index_of(const LeapGrid& grid, const CellPlace& cell) {
     return (cell.z * IntLanes(grid.cells[1]) + cell.y) * IntLanes(grid.cells[0]) + cell.x;
 }
 
-// Extinction per metre at places of the volume, 0 elsewhere.
+// Returns the extinction in 1/m for the lanes in `wanted`, and 0 for the others.
 HWY_INLINE FloatLanes extinction(const CloudMedium& medium, const Place& at, FloatMask wanted) {
     const CloudOptics& optics = medium.optics;
     const FloatLanes value = lookup(medium.volume, at.x, at.y, zero_unless(wanted, at.z));
@@ -141,13 +143,13 @@ HWY_INLINE FloatLanes extinction(const CloudMedium& medium, const Place& at, Flo
     return zero_unless(visible, sigma);
 }
 
-// How far lanes are: at sample k, the one before it having been nothing or not.
+// The progress of each lane: it is at sample k, and the sample before it was empty or not.
 struct Progress {
     FloatLanes k;
     FloatLanes was_empty;  // 1 or 0
 };
 
-// Beyond the sample that lanes have looked at.
+// Moves the lanes in `sampled` on to the next sample.
 HWY_INLINE void step_on(FloatMask sampled, FloatLanes sigma, Progress& progress) {
     const FloatLanes empty = select(FloatLanes(0.0F) < sigma, FloatLanes(0.0F), FloatLanes(1.0F));
     progress.was_empty = select(sampled, empty, progress.was_empty);

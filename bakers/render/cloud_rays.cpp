@@ -23,7 +23,7 @@ namespace {
 
 constexpr float kPi = 3.14159265F;
 
-// The octaves of sun_scattering for the angle of each lane: b^n p_n.
+// The values b^n p_n of the octaves of sun_scattering, for the angle of each lane.
 struct OctaveLanes {
     FloatLanes value[kOctaves];
 };
@@ -56,7 +56,7 @@ HWY_INLINE OctaveLanes octaves_at(const CloudMarch& march, FloatLanes offset) {
     return lanes;
 }
 
-// exp(-tau / 2^n) for the last octave, whose squares are those before it.
+// Calculates exp(-tau / 2^n) for the last octave; squaring it repeatedly gives the octaves before.
 HWY_INLINE FloatLanes scattered_sunlight(const OctaveLanes& octaves, FloatLanes tau) {
     static_assert(kOctaveHalving == 0.5);
     FloatLanes through =
@@ -69,7 +69,7 @@ HWY_INLINE FloatLanes scattered_sunlight(const OctaveLanes& octaves, FloatLanes 
     return sum;
 }
 
-// A share of diffuse light at places of the volume.
+// Looks up a share of diffuse light at places in the volume.
 HWY_INLINE FloatLanes share_at(const std::array<int, 3>& voxels, const PaddedVolume& shares,
                                FloatLanes x, FloatLanes y, FloatLanes z) {
     const auto scaled = [&](FloatLanes value, std::size_t axis) HWY_ATTR {
@@ -80,7 +80,7 @@ HWY_INLINE FloatLanes share_at(const std::array<int, 3>& voxels, const PaddedVol
     return lookup(shares, scaled(x, 0), scaled(y, 1), scaled(z, 2));
 }
 
-// The light of each point goes to its ray, in the order of points.
+// Adds the light of each point to its ray, in the order of points.
 class Lighting {
   public:
     Lighting(const CloudMarch& march, const RayBlock& rays) : march_(march) {
@@ -140,13 +140,13 @@ class Lighting {
     alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
 };
 
-// What of a packet's samples becomes points of light: of samples k and k + 1, both in cloud and k
-// even, the latter has the light of the former.
+// Chooses the samples of a packet of rays at which light is evaluated. If samples k and k + 1 are
+// both in cloud and k is even, sample k + 1 uses the light of sample k.
 class PointCollector {
   public:
     PointCollector(LightPoints& points, std::size_t first_ray)
         : points_(points), first_ray_(first_ray) {
-        for (float& k : last_k_) k = -2;  // one after none
+        for (float& k : last_k_) k = -2;  // no sample follows it
     }
 
     void add(const Place& at, FloatLanes k, FloatLanes weight, FloatMask lit) {

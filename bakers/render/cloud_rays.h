@@ -1,17 +1,17 @@
-// Many rays through a cloud at once: the vector kernel of cloud_view.
+// Marches many rays through a cloud at once. This is the vector kernel of cloud_view.h.
 //
-// Along a ray samples stand at t_k = (k + jitter) * step, k an integer: leaping over some never
-// moves another. A sample at which the lookup is not above medium.visible_above adds nothing, not
-// even a rounding; and every sample that is leapt over is one of those, as it lies within cells
-// that are empty by exact arithmetic: cells of samples are compared as integers are, in the float
-// arithmetic that places the samples. So results are the same bits with and without leaping. They
-// do not depend on the instruction set either, since each ray has a lane of its own and lanes do
-// not mix.
+// The samples of a ray are at t_k = (k + jitter) * step with integer k, so leaping over some
+// samples never moves the others. A sample whose lookup is not above medium.visible_above adds
+// exactly nothing, not even a rounding. Every sample that is leapt over is of this kind: it lies in
+// cells that are empty by exact arithmetic, and a sample's cell is found with the same float
+// arithmetic that places the sample. So results have the same bits with and without leaping. They
+// do not depend on the instruction set either, because each ray has its own lane and lanes do not
+// mix.
 //
-// All lookups are trilinear in float. Extinction sigma is constant over a step, transmittance falls
-// by exp(-sigma step) over it, and what the step scatters towards the eye is
-// J (1 - exp(-sigma step)) (Hillaire 2016, section 5.6.2: exact for constant sigma and J, albedo
-// 1). Rays end once less than kOpaque gets through.
+// All lookups are trilinear in float. The extinction sigma is constant over a step, the
+// transmittance falls by the factor exp(-sigma step), and the step scatters J (1 - exp(-sigma
+// step)) towards the eye (Hillaire 2016, section 5.6.2; exact for constant sigma and J and albedo
+// 1). A ray ends when its transmittance is below kOpaque.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace skybake {
 
-// Below this nothing behind shows in 8 bits: a quarter of 1/255.
+// Below this transmittance, about a quarter of 1/255, nothing behind the cloud shows in 8 bits.
 inline constexpr float kOpaque = 0x1p-10F;
 
 // A block of rays, one lane each.
@@ -31,7 +31,7 @@ struct RayBlock {
     static constexpr int kCount = 256;
     using Floats = std::array<float, kCount>;
 
-    // Per ray: voxels per metre along x, y, z.
+    // The direction of each ray, in voxels per metre along x, y, z.
     alignas(64) std::array<Floats, 3> direction{};
     alignas(64) Floats sun_offset{};    // 1 - cosine of the angle between ray and sun
     alignas(64) Floats jitter{};        // of samples along the ray, in [0, 1]
@@ -40,10 +40,11 @@ struct RayBlock {
     alignas(64) Floats end{};
 };
 
-// What reaches the eye, in terms of what the light will turn out to be: sunlight's part is split
-// by altitude, so that it may vary linearly from the layer's base to its top.
+// The light that reaches the eye, as coefficients of light sources that are only known later.
+// Sunlight is split in two by altitude, so that it may vary linearly from the layer's base to its
+// top.
 //   radiance = E(base) sun_at_base + E(top) sun_at_top + L(sky) from_sky + L(ground) from_ground
-// with E the sun's irradiance (at normal incidence) and L mean radiances of the two hemispheres.
+// E is the sun's irradiance at normal incidence; L is the mean radiance of a hemisphere.
 struct RayResults {
     using Floats = RayBlock::Floats;
     alignas(64) Floats sun_at_base{};  // 1/sr
@@ -51,12 +52,12 @@ struct RayResults {
     alignas(64) Floats from_sky{};
     alignas(64) Floats from_ground{};
     alignas(64) Floats transmittance{};
-    alignas(64) Floats distance_m{};  // mean over what is seen, times 1 - transmittance
+    alignas(64) Floats distance_m{};  // mean distance of what is seen, times 1 - transmittance
 };
 
 struct FetchCounts {
     std::int64_t samples = 0;        // lookups of the volume along rays
-    std::int64_t light_samples = 0;  // and towards the sun
+    std::int64_t light_samples = 0;  // lookups towards the sun
     std::int64_t cells = 0;          // lookups of the leap grid
 };
 
@@ -68,12 +69,12 @@ struct CloudMarch {
     std::array<float, 3> light_direction{};  // towards the sun, in voxels per metre
     float step_m = 1;
     float light_step_m = 1;        // towards the sun
-    std::vector<float> sun_leaps;  // sun_leaps.h, of samples towards the sun; where leaping
-    float light_samples = 0;       // at most, towards the sun; an integer
+    std::vector<float> sun_leaps;  // of samples towards the sun (sun_leaps.h), if leaping
+    float light_samples = 0;       // the most per march towards the sun; an integer
     bool leaping = true;
 };
 
-// Adds to `counts`.
+// Marches a block of rays and adds its lookups to `counts`.
 void march_cloud_rays(const CloudMarch& march, const RayBlock& rays, RayResults& results,
                       FetchCounts& counts);
 

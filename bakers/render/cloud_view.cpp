@@ -16,8 +16,8 @@ namespace skybake {
 
 namespace {
 
-// Blocks of rays are squares of pixels, four by four after each other: what a vector holds looks
-// much the same way.
+// A block of rays is a square of pixels, ordered in groups of four by four, so that the rays of one
+// vector have similar directions.
 constexpr int kTile = 16;
 static_assert(kTile * kTile == RayBlock::kCount);
 
@@ -101,8 +101,8 @@ class ViewMarch {
         block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
         block.jitter[i] = gradient_noise(x, y, 0);
         block.light_jitter[i] = gradient_noise(x, y, 1);
-        if (span.first_m > span.last_m) return;  // 0 ... 0: no samples
-        // One sample more on each side: the march looks whether they are within.
+        if (span.first_m > span.last_m) return;  // first = end = 0: no samples
+        // One sample is added on each side; the march checks whether samples are inside.
         block.first[i] =
             static_cast<float>(std::max(std::floor(span.first_m / settings_.step_m) - 1, 0.0));
         block.end[i] = static_cast<float>(std::ceil(span.last_m / settings_.step_m) + 1);
@@ -149,8 +149,6 @@ MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& setti
 
 namespace {
 
-// The picture of cloud_view.h from what its march sees: light, air and sky.
-
 double clamped_altitude_km(const Shell& shell, double altitude_m) {
     return std::clamp(altitude_m / 1000, 0.0, shell.thickness_km);
 }
@@ -163,7 +161,7 @@ Spectrum sunlight_at(const Atmosphere& atmosphere, double altitude_m, const SunD
                             r * sine_of_degrees(sun.elevation_degrees));
 }
 
-// Over the directions between two elevations, each weighing the same.
+// Returns the mean radiance over the directions between two elevations, all with the same weight.
 Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const SunDirection& sun,
                        double lowest_degrees, double highest_degrees, int threads) {
     SkyView view;
@@ -191,7 +189,7 @@ Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const Su
     return sum / weights;
 }
 
-// The elevations that a picture shows.
+// Returns the range of elevations that a picture shows.
 CloudAir::Range range_of(const CloudViewSettings& settings, const CameraRays& rays) {
     double lowest = 90;
     double highest = -90;
@@ -212,7 +210,7 @@ CloudAir::Range range_of(const CloudViewSettings& settings, const CameraRays& ra
     return range;
 }
 
-// Radiance of what a pixel's march has seen.
+// Calculates the radiance of the cloud in a pixel from the results of its march.
 Spectrum cloud_radiance(const CloudIllumination& light, const float* seen) {
     return light.sun_at_base * double{seen[0]} + light.sun_at_top * double{seen[1]} +
            light.sky * double{seen[2]} + light.ground * double{seen[3]};

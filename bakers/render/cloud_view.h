@@ -1,16 +1,17 @@
-// A lit picture of a cloud volume, ray-marched as a runtime would: the sun by a second march
-// towards it, sky and ground by their mean radiances, all from the baked tables.
+// Renders a lit picture of a cloud volume by marching rays, as a runtime would. Sunlight takes a
+// second march towards the sun; sky and ground light is the mean radiance of each. All light comes
+// from the baked tables.
 //
-// The layer is flat, repeats along x and y unless the medium says that it does not, and is marched
-// up to `reach_m` from the camera. Samples stand every `step_m` along a ray, shifted for each
-// sample of the picture by interleaved gradient noise (Jimenez, "Next Generation Post Processing in
-// Call of Duty: Advanced Warfare", SIGGRAPH 2014), which turns bands into fine grain; those towards
-// the sun by another noise.
+// The layer is flat. It repeats along x and y unless the medium says otherwise, and it is marched
+// up to `reach_m` from the camera. The samples of a ray are `step_m` apart, shifted for each pixel
+// sample by interleaved gradient noise (Jimenez, "Next Generation Post Processing in Call of Duty:
+// Advanced Warfare", SIGGRAPH 2014), which turns bands into fine grain. Samples towards the sun are
+// shifted by another noise.
 //
-// Air between camera and cloud dims and adds light as at the mean distance of what is seen
-// (Hillaire 2016, section 5.9): with T that far and T_end along the whole ray, the share
-// (1 - T) / (1 - T_end) of the sky's radiance in that direction; of the horizon's, for rays that
-// meet the ground.
+// The air between camera and cloud attenuates and adds light as if everything seen were at its mean
+// distance (Hillaire 2016, section 5.9). With the transmittance T up to that distance and T_end
+// along the whole ray, the air adds the share (1 - T) / (1 - T_end) of the sky's radiance in that
+// direction. For rays that meet the ground, it is the horizon's radiance.
 #pragma once
 
 #include <array>
@@ -29,7 +30,7 @@ inline constexpr double kSunSamples = 256;
 
 // Azimuths are from +x towards +y.
 struct CloudCamera {
-    glm::dvec3 position_m{};  // x, y from the tile's corner, altitude
+    glm::dvec3 position_m{};  // x and y from the tile's corner; z is the altitude
     double azimuth_degrees = 0;
     double elevation_degrees = 0;
     double horizontal_field_degrees = 60;
@@ -40,8 +41,9 @@ struct SunDirection {
     double azimuth_degrees = 0;
 };
 
-// How far a march towards the sun goes: to where sunlight enters the layer, but no farther than a
-// tile is long, where the same clouds come again, or than its diagonal where they do not.
+// Returns the length of a march towards the sun. It ends where sunlight enters the layer, but it is
+// not longer than the tile's longer edge, after which the same clouds repeat, or than the tile's
+// diagonal if they do not repeat.
 double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun);
 
 struct CloudViewSettings {
@@ -52,28 +54,28 @@ struct CloudViewSettings {
     double step_m = 1;
     double light_step_m = 1;
     double reach_m = 1;
-    bool leaping = true;  // by medium.leaps; changes no pixel
-    bool sunlit = true;   // else nothing is marched towards the sun
+    bool leaping = true;  // uses medium.leaps; changes no pixel
+    bool sunlit = true;   // false: no marches towards the sun
 };
 
-// What the march sees before anything is known of light's colours: RayResults, a channel each, in
-// their order. Row 0 at the top. The same bits for any number of threads and instruction set, and
-// with or without leaping.
+// The result of the march, which does not depend on the colours of light: one channel for each
+// member of RayResults, in their order. Row 0 is at the top. The bits are the same for any number
+// of threads and any instruction set, with or without leaping.
 struct MarchedView {
     static constexpr int kChannels = 6;
     Image2<float> results;
     FetchCounts fetches;
-    double through = 1;  // of diffuse light, through the whole layer
+    double through = 1;  // the share of diffuse light that passes the layer
 };
 MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
                        Progress* progress = nullptr);
 
-// The light that a cloud layer is in, per unit of solar irradiance: one entry a channel.
+// The light around a cloud layer, per unit of solar irradiance, with one entry per channel.
 struct CloudIllumination {
     Spectrum sun_at_base{};  // irradiance at normal incidence
     Spectrum sun_at_top{};
     Spectrum sky{};     // mean radiance of the upper hemisphere at the layer's top
-    Spectrum ground{};  // of the lower one at its base, without a cloud above
+    Spectrum ground{};  // of the lower one at its base, without clouds above
 };
 
 struct Atmosphere {
@@ -83,8 +85,8 @@ struct Atmosphere {
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads);
 
-// The picture: cloud, air and sky; radiance of the atmosphere's channels. What `progress` is told
-// is the march; after an interruption the picture is not to be used.
+// The picture of cloud, air and sky: radiance in the atmosphere's channels. `progress` reports the
+// march. After an interruption the picture must not be used.
 struct CloudView {
     Image2<float> radiance;
     FetchCounts fetches;

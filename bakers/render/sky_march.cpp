@@ -16,7 +16,8 @@ namespace HWY_NAMESPACE {
 
 static_assert(FloatLanes::kCount <= static_cast<std::size_t>(kMarchPadding));
 
-// Bilinear between texel centres, clamped to the edge; x and y in [0, 1] but for rounding.
+// Looks up a table bilinearly between texel centres, clamped to the edge. x and y are in [0, 1]
+// except for rounding.
 template <class Real, int kChannels>
 HWY_INLINE void look_up(const LookupTable& table, Real x, Real y, Real* value) {
     const Real across = minimum(maximum(x * Real(table.scale_x) + Real(table.offset_x), Real(0.0f)),
@@ -42,7 +43,7 @@ HWY_INLINE void look_up(const LookupTable& table, Real x, Real y, Real* value) {
     }
 }
 
-// A point on a ray and the sun there.
+// A point on a ray and the sun's position there.
 template <class Real>
 struct MarchPoint {
     Real altitude_km;
@@ -58,7 +59,7 @@ HWY_INLINE MarchPoint<Real> point_at(const SkyMarch& sky, Real altitude_km, Real
             square_root(altitude_km * (ground + ground + altitude_km)), sun_s_km};
 }
 
-// Transmittance towards the sun; none where the planet is in between.
+// Returns the transmittance towards the sun, which is 0 if the planet is in between.
 template <class Real, int kChannels>
 HWY_INLINE void sunlight(const SkyMarch& sky, const MarchPoint<Real>& point, Real* value) {
     const Real gain = Real(sky.thickness_km) - point.altitude_km;
@@ -103,8 +104,8 @@ HWY_INLINE Real density_at(const MarchLayer& layer, Real altitude_km) {
     return density;
 }
 
-// (1 - e^-x) / x for x >= 0, `transmitted` being e^-x: by its series where the difference would
-// lose digits. The first term left out is 0.5^8 / 9! = 1e-8.
+// Returns (1 - e^-x) / x for x >= 0; `transmitted` is e^-x. For small x, where the difference would
+// lose digits, it uses the series. The first omitted term is at most 0.5^8 / 9! = 1e-8.
 template <class Real>
 HWY_INLINE Real mean_transmittance(Real x, Real transmitted) {
     Real series(-1.0f / 40320);
@@ -119,7 +120,7 @@ HWY_INLINE Real mean_transmittance(Real x, Real transmitted) {
     return select(x < Real(0.5f), series, direct);
 }
 
-// Light that the ground sends up where the ray meets it; see sky_view.h.
+// Returns the radiance of the ground where the ray meets it; see sky_view.h.
 template <class Real, int kChannels>
 HWY_INLINE void ground_radiance(const SkyMarch& sky, Real sun_s_km, Real* value) {
     const MarchPoint<Real> point = point_at(sky, Real(0.0f), sun_s_km);
@@ -131,7 +132,7 @@ HWY_INLINE void ground_radiance(const SkyMarch& sky, Real sun_s_km, Real* value)
     for (int c = 0; c < kChannels; ++c) {
         const float albedo = sky.ground_albedo[static_cast<std::size_t>(c)];
         const Real direct = mu * sun[c] * Real(std::numbers::inv_pi_v<float>);
-        // Not negative but for what the tables' interpolation leaves.
+        // Only interpolation errors of the tables can make this negative.
         const Real from_sky =
             maximum(psi[c] + psi[c] - Real(albedo) * direct, Real(0.0f)) * Real(1 / (1 + albedo));
         value[c] = Real(albedo) * (direct + from_sky);
@@ -154,7 +155,8 @@ HWY_INLINE MarchPath<Real> path_of(const SkyMarch& sky, Real mu) {
     const float drop = sky.camera_altitude_km * (sky.ground_radius_km + r);  // rho^2
     const Real s = Real(r) * mu;
     const auto hits_ground = s < Real(-square_root(drop));
-    // As in bakers/air/ray.h; at the top itself a horizontal ray has no length.
+    // The distances are those of bakers/air/ray.h. At the top of the atmosphere, a horizontal ray
+    // has no length.
     const float rise = gain * (2 * r + gain);
     const Real root_to_top = square_root(s * s + Real(rise));
     const Real to_top = select(Real(0.0f) < s, Real(rise) / (root_to_top + s), root_to_top - s);
@@ -169,11 +171,11 @@ HWY_INLINE Real altitude_at(const SkyMarch& sky, Real s_km, Real distance_km) {
     const Real q = distance_km * (distance_km + s_km + s_km);
     const Real altitude =
         Real(sky.camera_altitude_km) + q / (square_root(maximum(r * r + q, Real(0.0f))) + r);
-    // Rounding alone leaves the shell.
+    // Only rounding can take the altitude out of the shell.
     return minimum(maximum(altitude, Real(0.0f)), Real(sky.thickness_km));
 }
 
-// What a segment's layers add up to at its middle.
+// The sums over all layers at the middle of a segment.
 template <class Real, int kChannels>
 struct AirSample {
     Real extinction[kChannels];
@@ -205,7 +207,7 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
     }
 }
 
-// `phases` of the ray's layers, `stride` apart.
+// Marches one ray per lane. `phases` has the phase functions of the layers, `stride` apart.
 template <class Real, int kChannels>
 HWY_INLINE void march(const SkyMarch& sky, Real mu, Real cosine_to_sun, const float* phases,
                       int stride, Real* radiance) {

@@ -1,4 +1,4 @@
-// The marching of sky_view.h for a row of rays.
+// Marches a row of rays through the air, as sky_view.h describes.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace skybake {
 
-// Density linear between two altitudes, its end values there; nothing at its top itself.
+// A density that is linear between two altitudes. The piece includes its bottom but not its top.
 struct MarchPiece {
     float bottom_km = 0;
     float top_km = 0;
@@ -16,9 +16,9 @@ struct MarchPiece {
     float density_per_km = 0;
 };
 
-// A layer in floats.
+// A layer of the atmosphere, in floats.
 struct MarchLayer {
-    float scale_height_km = 0;  // 0: piecewise
+    float scale_height_km = 0;  // 0: `pieces` give the density
     std::vector<MarchPiece> pieces;
     std::array<float, 3> scattering_per_km{};
     std::array<float, 3> extinction_per_km{};
@@ -26,12 +26,12 @@ struct MarchLayer {
     float phase_constant = 0, phase_quadratic = 0, phase_g = 0;  // phase_function.h
 };
 
-// What all rays of a picture share.
+// The values that all rays of a picture share.
 struct SkyMarch {
     int channels = 0;
     float ground_radius_km = 0;
     float thickness_km = 0;
-    float top_horizon_km = 0;  // from the top to the horizon, H of the transmittance's mapping
+    float top_horizon_km = 0;  // distance from the top to the horizon, H of transmittance_mapping.h
     float camera_altitude_km = 0;
     float sun_s_km = 0;  // r mu_s at the camera
     std::array<float, 3> ground_albedo{};
@@ -40,7 +40,7 @@ struct SkyMarch {
     int steps = 0;
 };
 
-// Rays of a row, `count` of them, a multiple of kMarchPadding.
+// The rays of a row. `count` is a multiple of kMarchPadding.
 inline constexpr int kMarchPadding = 16;
 struct MarchRays {
     std::vector<float> mu;
@@ -50,10 +50,11 @@ struct MarchRays {
     int count = 0;
 };
 
-// Channel c of ray i goes to radiance[c * rays.count + i]. The same bits for any vector width.
+// Writes channel c of ray i to radiance[c * rays.count + i]. The bits are the same for any vector
+// width.
 void march_rays(const SkyMarch& sky, const MarchRays& rays, float* radiance);
 
-// The same without vectors: its specification.
+// Does the same without vectors. It is the specification of march_rays.
 void march_rays_scalar(const SkyMarch& sky, const MarchRays& rays, float* radiance);
 
 }  // namespace skybake

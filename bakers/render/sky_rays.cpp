@@ -12,15 +12,15 @@ namespace skybake {
 
 namespace {
 
-// Pixels beyond a dome's edge that still look along the horizontal: a bilinear lookup within the
-// circle reaches a diagonal further.
+// How many pixels beyond a dome's edge still look along the horizontal. A bilinear lookup within
+// the circle needs pixels up to a diagonal farther out.
 constexpr double kRim = 1.5;
 
-// Of an elevation in [-90, 90] degrees.
+// The sine and the cosine of an elevation in [-90, 90] degrees.
 double sine_of(double degrees) { return cosine_of_pi(0.5 - degrees / 180); }
 double cosine_of(double degrees) { return cosine_of_pi(std::fabs(degrees) / 180); }
 
-// A pixel of a dome in units of its radius, the sun upwards.
+// A pixel of a dome in units of its radius, with the sun upwards.
 struct DomePoint {
     double across;
     double up;

@@ -1,4 +1,5 @@
-// Which way each pixel of a picture of the sky looks.
+// The view direction of each pixel in a picture of the sky, and the difference between two such
+// pictures.
 #pragma once
 
 #include <optional>
@@ -14,7 +15,7 @@ namespace skybake {
 // panorama  azimuth from -180 degrees at the left over the sun's, in the middle, to 180; elevation
 //           evenly from highest to lowest
 //
-// Both are mirror images about the sun's azimuth: column x is column width - 1 - x.
+// Both are symmetric about the sun's azimuth: column x equals column width - 1 - x.
 enum class SkyProjection { dome, panorama };
 
 struct SkyView {
@@ -27,29 +28,33 @@ struct SkyView {
     double highest_degrees = 90;
 };
 
-// Of the sun, both exact at the horizon and at the zenith.
-double sun_sine(const SkyView& view);  // of its elevation: the cosine of its zenith angle
+// The sine and the cosine of the sun's elevation. Both are exact at the horizon and at the zenith.
+double sun_sine(const SkyView& view);  // also the cosine of the zenith angle
 double sun_cosine(const SkyView& view);
 
-// From the cosine and sine of the zenith angle and the cosine of the azimuth from the sun.
+// Makes a direction from the cosine `mu` and the sine of the zenith angle and the cosine of the
+// azimuth relative to the sun.
 SkyDirection sky_direction(const SkyView& view, double mu, double sine, double azimuth_cosine);
 
-// Of the middle of pixel (x, y). None outside of a dome, but for a rim of one and a half pixels
-// that looks along the horizontal, so that the picture may be enlarged and its edge smoothed.
+// Returns the direction at the middle of pixel (x, y), or nothing outside of a dome. A rim of one
+// and a half pixels around the dome looks along the horizontal, so that the picture may be enlarged
+// and its edge smoothed.
 std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y);
 
-// How much of a pixel lies in the picture's circle: 1 inside, 0 outside, between on its edge.
+// Returns the share of a pixel that lies in the picture's circle: 1 inside, 0 outside, and values
+// between on its edge.
 double coverage_at(const SkyView& view, int x, int y);
 
-// How far one picture of the sky is from another.
+// The difference between two pictures of the sky.
 struct SkyDifference {
-    // One channel: of each pixel that of the channel that is furthest off, signed, as a share of
-    // max(reference, 1e-3 of the channel's largest); row 0 at the top, 0 outside of a dome.
+    // An image of one channel: for each pixel, the signed relative difference of the channel that
+    // differs most, as a share of max(reference, 1e-3 of the channel's largest value). Row 0 is at
+    // the top; pixels outside of a dome are 0.
     Image2<float> relative;
-    ErrorFigures error;  // over all channels of the pixels whose middles the picture shows
+    ErrorFigures error;  // over all channels of the pixels whose middles are shown
 };
 
-// Of pictures of one view.
+// Compares two pictures of the same view.
 SkyDifference sky_difference(const Image2<float>& picture, const Image2<float>& reference,
                              const SkyView& view);
 

@@ -18,7 +18,7 @@ namespace skybake {
 
 namespace {
 
-// Position = texture coordinate * size - 1/2, linear in x for either convention.
+// The position is texture coordinate * size - 1/2, which is linear in x for either convention.
 std::array<float, 2> scale_and_offset(TexelConvention convention, int count) {
     const double first = texture_coordinate(convention, 0, count) * count - 0.5;
     const double last = texture_coordinate(convention, 1, count) * count - 0.5;
@@ -90,7 +90,7 @@ config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
     tables.multiple_scattering =
         make_lookup_table(multiple_scattering.table, TexelConvention::end_points_on_texel_centres);
     tables.twilight = sun_mapping == "twilight";
-    // A scene may have cropped the sun's axis: to the cosines that the manifest gives.
+    // A scene may have cropped the sun's axis to the cosines that the manifest gives.
     const AxisMapping& axis = multiple_scattering.entry.axes[0];
     const auto mapping = tables.twilight ? config::MultipleScatteringMapping::twilight
                                          : config::MultipleScatteringMapping::hillaire;

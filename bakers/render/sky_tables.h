@@ -1,4 +1,5 @@
-// The two tables of an atmosphere as a runtime has them: textures with a clamped, bilinear sampler.
+// The two tables of an atmosphere, as a runtime has them: textures with a clamped, bilinear
+// sampler.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,8 @@
 
 namespace skybake {
 
-// A baked asset in memory, as a preview looks at it: what its file holds, not what the baker meant.
+// A baked asset in memory, for a preview. It holds what the file holds, not what the baker
+// calculated.
 struct PreviewAsset {
     ManifestAsset entry;
     Image2<float> table;  // of a table; row 0 is v = 0
@@ -18,14 +20,14 @@ struct PreviewAsset {
         voxels;  // level 0 of a volume: x fastest, then y, then z; channels interleaved
 };
 
-// A texture and how coordinates in [0, 1] stand in it: texel position = x * scale + offset, counted
-// from the first texel's centre, which is u * size - 1/2 for either convention
+// A texture and the mapping of coordinates x in [0, 1] to it: texel position = x * scale + offset,
+// counted from the first texel's centre. This is u * size - 1/2 for either convention
 // (bakers/field/image.h).
 struct LookupTable {
     int width = 0;
     int height = 0;
     int channels = 0;
-    // Channels interleaved; a column and a row are repeated at the far edges, so that a lookup
+    // Channels are interleaved. The last column and the last row are repeated, so that a lookup
     // always has a right and an upper neighbour.
     int texels_per_row = 0;
     std::vector<float> texels;
@@ -37,17 +39,17 @@ struct SkyTables {
     LookupTable transmittance;         // x_mu, x_r of bakers/air/transmittance_mapping.h
     bool holds_optical_depth = false;  // transmittance is exp(-value)
     LookupTable multiple_scattering;   // sun's coordinate, altitude / thickness
-    bool twilight = false;             // the sun's coordinate by square roots
+    bool twilight = false;             // the mapping of the sun's coordinate is "twilight"
 };
 
-// From assets of the same atmosphere, told apart by what their manifest says of mapping and
-// content. E0304 where an asset is another one, its mapping is unknown or the numbers of channels
-// differ.
+// Makes the tables from two assets of the same atmosphere. The manifest tells what an asset's
+// mapping and content are. E0304 if an asset is of another kind, its mapping is unknown, or the
+// numbers of channels differ.
 config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
                                            const PreviewAsset& multiple_scattering);
 
-// Transmittance from an altitude towards the sun at r mu_s = `sun_s_km`, one value a channel; 0
-// where the planet hides it.
+// Returns the transmittance from an altitude towards the sun at r mu_s = `sun_s_km`, one value per
+// channel; 0 if the planet hides the sun.
 Spectrum look_up_sunlight(const SkyTables& tables, const Shell& shell, double altitude_km,
                           double sun_s_km);
 

@@ -23,8 +23,8 @@ std::array<float, 3> floats(const Spectrum& values) {
             static_cast<float>(values[2])};
 }
 
-// What the march can do: of spheres Henyey-Greenstein's with their mean cosine, that of all
-// channels.
+// Returns a phase function that the march can evaluate. A tabulated function of spheres is replaced
+// by Henyey-Greenstein's with the mean cosine over all channels.
 PhaseFunction closed_form(const LayerPhase& phase) {
     if (!phase.functions.front().table) return phase.functions.front();
     double sum = 0;
@@ -85,7 +85,7 @@ void add_ray(const SkyDirection& direction, MarchRays& rays) {
     ++rays.count;
 }
 
-// The left half of a row; the right one is its mirror image.
+// Renders the left half of a row; the right half is its mirror image.
 template <class March>
 void render_row(const SkyMarch& sky, const SkyView& view, int y, const March& march,
                 Image2<float>& image) {
@@ -147,7 +147,7 @@ void add_sun_disc(const SkyMedium& medium, const SkyTables& tables, const SkyVie
         for (int x = 0; x < view.width; ++x) {
             const std::optional<SkyDirection> direction = direction_at(view, x, y);
             if (!direction || direction->mu < horizon) continue;
-            const double angle = std::sqrt(2 * direction->one_minus_cosine);  // to its square
+            const double angle = std::sqrt(2 * direction->one_minus_cosine);  // to second order
             const double share = std::clamp((kSunRadius - angle) / pixel + 0.5, 0.0, 1.0);
             if (share == 0) continue;
             const Spectrum sun =

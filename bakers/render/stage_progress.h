@@ -1,4 +1,4 @@
-// How a preview tells what it is at: one stage after another, an asset's bake or its pictures.
+// Progress of a preview, which runs in stages: each stage is an asset's bake or its pictures.
 #pragma once
 
 #include <string_view>
@@ -9,12 +9,13 @@ namespace skybake {
 
 class StageProgress : public Progress {
   public:
-    // Stage `index` of `count`, from 1 on, begins; what is told by advance() is of it.
+    // Says that stage `index` of `count` begins, counted from 1. Later calls of advance() refer to
+    // it.
     virtual void begin_stage(int index, int count, std::string_view what) = 0;
 };
 
-// A stage's part from `first` on, `share` of it, as though it were all that there is; under one
-// name. `whole` may be null.
+// Reports a part of a stage as if it were the whole: the part begins at the fraction `first`, is
+// the fraction `share` of the stage and has one name. `whole` may be null.
 class ProgressPart : public Progress {
   public:
     ProgressPart(Progress* whole, std::string_view step, double first, double share)

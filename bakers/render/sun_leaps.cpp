@@ -13,7 +13,8 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
-// Until `end`, in steps, the beam from a cell lies in cells `first` to `first` + `more` about it.
+// A piece of the beam, which is the moving box of sun_leaps.h. Up to the time `end`, in steps, the
+// beam lies in the cells from `first` to `first` + `more`, relative to its first cell.
 struct BeamPiece {
     double end = 0;
     Cell first{};
@@ -21,7 +22,7 @@ struct BeamPiece {
 };
 
 // A corner of the beam along one axis, in cells from the lower corner of the cell that it starts
-// in: at + t * speed, but never behind where it starts.
+// in. Its place is at + t * speed, but never behind `start`.
 struct Corner {
     double at = 0;
     double start = 0;
@@ -39,14 +40,14 @@ struct BeamAxis {
 };
 
 BeamAxis beam_axis(double speed, double margin) {
-    // Both faces belong to the cell, and a place just below the upper one.
+    // Places range from the lower face of the cell to just below its upper face.
     constexpr double kBelowOne = 1 - 0x1p-40;
     if (speed > 0) return {{-margin, 0, speed}, {1 + margin, 1 + margin, speed}};
     if (speed < 0) return {{-margin, -margin, speed}, {1 + margin, kBelowOne, speed}};
     return {{0, 0, 0}, {0, kBelowOne, 0}};
 }
 
-// Times at which a corner comes to another cell.
+// Adds the times at which a corner enters another cell.
 void add_crossings(const Corner& corner, double last, std::vector<double>& times) {
     if (corner.speed == 0) return;
     const auto begin = static_cast<int>(std::floor(std::min(corner.place(0), corner.place(last))));
@@ -82,7 +83,8 @@ std::vector<BeamPiece> beam_pieces(const std::array<BeamAxis, 3>& axes, double l
     return pieces;
 }
 
-// Whether any of the cells from one on, `more` more along each axis, is occupied.
+// Tells whether any cell of a box is occupied. The box extends from one cell over `more` further
+// cells along each axis.
 class OccupiedBoxes {
   public:
     explicit OccupiedBoxes(const LeapGrid& grid) : cells_(grid.cells) {
@@ -99,7 +101,8 @@ class OccupiedBoxes {
     }
 
     bool occupied(const Cell& cell, const Cell& more) const {
-        // Beams that leave the layer meet nothing; those that begin below it are at its first cell.
+        // A box outside of the layer along z meets nothing; one that begins below it is cut to the
+        // layer.
         if (cell[2] >= cells_[2] || cell[2] + more[2] < 0) return false;
         const int below = std::max(-cell[2], 0);
         Cell rest = more;
@@ -116,7 +119,7 @@ class OccupiedBoxes {
         return boxes_[static_cast<std::size_t>(more[0] + 3 * more[1] + 9 * more[2])];
     }
 
-    // With the next cell along an axis; there is none above the highest.
+    // Combines each cell with the next one along an axis; the highest cell has none above it.
     Bits widened(const Bits& bits, std::size_t axis) const {
         Bits result(bits.size());
         for (int z = 0; z < cells_[2]; ++z) {
@@ -141,7 +144,8 @@ class OccupiedBoxes {
     std::array<Bits, 27> boxes_;
 };
 
-// By what is empty in every direction, a voxel less for roundings.
+// Returns the number of samples within the reach that is empty in every direction, minus one voxel
+// for rounding.
 float samples_in_reach(float reach, double fastest) {
     if (fastest == 0) return 0;
     return static_cast<float>(

@@ -1,15 +1,15 @@
-// How many samples a march towards the sun may leave out, cell by cell.
+// Calculates how many samples a march towards the sun may skip, for each cell.
 //
-// All such marches go one way, so that more is known of them than the distance to the nearest
-// occupied cell in any direction: from anywhere in a cell c they pass through c + t d, a box that
-// moves through the grid. Its corners cross from cell to cell at times that are the same for all
-// cells; between two of them it lies in at most three cells along each axis, which are either all
-// empty or not. So the time for which it meets none that is occupied is found by one look per
-// crossing.
+// All marches towards the sun have the same direction, so they can skip more than the distance to
+// the nearest occupied cell in any direction allows. The places that marches from anywhere in a
+// cell c reach at time t are the box c + t d, which moves through the grid. Its corners cross into
+// other cells at times that are the same for all c. Between two crossings, the box lies in at most
+// three cells along each axis. So one test per crossing finds the time up to which the box meets no
+// occupied cell.
 //
-// The box is wider by kBeamMargin on each side, for the roundings of samples' places: t d is at
-// most kLongestBeam voxels, a product and a sum of floats round it and the place by less than
-// 4 * 2^-24 of 2 kLongestBeam, which is half of the margin.
+// The box is wider by kBeamMargin on each side, to allow for rounding of samples' places: t d is at
+// most kLongestBeam voxels, and a product and a sum in float round it and the place by less than 4
+// * 2^-24 of 2 kLongestBeam, which is half of the margin.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ namespace skybake {
 inline constexpr double kLongestBeam = 4096;   // voxels
 inline constexpr double kBeamMargin = 0x1p-8;  // voxels
 
-// Per cell, x fastest: the number of samples after one in it that are in empty cells for sure, or
-// -1 where it is occupied. `direction` is in voxels per step between samples; at most `samples` of
-// them are made.
+// Returns one number per cell, x fastest: how many samples after a sample in this cell are
+// certainly in empty cells, or -1 if the cell is occupied. `direction` is in voxels per step
+// between samples. A march has at most `samples` samples.
 //
-// Where cells do not divide a tile that repeats, or where beams or the volume are longer than
-// kLongestBeam, by the reach of the grid alone.
+// If cells do not divide a tile that repeats, or if the march or the volume is longer than
+// kLongestBeam, the result follows from the reach of the grid alone.
 std::vector<float> sun_leaps(const LeapGrid& grid, const std::array<int, 3>& voxels,
                              const glm::dvec3& direction, int samples, int threads);
 

@@ -1,6 +1,7 @@
-// The optical depth from points in a cloud towards the sun, many at once.
+// Marches from many points in a cloud towards the sun at once, to get the optical depths.
 //
-// Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
+// The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
+// include guard.
 #if defined(SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_
 #undef SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_
@@ -19,11 +20,12 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// Where the light is looked up: after the march of some rays, all at once.
+// The points where light is looked up. They are collected while rays are marched and evaluated
+// together.
 struct LightPoints {
-    std::vector<float> x, y, z;  // voxels, within the tile
+    std::vector<float> x, y, z;  // in voxels, within the tile
     std::vector<float> weight;   // the share of its light that reaches the eye
-    std::vector<float> tau;      // towards the sun
+    std::vector<float> tau;      // optical depth towards the sun
     std::vector<std::uint32_t> ray;
 
     std::size_t size() const { return x.size(); }
@@ -79,8 +81,8 @@ class SunMarches {
         return FloatLanes(0.0F) < FloatLanes::load(busy);
     }
 
-    // Those of the lanes after a sample that was nothing whose cell is empty go on to the first
-    // sample that may be something.
+    // Lanes that are in an empty cell after an empty sample leap to the first sample that may be in
+    // cloud. Returns whether any lane has leapt.
     bool leap_on(const Place& at, FloatMask going) {
         const FloatMask looking = going & (FloatLanes(0.0F) < progress_.was_empty);
         if (!any(looking)) return false;
@@ -93,7 +95,7 @@ class SunMarches {
         return any(empty);
     }
 
-    // A sample of each lane, after a leap where there is nothing.
+    // Takes one sample in each lane, after a leap if the lane is in empty space.
     FloatMask advance(FloatMask going) {
         const CloudPath path{
             *march_.medium,
@@ -107,7 +109,7 @@ class SunMarches {
         const FloatLanes end(march_.light_samples);
         progress_.k = zero_unless(going, progress_.k);
         Place at = path.place(path.samples.distance(progress_.k));
-        going = going & at.within;  // which it never enters again
+        going = going & at.within;  // a march that leaves never returns
         if (march_.leaping && leap_on(at, going)) {
             going = going & (progress_.k < end);
             progress_.k = zero_unless(going, progress_.k);

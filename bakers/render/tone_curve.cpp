@@ -9,14 +9,14 @@
 namespace skybake {
 namespace {
 
-// IEC 61966-2-1, of a linear value in [0, 1].
+// The sRGB transfer function of IEC 61966-2-1, for a linear value in [0, 1].
 double srgb_of_linear(double linear) {
     if (linear <= 0.0031308) return 12.92 * linear;
     return 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-// Bytes of linear values in [0, 1] by linear values, in steps so small that near black, where the
-// transfer function's slope of 12.92 is the greatest, a byte spans 5 of them.
+// A table of sRGB bytes for linear values in [0, 1]. Its steps are so small that one byte spans 5
+// of them even near black, where the slope of the transfer function is greatest, 12.92.
 class SrgbTable {
   public:
     SrgbTable() {
@@ -34,10 +34,10 @@ class SrgbTable {
     std::array<std::uint8_t, steps + 1> bytes_{};
 };
 
-// The curve in float: its exponential is a vector's where the compiler can.
+// The tone curve in float, so that the compiler can vectorise the exponential.
 float curve(float exposed) { return exposed > 0 ? -std::expm1(-exposed) : 0.0F; }
 
-// Rec. 709, the primaries of sRGB.
+// Returns the luminance by Rec. 709, whose primaries are those of sRGB.
 double luminance(const float* texel, int channels) {
     if (channels < 3) return double{texel[0]};
     return 0.2126 * double{texel[0]} + 0.7152 * double{texel[1]} + 0.0722 * double{texel[2]};
@@ -77,7 +77,7 @@ double exposure_for(const Image2<float>& radiance) {
     const auto rank = luminances.begin() + static_cast<std::ptrdiff_t>(
                                                0.99 * static_cast<double>(luminances.size() - 1));
     std::nth_element(luminances.begin(), rank, luminances.end());
-    // 1 - exp(-exposure L) = 0.85; where the percentile is black, any exposure serves.
+    // Solves 1 - exp(-exposure L) = 0.85. If the percentile is black, any exposure will do.
     return *rank > 0 ? -std::log(0.15) / *rank : 1;
 }
 
