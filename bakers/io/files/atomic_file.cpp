@@ -31,7 +31,8 @@ config::Outcome<WriteResult> failure(const fs::path& path, int error) {
     return failure(path, system_reason(error));
 }
 
-// Fills `bytes` as far as the file goes; how many there were, or nothing where it cannot be read.
+// Fills `bytes` as far as the file goes. Returns the number of bytes read, or nothing if it cannot
+// be read.
 std::optional<std::size_t> read_piece(int descriptor, std::string& bytes) {
     std::size_t done = 0;
     while (done < bytes.size()) {
@@ -44,7 +45,7 @@ std::optional<std::size_t> read_piece(int descriptor, std::string& bytes) {
     return done;
 }
 
-// Whether an open file holds these bytes and no more. Reads it piece by piece: no second copy.
+// Whether an open file holds exactly these bytes. Reads it piece by piece, to avoid a second copy.
 bool holds(int descriptor, std::string_view bytes) {
     std::string piece(65536, '\0');
     std::size_t done = 0;
@@ -65,7 +66,7 @@ bool is_unchanged(const fs::path& path, const struct stat& status, std::string_v
 
 // Writes all bytes; returns errno, 0, or ECANCELED.
 int write_all(int descriptor, std::string_view bytes, const Progress* progress) {
-    constexpr std::size_t piece = std::size_t{4} << 20;  // between looks at `progress`
+    constexpr std::size_t piece = std::size_t{4} << 20;  // between checks of `progress`
     while (!bytes.empty()) {
         if (is_cancelled(progress)) return ECANCELED;
         const ssize_t count = ::write(descriptor, bytes.data(), std::min(bytes.size(), piece));
@@ -77,41 +78,42 @@ int write_all(int descriptor, std::string_view bytes, const Progress* progress) 
     return is_cancelled(progress) ? ECANCELED : 0;
 }
 
-// To the disk, so that a crash after the rename does not leave an empty file under the new name,
-// and so that network file systems report a full disk now.
+// Flushes the file to the disk, so that a crash after the rename does not leave an empty file under
+// the new name, and so that network file systems report a full disk now. Returns errno, or 0.
 int flush(int descriptor) {
     while (::fdatasync(descriptor) != 0) {
         if (errno == EINTR) continue;
-        // Some file systems cannot, which is no reason not to write.
+        // Some file systems cannot flush, which is no reason to fail.
         return errno == EINVAL || errno == ENOTSUP || errno == ENOSYS ? 0 : errno;
     }
     return 0;
 }
 
-// Gives the temporary the permissions of the old file, once it has been written: they may forbid
-// that. Its owner may read it in any case, as the next bake has to. errno, or 0.
+// Gives the temporary the permissions of the old file. This happens after writing, because they may
+// forbid writing. The owner can always read the file, because the next bake must read it. Returns
+// errno, or 0.
 int keep_mode(const TemporaryFile& temporary, const FileStatus& old) {
     if (!old) return 0;
     const mode_t mode = (old->st_mode & 07777) | S_IRUSR;
     return ::fchmod(temporary.descriptor(), mode) == 0 ? 0 : errno;
 }
 
-// Makes the temporary hold the bytes; errno, 0, or ECANCELED.
+// Writes the bytes to the temporary. Returns errno, 0, or ECANCELED.
 int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress* progress) {
     const int error = write_all(temporary.descriptor(), bytes, progress);
     return error != 0 ? error : flush(temporary.descriptor());
 }
 
-// Whether a link leads to a device or to an open file of a process, as /dev/stdout does: those
-// names belong to the system.
+// Whether a link leads to a device or to an open file of a process, as /dev/stdout does. Such names
+// belong to the system.
 bool belongs_to_system(const fs::path& link) {
     std::error_code error;
     const std::string target = fs::read_symlink(link, error).string();
     return target.rfind("/dev/", 0) == 0 || target.rfind("/proc/", 0) == 0;
 }
 
-// What a file of this name would replace: the status of a regular file, or none where nothing is
-// there or a symbolic link, whose target is of no concern.
+// Returns the status of the regular file that a file of this name would replace. Returns an empty
+// status if there is no file, or only a symbolic link, whose target does not matter.
 config::Outcome<FileStatus> find_old(const fs::path& path) {
     const auto refuse = [&path](const std::string& reason) -> config::Outcome<FileStatus> {
         return {{}, failure(path, reason).diagnostics};
@@ -131,7 +133,8 @@ config::Outcome<FileStatus> find_old(const fs::path& path) {
     return {FileStatus(status), {}};
 }
 
-// Whether two files hold the same bytes. False too where one cannot be read, or on interruption.
+// Whether two files hold the same bytes. Returns false also if one cannot be read or on
+// interruption.
 bool same_bytes(const fs::path& first, const fs::path& second, const Progress* progress) {
     constexpr std::size_t piece = std::size_t{1} << 20;
     const FileDescriptor a(::open(first.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
@@ -152,7 +155,7 @@ bool same_bytes(const fs::path& first, const fs::path& second, const Progress* p
     return false;
 }
 
-// People know the file by its own name.
+// Replaces the temporary's name in a text, because people know the file by its own name.
 void rename_in_text(std::string& text, const std::string& temporary, const std::string& name) {
     for (std::size_t at = text.find(temporary); at != std::string::npos;
          at = text.find(temporary, at + name.size())) {
@@ -217,7 +220,7 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
     return {WriteResult::written, std::move(written.diagnostics)};
 }
 
-// An empty temporary beside the file.
+// Creates an empty temporary beside the file.
 config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path) {
     auto staged = std::make_unique<Staged>(path);
     if (!staged->temporary.valid()) return {{}, failure(path, errno).diagnostics};

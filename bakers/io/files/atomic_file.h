@@ -1,12 +1,14 @@
-// Files that are either the old ones or the new ones, whatever happens in between.
+// Writes files atomically: a file has either its old or its new contents, whatever happens in
+// between.
 //
-// The bytes go to `.NAME.skybake-PID-N.tmp` in the same folder, are flushed to the disk and renamed
-// over the target. An error, an interruption or a full disk removes the temporary; what a killed
-// process left behind is removed by the next write of the same file, even of the same bytes.
+// The bytes are written to the temporary file `.NAME.skybake-PID-N.tmp` in the same folder, flushed
+// to the disk, and renamed over the target. After an error, an interruption or a full disk, the
+// temporary is removed. A temporary of a killed process is removed by the next write of the same
+// file, even if its bytes do not change.
 //
-// A symbolic link at the place of a file is replaced by the file. It is never followed: what it
-// points to may lie outside of the folder and belong to somebody else. Links into /dev and /proc,
-// such as /dev/stdout itself, are refused.
+// A symbolic link at the target is replaced by the file. It is never followed, because it may point
+// outside of the folder to a file of somebody else. Links into /dev and /proc, such as /dev/stdout
+// itself, are refused.
 #pragma once
 
 #include <filesystem>
@@ -23,18 +25,18 @@ namespace skybake {
 
 enum class WriteResult {
     written,
-    unchanged,    // the file held these bytes already: it and its time stamp were left alone
+    unchanged,    // the file already held these bytes; it and its time stamp did not change
     interrupted,  // progress->cancelled() became true: nothing was changed
 };
 
-// Writes a whole file under the name it is given, over an empty one. True when all is written,
-// false where it has stopped for an interruption; a diagnostic may name the temporary, which
-// `stage` replaces by the file's own name.
+// Writes a whole file over the empty temporary. Returns true when everything is written, false if
+// it stopped for an interruption. A diagnostic may name the temporary; `stage` replaces that name
+// by the file's own.
 using FileWriter = std::function<config::Outcome<bool>(const std::filesystem::path& temporary)>;
 
 // Several files that belong together. All are on the disk before the first replaces an old one, so
-// a full disk or an interruption leaves every old file in place. What was not committed is removed
-// with this object.
+// a full disk or an interruption leaves every old file in place. The destructor removes files that
+// were not committed.
 class AtomicFiles {
   public:
     AtomicFiles();
@@ -42,23 +44,23 @@ class AtomicFiles {
     AtomicFiles& operator=(const AtomicFiles&) = delete;
     ~AtomicFiles();
 
-    // Brings `bytes` to the disk under a temporary name. An existing file keeps its permissions, a
-    // new one gets those of the umask, and so does one that replaces a symbolic link. E0301 with
-    // the system's reason where the file cannot be written: no such folder, not permitted,
-    // read-only, disk full, a folder or a device of that name.
+    // Writes `bytes` to the disk under a temporary name. An existing file keeps its permissions; a
+    // new file, or one that replaces a symbolic link, gets those of the umask. E0301, with the
+    // system's reason, if the file cannot be written: no such folder, not permitted, read-only,
+    // disk full, or the name belongs to a folder or a device.
     config::Outcome<WriteResult> stage(const std::filesystem::path& path, std::string_view bytes,
                                        const Progress* progress = nullptr);
 
-    // The same for a file that is too large to be held in memory, or that a library writes itself.
-    // It is written whole even where the old file turns out to hold the same bytes.
+    // Does the same for a file that is too large for memory or that a library writes itself. It is
+    // always written completely, even if the old file turns out to hold the same bytes.
     config::Outcome<WriteResult> stage(const std::filesystem::path& path, const FileWriter& write,
                                        const Progress* progress = nullptr);
 
-    // Adds the staged files of another to these, after them.
+    // Appends the staged files of `others` to these.
     void take(AtomicFiles&& others);
 
-    // Renames the staged files to their targets, the last one first: a manifest, staged when all
-    // that it describes is known, claims its files before they appear. E0301.
+    // Renames the staged files to their targets, the last one first. The manifest is staged last,
+    // so it claims its files before they appear. E0301 if a file cannot be renamed.
     [[nodiscard]] std::vector<config::Diagnostic> commit();
 
   private:
@@ -68,13 +70,13 @@ class AtomicFiles {
     std::vector<std::unique_ptr<Staged>> staged_;
 };
 
-// One file by itself, as stage and commit.
+// Stages and commits a single file.
 config::Outcome<WriteResult> write_file_atomically(const std::filesystem::path& path,
                                                    std::string_view bytes,
                                                    const Progress* progress = nullptr);
 
-// Unlinks the temporaries that this process is writing now. Async-signal-safe; meant to be followed
-// by _exit.
+// Unlinks the temporaries that this process is writing now. The function is async-signal-safe; call
+// _exit after it.
 void unlink_current_temporaries() noexcept;
 
 }  // namespace skybake

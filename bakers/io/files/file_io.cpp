@@ -131,7 +131,8 @@ config::Outcome<std::string> read_failure(const std::filesystem::path& path,
                         fmt::format("cannot read `{}`: {}", path.string(), reason))}};
 }
 
-// Fills `bytes` from the start; returns errno, or 0. A file that ends early shortens it.
+// Fills `bytes` from the start of the file and returns errno, or 0. If the file ends early, `bytes`
+// is shortened.
 int read_all(int descriptor, std::string& bytes) {
     std::size_t done = 0;
     while (done < bytes.size()) {

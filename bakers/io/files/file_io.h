@@ -1,4 +1,4 @@
-// Reading and writing files through descriptors, and what went wrong with one.
+// Reads and writes files through descriptors, whole or in pieces, and makes diagnostics about them.
 #pragma once
 
 #include <unistd.h>
@@ -36,7 +36,7 @@ class FileDescriptor {
     int descriptor_ = -1;
 };
 
-// Diagnostics about files.
+// Makes a diagnostic about a file.
 inline config::Diagnostic file_error(std::string code, const std::string& file,
                                      std::string message) {
     config::Diagnostic diagnostic;
@@ -46,20 +46,21 @@ inline config::Diagnostic file_error(std::string code, const std::string& file,
     return diagnostic;
 }
 
-// The system's words for an errno: "No space left on device".
+// Returns the system's message for an errno: "No space left on device".
 inline std::string system_reason(int error) { return std::generic_category().message(error); }
 
-// A file that is read in pieces, at any place: for files that may be larger than memory.
+// A file that is read in pieces, at any position. For files that may be larger than memory.
 class FileInput {
   public:
-    // E0300: missing, a folder, a device or pipe, or not permitted; the message says which.
+    // E0300 if the file is missing, a folder, a device or a pipe, or if reading is not permitted;
+    // the message says which.
     static config::Outcome<FileInput> open(const std::filesystem::path& path);
 
     std::uint64_t size() const { return size_; }
-    // Reads up to `count` bytes at `position`; how many there were, fewer only at the file's end,
-    // or nothing after an error: see diagnostic().
+    // Reads up to `count` bytes at `position` and returns how many were read; fewer than `count`
+    // only at the end of the file. After an error it returns nothing; see diagnostic().
     std::optional<std::size_t> read(std::uint64_t position, char* bytes, std::size_t count);
-    // E0300 with the reason of the failed read.
+    // Returns E0300 with the reason of the failed read.
     config::Diagnostic diagnostic() const;
 
   private:
@@ -77,28 +78,26 @@ struct FileFingerprint {
     std::string xxh3;  // xxh3_hex of the file
 };
 
-// Reads the whole file, piece by piece. E0300.
+// Reads the whole file, piece by piece. E0300 if that fails.
 config::Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path);
 
-// A file that is being written from its beginning on, in large pieces, with the system's own reason
-// where that fails.
-
-// After an error nothing more is written: `error` keeps the first.
+// A file that is written from its beginning on, in large pieces. After an error nothing more is
+// written; `error` keeps the system's reason of the first one.
 class FileOutput {
   public:
-    // Opens an existing file and empties it. A symbolic link is not followed (ELOOP), but for those
+    // Opens an existing file and empties it. A symbolic link is not followed (ELOOP), except those
     // in /proc/self/fd, which stand for the process's own open files.
     explicit FileOutput(const std::filesystem::path& path);
 
     void write(std::string_view bytes);
     void seek(std::uint64_t position);
     std::uint64_t position() const { return position_ + buffer_.size(); }
-    // Writes what is still in memory. True where all went well.
+    // Writes what is still in memory. Returns true if everything was written.
     bool finish();
 
-    // errno of the first failure, or 0.
+    // Returns the errno of the first failure, or 0.
     int error() const { return error_; }
-    // E0301 with the reason.
+    // Returns E0301 with the reason.
     config::Diagnostic diagnostic() const;
 
   private:
@@ -107,14 +106,13 @@ class FileOutput {
     std::filesystem::path path_;
     FileDescriptor file_;
     std::string buffer_;
-    std::uint64_t position_ = 0;  // of the buffer's beginning
+    std::uint64_t position_ = 0;  // position of the buffer's beginning
     int error_ = 0;
 };
 
-// Whole files into memory, with one clear diagnostic where that does not work.
-
-// E0300: missing, a folder, a device or pipe, not permitted, larger than `limit` bytes, or an error
-// while reading; the message says which.
+// Reads a whole file into memory. E0300 if the file is missing, a folder, a device or a pipe, if
+// reading is not permitted or fails, or if the file is larger than `limit` bytes; the message says
+// which.
 config::Outcome<std::string> read_file(const std::filesystem::path& path,
                                        std::uintmax_t limit = std::uintmax_t{4} << 30);
 

@@ -11,8 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The module's place, from the program's: PREFIX/bin/skybake has it in PREFIX/lib/skybake, programs
-// of a build are one or two folders below its root. Empty where there is none.
+// Returns the module's path, found from the program's path, or an empty path if there is none. For
+// PREFIX/bin/skybake it is in PREFIX/lib/skybake. Programs of a build are one or two folders below
+// the build's root.
 fs::path find_module(const std::string& file_name) {
     constexpr int levels = 2;
     std::error_code error;

@@ -26,7 +26,7 @@ config::Diagnostic unwritable(const fs::path& folder, const std::string& reason)
         fmt::format("cannot write into the folder `{}`: {}", folder.string(), reason));
 }
 
-// The folder itself or, where it is missing, the nearest one above it that exists.
+// Returns the folder itself or, if it is missing, the nearest existing folder above it.
 fs::path existing_ancestor(const fs::path& folder) {
     fs::path ancestor = fs::absolute(folder).lexically_normal();
     std::error_code error;
@@ -36,7 +36,8 @@ fs::path existing_ancestor(const fs::path& folder) {
     return ancestor;
 }
 
-// What keeps files from being made in the folder, as far as one can see without trying.
+// Returns what prevents files from being made in the folder, as far as that is visible without
+// trying.
 std::optional<config::Diagnostic> obstacle(const fs::path& folder, bool to_be_written) {
     const fs::path ancestor = existing_ancestor(folder);
     std::error_code error;
@@ -51,8 +52,8 @@ std::optional<config::Diagnostic> obstacle(const fs::path& folder, bool to_be_wr
     return std::nullopt;
 }
 
-// A manifest that another release wrote, or that somebody has changed, says which files are
-// skybake's: they may be written again. What it says of their making is not to be built on.
+// Uses the manifest of an earlier bake. If another release wrote it, or somebody changed it, it
+// only says which files are skybake's and may be overwritten. Nothing else in it is trusted.
 void take_previous(std::optional<Manifest> manifest, OutputFolder& folder) {
     if (!manifest) {
         folder.previous = read_earlier_claims(folder.path);
@@ -112,7 +113,7 @@ config::Outcome<std::vector<fs::path>> create_output_folder(const fs::path& fold
     }
     error.clear();
     fs::create_directories(folder, error);
-    // A folder that another process made in the meantime is as good.
+    // It does not matter if another process has made the folder in the meantime.
     std::error_code ignored;
     if (error && !fs::is_directory(folder, ignored))
         return {{}, {unwritable(folder, error.message())}};
@@ -164,8 +165,8 @@ Attempt try_lock(int descriptor) {
     return Attempt::taken;
 }
 
-// Whether the folder of that name is still the one that was opened: a process that gave up may have
-// removed the one it had made.
+// Whether the folder of that name is still the one that was opened. A process that gave up may have
+// removed the folder that it had made.
 bool is_still(const fs::path& folder, int descriptor) {
     struct stat named {};
     struct stat opened {};
@@ -173,9 +174,9 @@ bool is_still(const fs::path& folder, int descriptor) {
            named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
 }
 
-// Linux closes the descriptors of a dying process in ascending order. The lock's is a high one, so
-// that whoever gets it from a process that was killed finds the temporaries of that one unlocked.
-// Where there are not as many descriptors it stays as it is.
+// Moves the lock to a high descriptor. Linux closes the descriptors of a dying process in ascending
+// order, so whoever gets the lock from a killed process finds that its temporaries are already
+// unlocked. If no high descriptor is available, the lock keeps its own.
 FileDescriptor closed_last(FileDescriptor descriptor) {
     if (!descriptor.valid()) return descriptor;
     constexpr int high = 512;  // of the 1024 that processes have by default
@@ -206,7 +207,8 @@ config::Outcome<FolderLock> FolderLock::acquire(const fs::path& folder,
             return {FolderLock(std::move(open)), {}};
         }
         if (attempt != Attempt::busy) {
-            // Gone, or another one: E0302 if it is gone.
+            // The folder has been removed or replaced. Opening it again gives E0302 if it was
+            // removed.
             FileDescriptor gone;
             std::swap(open, gone);
             continue;

@@ -1,4 +1,5 @@
-// The folder that a bake writes into: may it, and what is there already?
+// The folder that a bake writes into: checks whether the bake may write there and what is there
+// already, names the files, and locks the folder.
 #pragma once
 
 #include <filesystem>
@@ -20,50 +21,47 @@ struct OutputFolder {
     std::filesystem::path path;
     std::optional<Manifest> previous;  // the manifest of an earlier bake
 
-    // Why nothing is known of what the folder holds but which files are skybake's: a clause that
-    // says what is wrong with its manifest. Empty: all is known.
+    // If this is not empty, it says what is wrong with the folder's manifest, as a clause. Then
+    // only the list of files that skybake wrote is known.
     std::string reason = {};
 };
 
-// Looks, and changes nothing: call it before a long bake. `files` are the names that will be
-// written, relative to the folder, manifest.json among them. E0302: the folder cannot be written
-// to, or cannot be made. E0303: a file is there that no manifest of skybake's claims; one
-// diagnostic for each; `force` lets them pass. Where nothing is `to_be_written` after all, a
-// folder may be one for reading alone.
+// Inspects the folder and changes nothing; call it before a long bake. `files` are the names that
+// will be written, relative to the folder, including manifest.json. E0302 if the folder cannot be
+// written to or cannot be made. E0303 for each existing file that no manifest of skybake claims,
+// unless `force` is set. If nothing is `to_be_written`, the folder may be read-only.
 config::Outcome<OutputFolder> inspect_output_folder(const std::filesystem::path& folder,
                                                     std::span<const std::string> files, bool force,
                                                     bool to_be_written = true);
 
-// Makes the folder where it is missing, and those above it; the folders made, the deepest first.
-// E0302.
+// Makes the folder and those above it if they are missing. Returns the folders made, the deepest
+// first. E0302 if that fails.
 config::Outcome<std::vector<std::filesystem::path>> create_output_folder(
     const std::filesystem::path& folder);
 
-// Takes back what create_output_folder made, as far as nothing is in there.
+// Removes the folders that create_output_folder made, as far as they are empty.
 void remove_empty_folders(std::span<const std::filesystem::path> folders);
 
-// The names of the files that a bake makes, relative to the output folder. They follow from the
-// recipe alone.
-
-// "NAME.exr", "NAME.vdb"; "NAME.mip1.exr" and so on for further levels of detail.
+// Returns the name of an asset's file, relative to the output folder: "NAME.exr" or "NAME.vdb" for
+// level 0, "NAME.mip1.exr" and so on for further levels of detail. It follows from the recipe
+// alone.
 std::string file_name(const std::string& name, config::FileFormat format, int level);
 
-// "NAME.json": a text beside the files of an asset.
+// Returns the name of a text file beside the files of an asset: "NAME.json".
 std::string companion_file_name(const std::string& name, const std::string& format);
 
-// All files of a [bake.NAME].
+// Returns the names of all files of a [bake.NAME].
 std::vector<std::string> file_names(const config::Bake& bake);
 
-// One process at a time in a folder.
-
-// Holds an advisory lock (flock) on the folder itself, so that nothing is left behind: the lock
-// ends with this object or with the process, however it ends. File systems without such locks (NFS
-// gives none on folders) are used without: two processes then may do the same work, but atomic
-// renames still leave whole files.
+// Lets one process at a time work in a folder. It holds an advisory lock (flock) on the folder
+// itself, so nothing is left behind: the lock ends with this object or with the process, however
+// that ends. On file systems without such locks (NFS has none for folders), two processes may do
+// the same work, but atomic renames still leave whole files.
 class FolderLock {
   public:
-    // Waits as long as another process has it: then calls `waits` once, and gives up once
-    // `cancelled` is true, with neither value nor diagnostics. E0302: there is no such folder.
+    // Waits while another process holds the lock; in that case it calls `waits` once. If
+    // `cancelled` becomes true, it gives up and returns neither a value nor a diagnostic. E0302 if
+    // there is no such folder.
     static config::Outcome<FolderLock> acquire(const std::filesystem::path& folder,
                                                const std::function<void()>& waits,
                                                const std::function<bool()>& cancelled);

@@ -1,4 +1,4 @@
-// Wall time since it was made.
+// A stopwatch: measures wall time in seconds since its construction.
 #pragma once
 
 #include <chrono>

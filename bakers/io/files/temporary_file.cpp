@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 // --- What the signal handler removes ------------------------------------------------------------
 
-// Paths lie in static memory, since a handler may neither lock nor allocate.
+// The paths are in static memory, because a signal handler must neither lock nor allocate.
 struct CurrentTemporary {
     enum State : int { unused, claimed, active };
     std::atomic<int> state{unused};
@@ -34,8 +34,8 @@ struct CurrentTemporary {
 static_assert(std::atomic<int>::is_always_lock_free);
 std::array<CurrentTemporary, 64> current_temporaries;
 
-// Returns a slot of the table above, or -1: none is left if very many files are written at once,
-// and then a second Ctrl-C leaves that temporary to the next run.
+// Returns a slot of the table above, or -1 if none is left, because very many files are being
+// written at once. Then a second Ctrl-C leaves that temporary to the next run.
 int enter(const fs::path& path) {
     if (path.native().size() >= current_temporaries[0].path.size()) return -1;
     for (std::size_t i = 0; i < current_temporaries.size(); ++i) {
@@ -58,7 +58,7 @@ void leave(int slot) {
 
 constexpr std::string_view temporary_mark = ".skybake-";
 
-// ".NAME.skybake-"; long names are cut so that the whole stays within the 255 bytes of a name.
+// Returns ".NAME.skybake-". Long names are cut so that the temporary's name stays within 255 bytes.
 std::string temporary_prefix(const fs::path& path) {
     constexpr std::size_t longest_name = 200;
     return fmt::format(".{}{}", path.filename().string().substr(0, longest_name), temporary_mark);
@@ -66,7 +66,7 @@ std::string temporary_prefix(const fs::path& path) {
 
 constexpr std::string_view temporary_suffix = ".tmp";
 
-// Whether it is ".NAME.skybake-PID-N.tmp".
+// Whether the name is ".NAME.skybake-PID-N.tmp".
 bool is_temporary(std::string_view name, std::string_view prefix) {
     if (name.size() <= prefix.size() + temporary_suffix.size() ||
         name.substr(0, prefix.size()) != prefix ||
@@ -83,26 +83,26 @@ bool is_temporary(std::string_view name, std::string_view prefix) {
     return count.ec == std::errc{} && count.ptr == end;
 }
 
-// Removes a temporary that nobody holds the lock of: its process is gone. Its number would not
-// tell, since a process that is being killed, or that its parent has not waited for, still has one,
-// another may have it by now, and neither containers nor machines that share a folder tell them
-// apart.
+// Removes a temporary whose lock nobody holds, because its process is gone. The process number
+// cannot tell this: a process that is being killed, or that its parent has not waited for, still
+// has its number; another process may have it by now; and numbers are not unique across containers
+// or machines that share a folder.
 void remove_if_left_over(const fs::path& temporary) {
     const FileDescriptor file(
         ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(temporary.c_str());
 }
 
-// Locks a temporary that has just been made. False where another process has taken it for a
-// left-over in the meantime: it holds the lock, or the name is gone. File systems without locks
-// have no left-overs removed either.
+// Locks a temporary that has just been made. Returns false if another process has mistaken it for a
+// leftover in the meantime: it holds the lock, or the name is gone. On file systems without locks,
+// leftovers are never removed, so this returns true.
 bool lock_unless_removed(int descriptor) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
     struct stat status {};
     return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
 }
 
-// What a name would begin with if it were a temporary's.
+// Returns what a name would begin with if it were that of a temporary.
 std::string own_prefix(const std::string& name) {
     const std::size_t mark = name.rfind(temporary_mark);
     if (mark == std::string::npos || name[0] != '.') return name;
@@ -129,7 +129,7 @@ TemporaryFile::TemporaryFile(const fs::path& target) {
         leave(slot_);
         path_ = target.parent_path() / fmt::format("{}{}-{}{}", temporary_prefix(target),
                                                    ::getpid(), counter++, temporary_suffix);
-        slot_ = enter(path_);  // first: no moment in which a signal would miss the file
+        slot_ = enter(path_);  // entered before opening, so that a signal never misses the file
         file_ =
             FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     } while (file_.valid() ? !lock_unless_removed(file_.get()) : errno == EINTR || errno == EEXIST);

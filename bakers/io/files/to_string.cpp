@@ -11,7 +11,7 @@
 namespace skybake {
 namespace {
 
-// The keys of files are those of all assets.
+// Returns a field of the files' settings, which are the same for all assets.
 const config::Field& field_of(std::string_view key) {
     return *config::find_field(*config::find_section("bake.*", "noise_volume"), key);
 }
@@ -29,7 +29,7 @@ std::optional<Enum> value_of(std::string_view key, std::string_view word) {
     return std::nullopt;
 }
 
-// The words of enumerations that no recipe asks for, in their order.
+// The words of enumerations that do not occur in recipes, in the order of their enumerators.
 constexpr std::array<std::string_view, 2> end_point_words = {"texel_centres", "texture_edges"};
 constexpr std::array<std::string_view, 2> wrap_words = {"clamp", "repeat"};
 constexpr std::array<std::string_view, 2> filter_words = {"linear", "nearest"};

@@ -1,5 +1,5 @@
-// Words that files use for the enumerations of the parameters: those of recipes, from the field
-// tables.
+// The words that files use for enumerations, and texts for amounts of memory. Enumerations of
+// recipes have the same words as in recipes, from the field tables.
 #pragma once
 
 #include <optional>
@@ -27,9 +27,7 @@ std::optional<AxisFilter> axis_filter_of(std::string_view word);
 std::optional<config::PixelType> pixel_type_of(std::string_view word);
 std::optional<config::SheetLayout> sheet_layout_of(std::string_view word);
 
-// Amounts of memory and disk, for people.
-
-// "12 B", "190 KiB", "1.5 GiB".
+// Writes an amount of memory or disk space for people: "12 B", "190 KiB", "1.5 GiB".
 std::string byte_size_text(double bytes);
 
 }  // namespace skybake

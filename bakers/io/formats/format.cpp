@@ -63,7 +63,7 @@ void make(const Level& level, std::size_t channels, std::size_t stored_channels,
     store_voxels({planes.begin(), planes.end()}, count, type, slot.bytes.data());
 }
 
-// Of each visit, but for channels that nobody asked for.
+// Drops the stored channels that nobody asked for.
 void drop_padding(const std::vector<float>& stored, const StoredTexelRange& range,
                   std::vector<float>& values) {
     const std::size_t count = stored.size() / range.stored_channels;

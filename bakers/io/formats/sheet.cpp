@@ -78,12 +78,12 @@ bool SheetWriter::write(const std::function<void(const SheetRows& rows)>& put) {
     return complete;
 }
 
-// Boxes in the order of the file's rows.
+// Returns the boxes in the order of the file's rows.
 VoxelBox SheetWriter::box_at(int i) const {
     return boxes_[grid_.flipped ? boxes_.count() - 1 - i : i];
 }
 
-// Image rows that a box fills.
+// Returns the number of image rows that a box fills.
 int SheetWriter::height_of(const VoxelBox& box) const {
     return ((box.size[2] - 1) / grid_.columns + 1) * box.size[1];
 }
@@ -122,7 +122,7 @@ void SheetWriter::turn_over(char* rows, std::size_t count) const {
     }
 }
 
-// One channel of a box as rows of the image.
+// Arranges one channel of a box as rows of the image.
 void SheetWriter::arrange(const VoxelBox& box, const float* values, char* out) const {
     if (grid_.columns == 1) {
         store_values(values, static_cast<std::size_t>(box.count()), type_, out);
@@ -151,7 +151,7 @@ void SheetWriter::arrange(const VoxelBox& box, const float* values, char* out) c
 
 namespace {
 
-// Rows of an image as they would stand if it were not upside down.
+// Reads rows of an image in the order that they have if it is not upside down.
 std::optional<config::Diagnostic> read_rows(const RowSource& image, const SheetGrid& grid,
                                             int first, int count, float* texels) {
     if (!grid.flipped) return image.read(first, count, texels);
@@ -165,8 +165,8 @@ std::optional<config::Diagnostic> read_rows(const RowSource& image, const SheetG
     return std::nullopt;
 }
 
-// Reads whole slices from one row of an atlas' cells; an image's rows are read again for each piece
-// of them, since a cell row may be larger than memory.
+// Reads whole slices from one row of an atlas's cells. The image's rows are read again for each
+// piece, because a row of cells may be larger than memory.
 class AtlasReader {
   public:
     AtlasReader(const RowSource& image, const std::array<int, 3>& size, const SheetGrid& grid)
@@ -179,7 +179,7 @@ class AtlasReader {
           piece_(static_cast<std::size_t>(image.rows_per_piece) *
                  static_cast<std::size_t>(image.width) * voxel_) {}
 
-    // Slices z ... z + count - 1, which lie in one row of cells, into `out`.
+    // Reads slices z ... z + count - 1, which lie in one row of cells, into `out`.
     std::optional<config::Diagnostic> read(int z, int count, float* out) {
         const int first_row = z / columns_ * static_cast<int>(height_);
         const int first_column = z % columns_;

@@ -1,5 +1,5 @@
-// Volumes as images: where their slices lie, and the rows of such an image as they are written and
-// read, in bounded memory.
+// Volumes as images: where their slices lie, and how the rows of such an image are written and read
+// in bounded memory.
 #pragma once
 
 #include <array>
@@ -17,26 +17,26 @@
 
 namespace skybake {
 
-// Slices z = 0, 1, ... fill the cells of a grid row by row from the top left, each with its row
-// y = 0 on top. A stack is a grid of one column; a table is a stack of one slice.
+// Slices z = 0, 1, ... fill the cells of a grid row by row from the top left. Each slice has its
+// row y = 0 on top. A stack is a grid of one column; a table is a stack of one slice.
 struct SheetGrid {
     config::SheetLayout kind = config::SheetLayout::stack;
     int columns = 1;       // of cells
     int rows = 1;          // of cells
-    bool flipped = false;  // then the image is upside down as a whole: its last row is stored first
+    bool flipped = false;  // the whole image is upside down: its last row is stored first
 };
 
-// For a volume of `size` voxels. `columns` is an atlas' own, or 0: chosen as
-// config/sections/files.h says.
+// Returns the grid for a volume of `size` voxels. If the recipe does not give an atlas's columns,
+// they are chosen as config/sections/files.h says.
 SheetGrid sheet_grid(const std::array<int, 3>& size, const config::AssetFiles& files);
 
-// Width and height of the image.
+// Returns the width and the height of the image.
 std::array<std::int64_t, 2> image_size(const std::array<int, 3>& size, const SheetGrid& grid);
 
-// In one line: "atlas of 12 x 11 cells of 128 x 128 texels, ...".
+// Describes the layout in one line: "atlas of 12 x 11 cells of 128 x 128 texels, ...".
 std::string sheet_line(const std::array<int, 3>& size, const SheetGrid& grid);
 
-// Rows of the image that one box of voxels fills, as files store them.
+// The rows of the image that one box of voxels fills, as files store them.
 struct SheetRows {
     int first = 0;  // row of the image
     int count = 0;
@@ -44,8 +44,8 @@ struct SheetRows {
     std::size_t plane = 0;         // bytes of a channel
 };
 
-// The rows of a level's image in the order of the file, made in parallel. Cells of an atlas without
-// a slice are 0.
+// Makes the rows of a level's image in parallel and writes them in the order of the file. Cells of
+// an atlas without a slice are 0.
 class SheetWriter {
   public:
     SheetWriter(const Baked& baked, int level, int threads, Progress* progress);
@@ -53,7 +53,8 @@ class SheetWriter {
     int width() const;
     int height() const;
 
-    // Hands all rows to `put`, top to bottom, which may throw. False after an interruption.
+    // Passes all rows to `put`, top to bottom; `put` may throw. Returns false after an
+    // interruption.
     bool write(const std::function<void(const SheetRows& rows)>& put);
 
   private:
@@ -77,23 +78,23 @@ class SheetWriter {
     Progress* const progress_;
 };
 
-// Takes voxels `first` ... `first + count - 1` in the order x, y, z, channels interleaved; false
-// ends the reading.
+// Receives voxels `first` ... `first + count - 1` in the order x, y, z, channels interleaved. If it
+// returns false, reading ends.
 using VoxelVisitor =
     std::function<bool(std::int64_t first, std::int64_t count, const float* values)>;
 
-// Where the rows of an image come from: a file, so that images may be larger than memory.
+// The source of an image's rows. It is a file, so that images may be larger than memory.
 struct RowSource {
     int width = 0;
     int height = 0;
     std::size_t channels = 0;
     int rows_per_piece = 1;
-    // Rows first ... first + count - 1, channels interleaved.
+    // Reads rows first ... first + count - 1, channels interleaved.
     std::function<std::optional<config::Diagnostic>(int first, int count, float* texels)> read;
 };
 
-// Hands all voxels of an image to `visit`, piece after piece. The image has the size that the grid
-// gives. False once visit returned false. Diagnostics as of the source.
+// Passes all voxels of an image to `visit`, piece after piece. The image must have the size that
+// the grid gives. Returns false once visit has returned false. Diagnostics come from the source.
 config::Outcome<bool> read_sheet(const RowSource& image, const std::array<int, 3>& size,
                                  const SheetGrid& grid, const VoxelVisitor& visit);
 

@@ -37,7 +37,7 @@ config::Outcome<bool> write_companion(const CompanionFile& companion,
     return {true, {}};
 }
 
-// Stages one file and takes down its length and hash.
+// Stages one file and records its length and hash.
 config::Outcome<WriteResult> stage_file(const Baked& baked, const ManifestAsset& asset,
                                         ManifestFile& file, const std::filesystem::path& folder,
                                         AtomicFiles& files, int threads, Progress* progress) {

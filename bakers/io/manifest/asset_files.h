@@ -1,4 +1,4 @@
-// From a baked asset to its files and its entry in the manifest, and back.
+// Writes the files of a baked asset, describes them in its manifest entry, and reads them back.
 #pragma once
 
 #include <filesystem>
@@ -13,29 +13,29 @@
 
 namespace skybake {
 
-// What became of each file of the asset, in the order of ManifestAsset::files.
+// The result for each file of the asset, in the order of ManifestAsset::files.
 using StagedFiles = std::vector<WriteResult>;
 
-// The asset's entry in the manifest, with all its files, whose lengths and hashes staging fills in.
-// Every level has been surveyed.
+// Returns the asset's entry in the manifest with all its files. Staging fills in their lengths and
+// hashes. Every level must have been surveyed.
 ManifestAsset describe_with_files(const Baked& baked);
 
-// Writes one file of `asset`, over an existing one. As Format::write: true when it is complete,
-// false once progress->cancelled().
+// Writes one file of `asset` over an existing one. Returns true when it is complete, false once
+// progress->cancelled(), as Format::write does.
 config::Outcome<bool> write_asset_file(const Baked& baked, const ManifestAsset& asset,
                                        const ManifestFile& file, int threads, Progress* progress,
                                        const std::filesystem::path& path);
 
-// Makes the texels of each file of `asset` again, writes and stages it for the folder; adds the
-// time it took to asset.timing.write_s. Memory does not grow with a volume. The last result is
-// `interrupted` where progress->cancelled(). E0301 with the system's reason; E0500 where a level
-// has not been surveyed, or a format does not have the pixel type.
+// Makes the texels of each file of `asset` again, writes the file and stages it for the folder.
+// Adds the time taken to asset.timing.write_s. Memory use does not grow with the size of a volume.
+// The last result is `interrupted` if progress->cancelled(). E0301 has the system's reason; E0500
+// if a level has not been surveyed or a format does not have the pixel type.
 config::Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asset,
                                          const std::filesystem::path& folder, AtomicFiles& files,
                                          int threads, Progress* progress = nullptr);
 
-// Hands all voxels of a level of a file to `visit`, as Format::read. `level` counts from the file's
-// own.
+// Passes all voxels of a level of a file to `visit`, as Format::read does. `level` counts from the
+// file's first level.
 config::Outcome<bool> read_asset_file(const std::filesystem::path& path, const ManifestAsset& asset,
                                       const ManifestFile& file, int level,
                                       const VoxelVisitor& visit);

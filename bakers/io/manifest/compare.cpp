@@ -32,7 +32,7 @@ double relative(double absolute, double a, double b) {
     return absolute / std::max(std::abs(a), std::abs(b));
 }
 
-// Adds rows of one channel, whose first is row `y` of the image.
+// Adds the differences of some rows of one channel. The first of them is row `y` of the image.
 void add_rows(const Image2<float>& first, const Image2<float>& second, int rows, int y,
               ChannelDifference& result, std::size_t channel, double& squares) {
     for (int row = 0; row < rows; ++row) {
@@ -52,7 +52,7 @@ void add_rows(const Image2<float>& first, const Image2<float>& second, int rows,
     }
 }
 
-// The channels of two images of one layout.
+// Compares the channels of two images of the same layout.
 config::Outcome<std::vector<ChannelDifference>> compare_channels(const ComparedImage& first,
                                                                  const ComparedImage& second) {
     std::vector<ChannelDifference> channels(first.channel_names.size());
@@ -103,7 +103,7 @@ std::vector<AttributeDifference> compare_facts(const std::map<std::string, std::
     return differences;
 }
 
-// The members of an entry by their paths, or nothing where the text is no entry.
+// Returns the members of an entry by their paths, or nothing if the text is not an entry.
 std::map<std::string, std::string> members_of(const std::string& text) {
     std::map<std::string, std::string> members;
     const auto json = nlohmann::json::parse(text, nullptr, false);
@@ -115,7 +115,7 @@ std::map<std::string, std::string> members_of(const std::string& text) {
     return members;
 }
 
-// Entries are compared member by member, but for what follows from the texels.
+// Compares entries member by member, except for members that follow from the texels.
 std::vector<AttributeDifference> compare_attributes(const ComparedImage& first,
                                                     const ComparedImage& second) {
     std::vector<AttributeDifference> differences;

@@ -1,4 +1,4 @@
-// How far two images are apart.
+// Compares two images: the values of their channels and their attributes.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,32 @@ struct ChannelDifference {
     std::string channel;
     double max_absolute = 0;  // infinite where only one of two values is finite
     double rms = 0;
-    double max_relative = 0;     // of the greater of the two magnitudes
-    std::int64_t differing = 0;  // texels, NaN being equal to NaN
+    double max_relative = 0;     // relative to the greater of the two magnitudes
+    std::int64_t differing = 0;  // number of texels; NaN equals NaN
     int worst_x = 0;             // texel of max_absolute
     int worst_y = 0;
 };
 
-// A text that two files have differently, or that one of them lacks.
+// A text that differs between two files, or that one of them lacks.
 struct AttributeDifference {
     std::string name;
     std::optional<std::string> first;
     std::optional<std::string> second;
 };
 
-// Where two entries that files carry (file_entry_json) differ: names are those of their members,
-// "error/lookup/max". Texts that are no entries are compared as they are.
+// Returns the differences between the entries that two files carry (file_entry_json). The names are
+// the paths of members, such as "error/lookup/max". Texts that are not entries are compared as a
+// whole.
 std::vector<AttributeDifference> metadata_differences(const std::string& first,
                                                       const std::string& second);
 
 struct ImageDifference {
-    std::string layout;  // what makes the images incomparable (size, channels), or empty
-    std::vector<ChannelDifference> channels;      // empty where they are incomparable
+    std::string layout;  // why the images cannot be compared (size, channels), or empty
+    std::vector<ChannelDifference> channels;      // empty if they cannot be compared
     std::vector<AttributeDifference> attributes;  // pixel type and compression among them
 };
 
-// An image whose rows are read one after the other.
+// An image for comparison; its rows are read one after the other.
 struct ComparedImage {
     RowSource rows;
     std::vector<std::string> channel_names;
@@ -48,14 +49,14 @@ struct ComparedImage {
     Attributes attributes;
 };
 
-// The file must stay where it is.
+// Makes an open EXR file comparable. The result refers to `file`, which must not be moved.
 ComparedImage compared(ExrRows& file);
 
-// Reads both once, row by row. Diagnostics as of the sources.
+// Reads both images once, row by row. Diagnostics come from the row sources.
 config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
                                                 const ComparedImage& second);
 
-// Whether the images have one layout and no value differs by more than `tolerance`.
+// Whether the images have the same layout and no value differs by more than `tolerance`.
 bool equal_within(const ImageDifference& difference, double tolerance);
 
 }  // namespace skybake

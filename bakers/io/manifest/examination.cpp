@@ -23,7 +23,7 @@ bool shows(const ReadableTexture& texture, const CaughtProbe& probe, const Wrong
 void check_catches(Examination& examination, const ReadableTexture& texture, int dimensions,
                    const std::vector<CaughtProbe>& probes,
                    const std::vector<std::string>& catches) {
-    std::map<std::string, int> shown;  // at so many probes, in the way that shows at the fewest
+    std::map<std::string, int> shown;  // number of probes; the fewest of all ways with one name
     for (const WrongLookup& wrong : wrong_lookups(texture.use, dimensions)) {
         const auto count = static_cast<int>(
             std::count_if(probes.begin(), probes.end(),

@@ -1,4 +1,4 @@
-// How verification takes down what it finds in one file.
+// Records what verification finds in one file, and checks the file's probes.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ class Examination {
     Examination(VerifyReport& report, std::string file) : report_(report), file_(std::move(file)) {}
 
     void fail(std::string check, const std::string& message) {
-        // What a damaged file says may not be text.
+        // The contents of a damaged file may not be printable text.
         report_.failures.push_back({file_, std::move(check), config::printable(message)});
     }
     bool expect(bool holds, const char* check, const std::string& message) {
@@ -33,7 +33,7 @@ class Examination {
         return expect(found == wanted, check,
                       fmt::format("{} is {}, the manifest says {}", what, found, wanted));
     }
-    // That a file which was to be read could be: `check` names what failed where it could not.
+    // Expects that a file could be read. If not, `check` names what failed.
     template <class T>
     bool expect_read(const config::Outcome<T>& outcome, const char* check) {
         return expect(outcome.value.has_value(), check,
@@ -46,19 +46,19 @@ class Examination {
     std::string file_;
 };
 
-// What is looked up of a probe, and what it must be.
+// A probe: its lookups, and the value that they must give within the tolerance.
 struct CaughtProbe {
     std::vector<ProbeLookup> lookups;
     std::vector<double> value;
     std::vector<double> tolerance;
 };
 
-// Each fault that probes are said to catch (wrong_lookups.h), made of the texture, shows at several
-// of them. Probes of another number of channels are left to check_lookup.
+// Makes each wrong lookup that the probes are said to catch (wrong_lookups.h) and checks that it
+// shows at several probes. Probes with another number of channels are left to check_lookup.
 void check_catches(Examination& examination, const ReadableTexture& texture, int dimensions,
                    const std::vector<CaughtProbe>& probes, const std::vector<std::string>& catches);
 
-// A lookup gives what a probe says within its tolerance.
+// Checks that a lookup gives the probe's value within its tolerance.
 void check_lookup(Examination& examination, const std::string& place,
                   const std::vector<double>& found, const std::vector<double>& value,
                   const std::vector<double>& tolerance);

@@ -29,7 +29,7 @@ namespace {
 
 constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;
 
-// A folder without a manifest; none where the manifest is there, or the folder is not.
+// Returns a diagnostic if the folder exists but has no manifest.
 std::optional<config::Diagnostic> holds_no_bake(const std::filesystem::path& file) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code error;

@@ -1,4 +1,5 @@
-// manifest.json: what a bake left in a folder, for machines. Its form is manifest_schema.json.
+// manifest.json, which tells programs what a bake left in a folder. manifest_schema.json defines
+// its form. This header holds its model, its reader and writer, and the hashes that detect changes.
 #pragma once
 
 #include <array>
@@ -23,24 +24,24 @@ inline constexpr std::string_view manifest_name = "manifest.json";
 
 struct ManifestFile {
     std::string path;    // relative to the manifest's folder, never leaving it
-    std::string format;  // "exr", "vdb", "bin", "png", "dds"; "json" of a companion
+    std::string format;  // "exr", "vdb", "bin", "png", "dds"; "json" for a companion
     config::PixelType pixel_type = config::PixelType::float32;
     std::uint64_t bytes = 0;
     std::string xxh3;                      // xxh3_hex of the file
-    int level = 0;                         // of detail; 0 is the asset itself
-    int levels = 1;                        // how many the file holds, from `level` on
+    int level = 0;                         // level of detail; 0 is the asset itself
+    int levels = 1;                        // how many levels the file holds, from `level` on
     std::string compression = {};          // "none", "zip", "blosc", ...
-    std::optional<SheetGrid> layout = {};  // images: where the slices lie
-    std::vector<std::string> grids = {};   // vdb: the grid of each channel
+    std::optional<SheetGrid> layout = {};  // for images: where the slices lie
+    std::vector<std::string> grids = {};   // for vdb: the grid of each channel
 };
 
-// A file besides the recipe that an asset is made from.
+// An input file of an asset besides the recipe.
 struct ManifestInput {
     std::string file;  // as the recipe names it
     std::string xxh3;  // xxh3_hex of its bytes
 };
 
-// Wall times: the one thing in a bake's output that changes from run to run.
+// Wall times, which are the only part of a bake's output that changes from run to run.
 struct Timing {
     double bake_s = 0;
     double write_s = 0;
@@ -53,21 +54,21 @@ struct ManifestLevel {
     std::string content_hash;                 // xxh3_hex of the voxels as stored
     std::vector<ValueStatistics> statistics;  // one per channel
     std::vector<Probe> probes;
-    std::vector<std::string> catches = {};  // wrong lookups that the probes tell
+    std::vector<std::string> catches = {};  // wrong lookups that the probes detect
 };
 
-// One asset: all that its files say in their metadata, and what only a manifest may say.
+// One asset: everything that its files say in their metadata, and what only a manifest says.
 struct ManifestAsset {
     std::string name;
     std::string kind;
     std::string content;
     std::vector<ManifestFile> files;
-    std::vector<int> size;  // texels along u, v; voxels along u, v, w; of level 0
+    std::vector<int> size;  // of level 0: texels along u, v or voxels along u, v, w
     std::vector<std::string> channels;
     std::string mapping;
     std::vector<AxisMapping> axes;  // u, v; u, v, w
     Timing timing;
-    std::optional<Certificate> error;  // none where it was not measured
+    std::optional<Certificate> error;  // none if it was not measured
     RangeCounts range;
     std::vector<ManifestLevel> levels;  // level 0 first
     Conventions conventions;
@@ -76,22 +77,23 @@ struct ManifestAsset {
     std::string content_hash;  // of level 0
     std::string release;       // the release that baked it
 
-    // What it was made of (bakers/workspace/folder_plan.h). Empty in manifests of releases
-    // that did not bake incrementally.
+    // What the asset was made from (bakers/workspace/folder_plan.h). These are empty in manifests
+    // of releases that did not bake incrementally.
     std::string key;
     std::string certification;  // "quick", "full", "off"
     std::vector<ManifestInput> inputs;
 
-    double seam_error = 0;  // of volumes: between voxel 0 and voxel `size`, over all axes
+    double seam_error = 0;  // of volumes: largest difference of voxels 0 and `size`
 
     bool is_volume() const { return axes.size() == 3; }
 };
 
-// Texels of the level that a file holds, or of its first: along u, v; along u, v, w of a volume.
+// Returns the size of the level that a file holds, or of its first level: texels along u, v, or
+// voxels along u, v, w of a volume.
 std::vector<int> size_of(const ManifestAsset& asset, const ManifestFile& file);
 
-// A file that an earlier bake left in the folder and the recipe no longer asks for: skybake wrote
-// it, so a later bake may write it again.
+// A file that an earlier bake left in the folder and that the recipe no longer asks for. Because
+// skybake wrote it, a later bake may overwrite it.
 struct RetiredFile {
     std::string path;
     std::string xxh3;
@@ -104,97 +106,97 @@ struct Manifest {
     std::vector<ManifestAsset> assets;
     std::vector<RetiredFile> retired;
 
-    // What a reader found that is not as it was written, one sentence for each place: nobody but
-    // `verify` tells it, and nothing of such a manifest is taken for a bake.
+    // The places that a reader found changed since the manifest was written, one sentence each.
+    // Only `verify` reports them; a bake does not reuse anything from such a manifest.
     std::vector<std::string> alterations;
 };
 
-// An empty manifest of this release for a recipe.
+// Returns an empty manifest of this release for a recipe.
 Manifest new_manifest(const config::Recipe& recipe);
 
-// The manifest's text, numbers in their shortest form that reads back equal, a newline at the end.
+// Returns the manifest's text. Numbers have the shortest form that reads back equal, and the text
+// ends with a newline.
 std::string manifest_json(const Manifest& manifest);
 
-// An asset's entry as a file of it carries it: without times and hashes of files, with that file
-// alone among its files and with its levels alone. Compact JSON.
+// Returns an asset's entry, as compact JSON, in the form that one of its files carries: without
+// times and hashes of files, and with that file and its levels alone.
 std::string file_entry_json(const ManifestAsset& asset, const ManifestFile& file);
 
-// The entry that a file carries, in which the file's level is the asset's level 0. E0304 where the
-// text is none.
+// Parses the entry that a file carries. The file's level becomes the asset's level 0. E0304 if the
+// text is not an entry.
 config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name);
 
-// Reads a manifest's text; `name` stands for it in diagnostics. E0304 with the field's place where
-// it is damaged, of another tool or format, or names a file outside of its folder. Where it can be
-// read and has been changed since it was written, `alterations` say so: each asset has a hash of
-// its entry, and the manifest one of the rest (manifest.h).
+// Parses a manifest's text; diagnostics call it `name`. E0304, with the field's place, if it is
+// damaged, is of another tool or format, or names a file outside of its folder. If it can be read
+// but has been changed since it was written, `alterations` say so.
 config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name);
 
-// The files that a manifest of an earlier format claims, as retired ones, and nothing else. None
-// where the text is no manifest of this tool's, or none of an earlier format.
+// Returns the files that a manifest of an earlier format claims, as retired files, and nothing
+// else. Returns nothing if the text is not a manifest of this tool or not of an earlier format.
 std::optional<Manifest> parse_earlier_claims(std::string_view text);
 
-// Reads a manifest. E0300 where there is none, E0304 where it is damaged.
+// Reads a manifest. E0300 if there is none, E0304 if it is damaged.
 config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file);
 
-// The same of `folder`/manifest.json.
+// Reads `folder`/manifest.json.
 config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder);
 
-// parse_earlier_claims of `folder`/manifest.json; none where it cannot be read.
+// Applies parse_earlier_claims to `folder`/manifest.json. Returns nothing if it cannot be read.
 std::optional<Manifest> read_earlier_claims(const std::filesystem::path& folder);
 
-// Where the manifest is that a user means by a folder or by the manifest itself, and the folder
-// that its paths are relative to.
+// The place of a manifest: its file, and the folder that its paths are relative to. A user names
+// either the folder or the manifest.
 struct ManifestPlace {
     std::filesystem::path folder;
     std::filesystem::path file;
 };
 ManifestPlace manifest_place(const std::filesystem::path& path);
 
-// `fresh` with those assets of `previous` that it does not name, in the order of `previous`; for
+// Adds to `fresh` the assets of `previous` that it does not name, in the order of `previous`. For
 // bakes of a part of a recipe.
 Manifest merge_manifests(const Manifest& previous, Manifest fresh);
 
-// The files that `previous` lists, as its assets' or as retired ones, and `fresh` does not.
+// Returns the files that `previous` lists, as files of assets or as retired files, and `fresh` does
+// not.
 std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Manifest& fresh);
 
-// What a manifest claims, as retired files, and nothing else.
+// Returns a manifest that lists everything that `manifest` claims as retired files, and nothing
+// else.
 Manifest claims_of(const Manifest& manifest);
 
-// Whether the manifest lists the file (a path relative to its folder), or is that file itself.
+// Whether the manifest lists the file (a path relative to its folder) or is that file itself.
 bool claims(const Manifest& manifest, const std::filesystem::path& file);
 
-// The JSON Schema that manifest_json's texts satisfy.
+// Returns the JSON Schema that the texts of manifest_json satisfy.
 std::string manifest_schema();
 
-// The text of a JSON Schema with the names of all formats in place of "@formats@", and those of
-// images in place of "@image_formats@": "exr", "vdb", ...
+// Returns the text of a JSON Schema in which "@formats@" is replaced by the names of all formats
+// and "@image_formats@" by those of images: "exr", "vdb", ...
 std::string with_formats(std::string_view schema);
 
-// Resolved values as one JSON object, nested by path: {"atmosphere": {"ground_radius": "6360000
-// m"}}.
+// Returns resolved values as one JSON object, nested by path: {"atmosphere": {"ground_radius":
+// "6360000 m"}}.
 std::string parameters_json(std::span<const config::ResolvedValue> values);
 
-// What the writer and the reader of manifests agree on.
-
-// The version of the manifest's form. A reader refuses another one. What changed from one to the
-// next stands in the description of manifest_schema.json.
+// The version of the manifest's form. A reader refuses other versions. The description in
+// manifest_schema.json says what changed from version to version.
 inline constexpr int manifest_format = 3;
 
-// By what a manifest tells that it has been changed since it was written.
+// Hashes that show whether a manifest has been changed since it was written.
 //
-// Each asset's entry has a `hash` of all else in it, and the manifest has one of all else in it, in
-// which entries are represented by their hashes: so a change is told once, at its place. Hashes are
-// xxh3_hex of compact JSON text in the order of the file, so that spaces and line breaks do not
-// matter and all else does: wall times too.
+// Each asset's entry has a `hash` of everything else in it. The manifest has a `hash` of everything
+// else in it, with entries represented by their hashes, so a change is reported once, at its place.
+// A hash is xxh3_hex of compact JSON text in the order of the file, so spaces and line breaks do
+// not matter but everything else does, including wall times.
 
-// Of an asset's entry, with or without a `hash`.
+// The hash of an asset's entry, which may or may not have a `hash`.
 std::string entry_hash(const nlohmann::ordered_json& entry);
 
-// Of a whole manifest, with or without a `hash`, whose entries have theirs.
+// The hash of a whole manifest, which may or may not have a `hash`. Its entries must have theirs.
 std::string manifest_hash(const nlohmann::ordered_json& manifest);
 
-// One sentence for each hash that is not that of its content. The manifest has been read: every
-// entry has its hash.
+// Returns one sentence for each hash that does not match its content. The manifest has been parsed,
+// so every entry has a hash.
 std::vector<std::string> manifest_alterations(const nlohmann::ordered_json& manifest);
 
 }  // namespace skybake

@@ -1,5 +1,5 @@
-// Reads manifests that may be damaged, of another tool or made with intent: each field is checked
-// for its type and bounds, and the first that is wrong is named by its place.
+// Reads manifests, which may be damaged, of another tool or malicious. Each field is checked for
+// its type and bounds, and the diagnostic names the place of the first wrong one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Leaves this file only as a diagnostic.
+// An exception for damaged manifests. It is caught in this file and becomes a diagnostic.
 struct Damage {
     std::string what;
 };
@@ -55,7 +55,7 @@ class Node {
     }
     template <class Integer>
     Integer integer(Integer minimum) const {
-        // Whatever the sign, all whole numbers of a manifest fit into 64 bits.
+        // All whole numbers of a manifest fit into 64 bits, signed or unsigned.
         if (json_->is_number_unsigned()) {
             const auto value = json_->get<std::uint64_t>();
             if (value <= static_cast<std::uint64_t>(std::numeric_limits<Integer>::max()) &&
@@ -110,7 +110,8 @@ std::vector<std::string> texts(const Node& node) {
     return values;
 }
 
-// A manifest must not make its reader open files anywhere else.
+// Returns a path within the manifest's folder. A manifest must not make its reader open files
+// anywhere else.
 std::string path_within_folder(const Node& node) {
     std::string text = node.text();
     const std::filesystem::path path(text);
@@ -121,7 +122,7 @@ std::string path_within_folder(const Node& node) {
     return text;
 }
 
-// Counts of voxels and cells: whatever is made of three of them fits into 64 bits.
+// Reads a count of voxels or cells. It is bounded so that the product of three fits into 64 bits.
 int extent(const Node& node) {
     constexpr int largest = 65536;
     const int value = node.integer<int>(1);
@@ -168,7 +169,7 @@ Facts read_facts(const Node& node) {
     return facts;
 }
 
-// The enumerator of a word, told by `of`.
+// Reads a word and returns its enumerator, which `of` looks up.
 template <class Enum>
 Enum read_word(const Node& node, std::optional<Enum> (*of)(std::string_view)) {
     const std::optional<Enum> value = of(node.text());
@@ -267,7 +268,7 @@ ValueStatistics read_statistics(const Node& node) {
     return statistics;
 }
 
-// A level from its own object, or level 0 from that of its asset.
+// Reads a level from its own object, or level 0 from the object of its asset.
 ManifestLevel read_level(const Node& node, std::size_t channels, bool of_volume) {
     ManifestLevel level;
     const auto size = node["size"].elements(of_volume ? 3 : 2);
@@ -349,7 +350,7 @@ void check_tool(const Node& node) {
     }
 }
 
-// What another release wrote is as good as the day it was written, but not for this release.
+// Refuses manifests of another format. They are not damaged, but another release must read them.
 void check_format(const Node& node) {
     const int format = node["format"].integer<int>(0);
     if (format == manifest_format) return;
@@ -376,7 +377,7 @@ Manifest read_whole(const Json& json) {
     check_format(node);
     manifest.tool_name = node["tool"]["name"].text();
     manifest.tool_version = node["tool"]["version"].text();
-    node["parameters"].members();  // an object it must be
+    node["parameters"].members();  // must be an object
     manifest.parameters = node["parameters"].dump();
     for (const Node& asset : node["assets"].elements()) {
         manifest.assets.push_back(read_asset(asset));
@@ -401,7 +402,7 @@ std::optional<Manifest> read_earlier_claims(const Json& json) {
     return manifest;
 }
 
-// "line 3, column 14" of a byte of the text.
+// Returns the place of a byte in the text: "line 3, column 14".
 std::string place_in(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -409,7 +410,7 @@ std::string place_in(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, before.size() - start + 1);
 }
 
-// Of a key that stands twice in an object some readers take the first value and others the last, so
+// Refuses objects with duplicate keys. Some readers take the first value and others the last, so
 // that no hash could tell what was read.
 class KeysOnce {
   public:
@@ -424,11 +425,11 @@ class KeysOnce {
     }
 
   private:
-    std::vector<std::set<std::string>> objects_;  // the keys of those that are open
+    std::vector<std::set<std::string>> objects_;  // the keys of the objects that are open
 };
 
-// Copies, texts and hashes of a JSON value are made by recursion: what nests deeper than any
-// manifest does could exhaust the stack.
+// Parses JSON and refuses texts that nest deeper than any manifest does. Copies, texts and hashes
+// of a JSON value are made by recursion and could exhaust the stack.
 Json parse_json(std::string_view text) {
     constexpr int most = 100;
     KeysOnce keys;
@@ -465,7 +466,7 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
 
 config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name) {
     try {
-        // Nothing in a file says where it lies, or what its own bytes are.
+        // The entry in a file has no times and no hashes, so these are filled in.
         Json json = parse_json(text);
         json["timing"] = {{"bake_s", 0.0}, {"write_s", 0.0}, {"threads", 0U}};
         json["hash"] = "";

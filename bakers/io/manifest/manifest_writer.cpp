@@ -35,9 +35,9 @@ Json to_json(const ManifestInput& input) { return {{"file", input.file}, {"xxh3"
 
 Json to_json(const RetiredFile& file) { return {{"path", file.path}, {"xxh3", file.xxh3}}; }
 
-// Whole numbers without a point, as people write counts.
+// Writes whole numbers without a decimal point, as people write counts.
 Json number_json(double number) {
-    constexpr double largest_whole = 9007199254740992;  // 2^53: beyond, doubles skip numbers
+    constexpr double largest_whole = 9007199254740992;  // 2^53; beyond this, doubles skip numbers
     const bool whole = std::trunc(number) == number && std::fabs(number) <= largest_whole;
     if (!whole || (number == 0 && std::signbit(number))) return number;
     return static_cast<std::int64_t>(number);
@@ -98,7 +98,7 @@ Json place_json(const std::vector<std::pair<std::string, double>>& place) {
     return at;
 }
 
-// Of a table `w` says nothing.
+// A table's `w` is left out, because it is always 1/2.
 Json probe_json(const Probe& probe, bool of_volume) {
     Json json = {{"at", place_json(probe.at)}};
     if (of_volume) {
@@ -149,7 +149,7 @@ Json mapping_json(const ManifestAsset& asset) {
     return json;
 }
 
-// Level 0 is the asset itself.
+// Adds the levels. Level 0 is the asset itself.
 void add_levels(const ManifestAsset& asset, Json& json) {
     json["probes"] = probes_json(asset.levels[0], asset.is_volume());
     json["catches"] = asset.levels[0].catches;
@@ -161,7 +161,7 @@ void add_levels(const ManifestAsset& asset, Json& json) {
     }
 }
 
-// What does not apply to the asset is left out.
+// Leaves out members that do not apply to the asset.
 Json to_json(const Conventions& conventions, bool of_volume) {
     Json json = Json::object();
     const auto add_text = [&json](const char* name, const std::string& text) {
@@ -230,7 +230,7 @@ Json to_json(const config::Value& value) {
     return std::visit(Visitor{}, value.data);
 }
 
-// Damaged text in a string must not become an exception: it is replaced by U+FFFD.
+// Invalid UTF-8 in a string must not cause an exception, so it is replaced by U+FFFD.
 std::string text_of(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }

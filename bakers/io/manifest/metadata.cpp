@@ -24,7 +24,7 @@ std::string details_text(const Facts& details) {
     return text;
 }
 
-// One number where all colours have the same.
+// Writes one number if all colours have the same irradiance.
 std::string irradiance_text(const std::vector<double>& irradiance) {
     const bool alike = std::all_of(irradiance.begin(), irradiance.end(),
                                    [&](double value) { return value == irradiance.front(); });
@@ -179,8 +179,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Keys that tell where others come from (`include`, `preset`, `frequency`): what they made is
-// recorded beside them, and would contradict them. `enabled` stays, since nothing else says it.
+// Whether a key only tells where other values come from (`include`, `preset`, `frequency`). The
+// values that result are recorded beside it, and reading both would be a contradiction. `enabled`
+// stays, because nothing else says it.
 bool only_tells_the_origin(const std::string& table, const std::string& key) {
     const auto sections = config::sections();
     return std::any_of(sections.begin(), sections.end(), [&](const config::Section& section) {
@@ -216,7 +217,7 @@ config::Value value_of(const Json& json) {
     return value;
 }
 
-// The tables below `path`, each with the values that are its own before those that it holds.
+// Appends the tables below `path`. Each table's own values come before its subtables.
 void append_toml(const Json& table, const std::string& path, std::string& text) {
     if (!path.empty()) text += fmt::format("[{}]\n", path);
     for (const auto& [key, value] : table.items()) {

@@ -1,8 +1,8 @@
-// What is said of an asset: its entry in the manifest, which its files carry too, and the lines
-// that people read of it.
+// Descriptions of an asset: its entry in the manifest, which its files also carry, the lines that
+// people read, and the recipe that its manifest recorded.
 //
-// All are pure functions of the parameters, without times, users, hosts or paths, so that equal
-// input gives equal bytes.
+// The descriptions are pure functions of the parameters. They contain no times, users, hosts or
+// paths, so equal input gives equal bytes.
 #pragma once
 
 #include <filesystem>
@@ -18,32 +18,31 @@
 
 namespace skybake {
 
-// Everything that a manifest says of an asset except its files and timing.
+// Returns everything that a manifest says about an asset except its files and timing.
 ManifestAsset describe(const Baked& baked);
 
-// The entry that a file carries (file_entry_json), named as the file; nothing is known of its time,
-// its key and its hash. E0300; E0304 where it carries none.
+// Returns the entry that a file carries (file_entry_json), under the file's name. Its time, key and
+// hash are unknown. E0300 if the file cannot be read, E0304 if it carries no entry.
 config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path);
 
-// What an entry says of a file, for people: names and texts, the last of which have several lines.
+// What an entry says about a file, for people: names and texts. The last texts have several lines.
 using FactLines = std::vector<std::pair<std::string, std::string>>;
 FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file);
 
-// The units of an asset in one line.
+// Returns the units of an asset in one line.
 std::string units_line(const Conventions& conventions);
 
-// The error figures in one line: "texel max 1e-7 rms 2e-8 (1024 points); lookup max ..."
+// Returns the error figures in one line: "texel max 1e-7 rms 2e-8 (1024 points); lookup max ..."
 std::string error_line(const std::optional<Certificate>& certificate);
 
-// One axis in one line: quantity, range, convention, formula.
+// Describes one axis in one line: quantity, range, convention, formula.
 std::string axis_line(const AxisMapping& axis);
 
-// The recipe that a folder was baked from, as its manifest recorded it.
-
-// Parses manifest.parameters again. All values are there, resolved, so that the outcome's
-// parameters equal those of the bake; but a bake of a part (`--only`) recorded the recipe of that
-// day alone, and maps are looked for in `folder`, where includes are not. `name` stands for the
-// manifest in diagnostics. E0304: the recorded values are none that this release would record.
+// Returns the recipe that a folder was baked from, by parsing manifest.parameters. It records all
+// resolved values, so the resulting parameters equal those of the bake. There are two limits: after
+// a bake of a part (`--only`), it is the recipe of that last bake; and maps, unlike includes, are
+// looked for in `folder`. Diagnostics call the manifest `name`. E0304 if this release would not
+// record such values.
 config::Outcome<config::Recipe> recorded_recipe(const Manifest& manifest, const std::string& name,
                                                 const std::filesystem::path& folder);
 

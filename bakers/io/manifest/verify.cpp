@@ -31,7 +31,7 @@ std::vector<ProbeLookup> lookups_of(const Probe& probe) {
     return {{probe.uvw, 1 - probe.blend->share}, {probe.blend->uvw, probe.blend->share}};
 }
 
-// Goes over a file's voxels once, in order, and keeps what the checks want to know.
+// Visits a file's voxels once, in order, and keeps what the checks need.
 class VoxelCheck {
   public:
     VoxelCheck(const ManifestLevel& level, const TextureUse& use, int dimensions,
@@ -69,7 +69,7 @@ class VoxelCheck {
         bytes_.resize(total * static_cast<std::size_t>(bytes_per_value(type_)));
         store_values(values, total, type_, bytes_.data());
         hasher_.update(bytes_);
-        // Voxels come in order, and so do the wanted ones.
+        // Both the voxels and the list of wanted voxels are in order.
         while (next_ < wanted_.size() && wanted_[next_] < first + count) {
             const auto at = static_cast<std::size_t>(wanted_[next_++] - first) * channels_;
             kept_.insert(kept_.end(), values + at, values + at + channels_);
@@ -100,7 +100,7 @@ class VoxelCheck {
     }
 
   private:
-    // Texture coordinates of axes that do not repeat end at the texture's edges.
+    // Checks that the texture coordinates lie within the texture along axes that do not repeat.
     void check_within(Examination& examination, const Probe& probe) const {
         bool within = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -118,7 +118,7 @@ class VoxelCheck {
         }
     }
 
-    // What was kept of the volume: all that probes look at.
+    // Returns a texture of the voxels that were kept: all that the probes look up.
     ReadableTexture kept_texture() const {
         const auto read = [this](const std::array<VoxelTap, 8>& taps, float* values) {
             for (const VoxelTap& tap : taps) {
@@ -141,12 +141,12 @@ class VoxelCheck {
     long not_finite_ = 0;
     Hasher hasher_;
     std::string bytes_;
-    std::vector<std::int64_t> wanted_;  // voxels that probes look at, sorted
+    std::vector<std::int64_t> wanted_;  // the voxels that probes look up, sorted
     std::vector<float> kept_;           // their values, in that order
     std::size_t next_ = 0;
 };
 
-// What the file says of itself.
+// Checks what the file says of itself.
 void check_facts(Examination& examination, const FileFacts& facts, const ManifestAsset& asset,
                  const ManifestFile& file) {
     examination.expect_equal(to_string(facts.pixel_type.value_or(file.pixel_type)),
@@ -206,7 +206,7 @@ void check_voxels(Examination& examination, const std::filesystem::path& path,
 void check_content(Examination& examination, const std::filesystem::path& path,
                    const ManifestAsset& asset, const ManifestFile& file) {
     const Format* format = find_format(file.format);
-    if (format == nullptr) return;  // a text, told by its hash
+    if (format == nullptr) return;  // a text, checked by its hash
     if (format->inspect) {
         const config::Outcome<FileFacts> facts = format->inspect(path);
         if (!examination.expect_read(facts, "format")) return;
@@ -242,7 +242,8 @@ void check_file(VerifyReport& report, const std::filesystem::path& folder,
     check_content(examination, path, asset, file);
 }
 
-// The entries and the rest are as they were written: hand edits show nowhere else.
+// Checks that the entries and the rest of the manifest are as they were written. Edits by hand show
+// nowhere else.
 void check_manifest(VerifyReport& report, const std::string& name, const Manifest& manifest) {
     Examination examination(report, name);
     const std::size_t hashes = manifest.assets.size() + 1;

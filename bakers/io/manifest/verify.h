@@ -1,4 +1,4 @@
-// Proves that the files of a bake are what its manifest says.
+// Verifies that the files of a bake are what its manifest says.
 #pragma once
 
 #include <filesystem>
@@ -24,30 +24,32 @@ struct VerifyReport {
     std::vector<VerifyFailure> failures;
 };
 
-// A further check of an asset, for what only its baker knows (physical coordinates to uv). Its
-// failures are laid to the asset's first file.
+// A further check of an asset, for facts that only its baker knows (from physical coordinates to
+// uv). Its failures are reported for the asset's first file.
 struct AssetCheck {
     std::string name;
-    // One message per failure; `checks` is increased by the number of things looked at.
+    // Returns one message per failure and increases `checks` by the number of checks made.
     std::function<std::vector<std::string>(const ManifestAsset& asset, int& checks)> run;
 };
 
-// A further check of a whole folder, for what several assets say together.
+// A further check of a whole folder, for facts that concern several assets.
 struct FolderCheck {
-    // Its failures; `checks` is increased by the number of things looked at.
+    // Returns the failures and increases `checks` by the number of checks made.
     std::function<std::vector<VerifyFailure>(const Manifest& manifest,
                                              const std::filesystem::path& folder, int& checks)>
         run;
 };
 
-// Re-reads every file that a manifest lists and makes every check that can still be made: presence,
-// byte count, hash of the file, size, channels, pixel type, each attribute against the manifest,
-// hash of the texels, finiteness, each probe (within its tolerance), and that each fault which the
-// probes are said to catch shows at several of them; of volumes the layout and the extremes of
-// their values too. What it cannot measure is under the manifest's hashes, so that no change of the
-// manifest passes. `path` is the manifest or its folder. Volumes are read as streams. `further`
-// checks are made of each asset, `of_folder` of all together. E0300 where there is no
-// manifest, E0304 where it is damaged.
+// Reads every file that a manifest lists and makes every check that is possible without baking:
+// presence, byte count, hash of the file, size, channels, pixel type, each attribute against the
+// manifest, hash of the texels, finiteness, each probe (within its tolerance), and whether each
+// wrong lookup that the probes are said to catch shows at several of them. For volumes it also
+// checks the layout and the extremes of the values. Everything that cannot be measured is covered
+// by the manifest's hashes, so no change of the manifest goes unnoticed.
+//
+// `path` is the manifest or its folder. Volumes are read as streams. `further` checks are made for
+// each asset, `of_folder` checks for all assets together. E0300 if there is no manifest, E0304 if
+// it is damaged.
 config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
                                           std::span<const AssetCheck> further = {},
                                           std::span<const FolderCheck> of_folder = {});

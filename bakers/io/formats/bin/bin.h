@@ -1,6 +1,6 @@
-// Texels alone: little-endian, without a header, x fastest, then y, then z, channels interleaved.
-// What they mean is in the manifest. float, half, unorm8 (v * 255) or unorm16 (v * 65535), rounded
-// to nearest.
+// Assets as files of bare texels: little-endian, without a header, x fastest, then y, then z,
+// channels interleaved. The manifest says what they mean. Values are float, half, unorm8 (v * 255)
+// or unorm16 (v * 65535), rounded to nearest.
 #pragma once
 
 #include "bakers/io/formats/format.h"

@@ -31,14 +31,14 @@ struct Header {
     std::uint32_t flags = 0;
     std::uint32_t height = 0;
     std::uint32_t width = 0;
-    std::uint32_t pitch = 0;  // bytes of a row of level 0
+    std::uint32_t pitch = 0;  // bytes per row of level 0
     std::uint32_t depth = 0;
     std::uint32_t levels = 0;
     std::array<std::uint32_t, 11> reserved{};
     std::uint32_t format_size = 32;
     std::uint32_t format_flags = 0;
     std::array<char, 4> four_characters = {'D', 'X', '1', '0'};
-    std::array<std::uint32_t, 5> masks{};  // of formats without DX10's header
+    std::array<std::uint32_t, 5> masks{};  // for formats without the DX10 header
     std::uint32_t capabilities = 0;
     std::uint32_t capabilities_2 = 0;
     std::array<std::uint32_t, 3> unused{};
@@ -65,7 +65,7 @@ constexpr std::uint32_t texture_3d = 4;
 constexpr std::uint32_t alpha_is_opaque = 3;
 constexpr std::uint32_t alpha_is_custom = 4;
 
-// DXGI_FORMAT of one, two and four channels.
+// The DXGI_FORMAT values of a pixel type for one, two and four channels.
 struct Dxgi {
     PixelType type;
     std::array<std::uint32_t, 3> formats;
@@ -114,7 +114,7 @@ Header header_of(const Baked& baked) {
     return header;
 }
 
-// What is asked for that DDS files cannot hold.
+// Returns what DDS files cannot hold of the asset, in words, or nothing.
 std::optional<std::string> dds_obstacle(const Baked& baked) {
     if (baked.channel_names.size() > 4) return "DDS files hold at most four channels";
     for (std::size_t i = 1; i < baked.levels.size(); ++i) {
@@ -146,7 +146,7 @@ config::Diagnostic damaged_dds_file(const fs::path& path, const std::string& rea
         fmt::format("`{}` is no DDS file that skybake reads: {}", path.string(), reason));
 }
 
-// What is in a header that skybake does not write; none: nothing.
+// Returns what a header contains that skybake does not write, in words, or nothing.
 std::optional<std::string> strange(const Header& header) {
     const Header plain;
     if (header.magic != plain.magic) return "it does not begin with `DDS `";

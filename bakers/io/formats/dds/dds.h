@@ -1,10 +1,10 @@
 // Assets as DDS files: textures as GPUs hold them, with all levels of detail in one file.
 //
-// The header is that of DX10: a table is a 2-D texture, a volume a 3-D one. Channels are R, RG or
-// RGBA of unorm8, unorm16, half or float; three channels are stored as four, the fourth of which
-// is 1. Texels follow level after level, x fastest, then y, then z. Alpha is a number like the
-// others, and the header says so (DDS_ALPHA_MODE_CUSTOM). The format has no place for metadata:
-// what the file means is in the manifest.
+// The header is that of DX10. A table is a 2-D texture, a volume a 3-D texture. Channels are R, RG
+// or RGBA of unorm8, unorm16, half or float; three channels are stored as four, the fourth of which
+// is 1. Texels are stored level after level, x fastest, then y, then z. Alpha is a number like the
+// others, and the header says so (DDS_ALPHA_MODE_CUSTOM). The format has no place for metadata; the
+// manifest says what the file means.
 //
 // Source: Microsoft, "DDS_HEADER structure" and "DDS_HEADER_DXT10 structure".
 #pragma once

@@ -18,8 +18,8 @@ constexpr std::string_view own_names = "skybake/";
 // Whether a byte is the second or a later one of a character of UTF-8.
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) == 0x80; }
 
-// How many of the first bytes of a text make its next piece. Where the bytes are not UTF-8, so that
-// a character would seem to have more than four of them, the piece is as long as it may be.
+// Returns how many of the first bytes of a text make its next piece. If the bytes are not UTF-8, so
+// that a character seems to have more than four bytes, the piece has the greatest allowed length.
 std::size_t piece_length(std::string_view text) {
     constexpr std::size_t most = longest_attribute - 1;
     constexpr std::size_t longest_character = 4;
@@ -34,7 +34,8 @@ struct PieceName {
     std::size_t index = 0;
 };
 
-// What "skybake/parameters.12" says; none of a name that split_attributes does not make.
+// Parses a name such as "skybake/parameters.12". Returns nothing for a name that split_attributes
+// does not make.
 std::optional<PieceName> piece_name(std::string_view name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string_view::npos || name.substr(0, own_names.size()) != own_names) return {};
@@ -49,7 +50,7 @@ std::optional<PieceName> piece_name(std::string_view name) {
 
 using Pieces = std::map<std::size_t, std::string>;  // by index
 
-// Whether they are numbered from 0 on without a gap.
+// Whether the pieces are numbered from 0 on without a gap.
 bool are_complete(const Pieces& pieces) { return pieces.rbegin()->first + 1 == pieces.size(); }
 
 bool has_attribute(const Attributes& attributes, const std::string& name) {

@@ -1,4 +1,4 @@
-// Long texts as several attributes of an EXR file.
+// Splits long texts into several attributes of an EXR file, and joins them again.
 //
 // The decoder of ffmpeg up to release 5.1 reads at most 255 bytes of an attribute that it does not
 // know and takes the rest for the next attribute: all texels are wrong, and no error is reported.
@@ -18,13 +18,13 @@ using Attributes = std::vector<std::pair<std::string, std::string>>;
 // The value of every attribute in a file has fewer bytes than this.
 inline constexpr std::size_t longest_attribute = 250;
 
-// Short texts as they are, long ones in pieces. No character of UTF-8 is cut. Sorted by name, as
-// files keep them.
+// Splits long texts into pieces and leaves short ones as they are. No UTF-8 character is cut. The
+// result is sorted by name, as files store attributes.
 Attributes split_attributes(const Attributes& attributes);
 
-// The texts that were split. Pieces that are not complete from NAME.0 on, or that stand beside an
-// attribute NAME, keep their own names, and so do attributes of others than skybake. Sorted by
-// name.
+// Joins the texts that were split. Pieces that are not complete from NAME.0 on, or that stand
+// beside an attribute NAME, keep their own names; so do attributes of other programs. The result is
+// sorted by name.
 Attributes joined_attributes(const Attributes& attributes);
 
 }  // namespace skybake

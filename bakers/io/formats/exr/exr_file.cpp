@@ -40,8 +40,8 @@ class OutputStream : public Imf::OStream {
     FileOutput& file_;
 };
 
-// The library compresses on threads of its own, which all files share; with one thread it does so
-// on the caller's.
+// The threads on which the library compresses. All files share them. With one thread, the library
+// compresses on the caller's thread.
 class CompressionThreads {
   public:
     explicit CompressionThreads(int threads) : count_(threads > 1 ? threads : 0) {
@@ -70,7 +70,7 @@ void put(const SheetRows& rows, int width, const Baked& baked, Imf::OutputFile& 
     file.writePixels(rows.count);
 }
 
-// What is asked for that EXR files cannot hold.
+// Returns what EXR files cannot hold of the asset, in words, or nothing.
 std::optional<std::string> exr_obstacle(const Baked& baked, int level) {
     if (!config::facts_of(config::FileFormat::exr).holds(baked.pixel_type)) {
         return "EXR files hold float and half";
@@ -103,7 +103,7 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
     } catch (const std::exception& error) {
         reason = error.what();
     }
-    // The library's destructor, which writes the table of line offsets, keeps failures to itself.
+    // The library's destructor writes the table of line offsets and does not report failures.
     if (!output.finish()) return {{}, {output.diagnostic()}};
     if (!reason.empty()) {
         return {{},
@@ -177,7 +177,7 @@ class InputStream : public Imf::IStream {
     uint64_t tellg() override { return position_; }
     void seekg(uint64_t position) override { position_ = position; }
     std::uint64_t size() const { return file_.size(); }
-    // Why the file could not be read, where the system had a reason.
+    // Returns why the file could not be read, if the system gave a reason.
     std::optional<config::Diagnostic> failure() const {
         return failed_ ? std::optional(file_.diagnostic()) : std::nullopt;
     }
@@ -258,7 +258,7 @@ std::optional<config::Diagnostic> ExrRows::read(int first, int count, float* tex
 
 int ExrRows::rows_per_piece() const {
     constexpr std::size_t floats = std::size_t{1} << 20;
-    constexpr std::size_t block = 32;  // rows that the widest codec has to unpack together
+    constexpr std::size_t block = 32;  // the most rows that a codec unpacks together
     const std::size_t row = static_cast<std::size_t>(width()) * channel_names().size();
     const std::size_t rows = std::max<std::size_t>(1, floats / row / block) * block;
     return static_cast<int>(std::min<std::size_t>(rows, static_cast<std::size_t>(height())));

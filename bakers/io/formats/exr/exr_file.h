@@ -1,5 +1,5 @@
-// Assets as EXR images, written and read in bounded memory. Pixel types float and half; an image
-// has at most 2^31 - 1 rows or columns.
+// Assets as EXR images, written and read in bounded memory. Pixel types are float and half. An
+// image has at most 2^31 - 1 rows and columns.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,12 @@
 
 namespace skybake {
 
-// An EXR file that is read row by row: images may be larger than memory.
+// An EXR file that is read row by row, because images may be larger than memory.
 class ExrRows {
   public:
-    // E0300 where the file cannot be read, E0304 where it is damaged or of another layout than
-    // skybake writes: tiles, parts, deep data, subsampling, integers, mixed types, lossy codecs.
-    // Takes no memory for what the header claims and the bytes cannot hold.
+    // E0300 if the file cannot be read, E0304 if it is damaged or has a layout that skybake does
+    // not write: tiles, parts, deep data, subsampling, integers, mixed types, lossy codecs. No
+    // memory is allocated for texels that the header claims but the file is too short to hold.
     static config::Outcome<ExrRows> open(const std::filesystem::path& path);
     ExrRows(ExrRows&&) noexcept;
     ExrRows& operator=(ExrRows&&) noexcept;
@@ -34,10 +34,10 @@ class ExrRows {
     const Attributes& attributes() const;
 
     // Reads rows first ... first + count - 1, row 0 being the topmost, channels interleaved: count
-    // * width() * channels floats. Quick in increasing order. E0300, E0304.
+    // * width() * channels floats. Reading is fast in increasing order. E0300, E0304.
     [[nodiscard]] std::optional<config::Diagnostic> read(int first, int count, float* texels);
 
-    // How many rows make a piece of about 4 MiB.
+    // Returns the number of rows in a piece of about 4 MiB.
     int rows_per_piece() const;
 
   private:
@@ -48,7 +48,7 @@ class ExrRows {
 
 Format exr_format();
 
-// The file must stay where it is.
+// The result refers to `file`, which must not be moved.
 RowSource rows_of(ExrRows& file);
 
 }  // namespace skybake

@@ -23,17 +23,19 @@ using config::Compression;
 using config::PixelType;
 
 constexpr std::size_t longest_attribute_name = 31;
-// Pinned, since the library's default has changed between releases and bytes must not.
+// The level is fixed, because the library's default has changed between releases but files must not
+// change.
 constexpr int deflate_level = 4;
-// No codec of the profile makes more of a byte than deflate, 1032. A header that promises more
-// texels than that is damaged, and would otherwise have them allocated.
+// No codec that skybake reads expands a byte to more than deflate's 1032 bytes. A header that
+// promises more texels than that is damaged; without this limit, memory would be allocated for
+// them.
 constexpr double largest_expansion = 1100;
 constexpr double expansion_slack = 65536;
 
 struct Codec {
     Compression ours;
     Imf::Compression theirs;
-    int rows;  // that it packs together
+    int rows;  // rows that it packs together
 };
 constexpr std::array<Codec, 4> codecs = {{
     {Compression::none, Imf::NO_COMPRESSION, 1},
@@ -49,7 +51,7 @@ Imf::Compression to_library(Compression compression) {
     return Imf::NO_COMPRESSION;
 }
 
-// Null for a codec that is not of the profile.
+// Returns null for a codec that skybake does not use.
 const Codec* codec_of(Imf::Compression compression) {
     for (const Codec& codec : codecs) {
         if (codec.theirs == compression) return &codec;
@@ -83,9 +85,9 @@ std::optional<std::string> unknown_channels(const Imf::ChannelList& channels) {
     return std::nullopt;
 }
 
-// Reads on to the byte 0 that ends a name.
+// Reads a name up to the byte 0 that ends it.
 std::string read_name(Imf::IStream& stream) {
-    constexpr std::size_t longest_name = 255;  // what a file may hold
+    constexpr std::size_t longest_name = 255;  // the longest that EXR allows
     std::string name;
     for (char letter = 0; name.size() <= longest_name; name += letter) {
         stream.read(&letter, 1);
@@ -100,11 +102,11 @@ std::int32_t read_integer(Imf::IStream& stream) {
     return std::bit_cast<std::int32_t>(bytes);
 }
 
-// Walks over the attributes, from the first to the end of the header. The first of them that claims
-// more bytes than the file has, in words.
+// Walks over the attributes to the end of the header. Returns the first one that claims more bytes
+// than the file has, in words, or nothing.
 std::optional<std::string> oversized_attribute(Imf::IStream& stream, std::uint64_t bytes) {
     for (std::string name; !(name = read_name(stream)).empty();) {
-        read_name(stream);  // of its type
+        read_name(stream);  // the name of its type
         const std::int32_t size = read_integer(stream);
         const std::uint64_t at = stream.tellg();
         if (size < 0 || at > bytes || static_cast<std::uint64_t>(size) > bytes - at) {
@@ -135,8 +137,9 @@ double bytes_per_texel(const Imf::Header& header) {
     return bytes;
 }
 
-// Whether a file of `bytes` bytes can hold the image: its texels, and for each block of rows its
-// place in the file, the row's number, the length of what is packed, and at least one byte of that.
+// Whether a file of `bytes` bytes can hold the image. It has the texels and, for each block of
+// rows, the block's position in the file, the row's number, the length of the packed data, and at
+// least one byte of data.
 bool can_hold(std::uint64_t bytes, const Imf::Header& header, const Codec& codec) {
     const ImageSize size = size_of_image(header);
     const double file = static_cast<double>(bytes);
@@ -147,7 +150,8 @@ bool can_hold(std::uint64_t bytes, const Imf::Header& header, const Codec& codec
     return std::ceil(size.height / codec.rows) * bytes_per_block <= file;
 }
 
-// Of a header that is not larger than its file.
+// Returns what is unknown in a header, in words, or nothing. The header is not larger than its
+// file.
 std::optional<std::string> unknown_layout(const Imf::Header& header, int version,
                                           std::uint64_t bytes) {
     if (Imf::isTiled(version)) return "tiled images are not read";
@@ -156,7 +160,8 @@ std::optional<std::string> unknown_layout(const Imf::Header& header, int version
     const Codec* codec = codec_of(header.compression());
     if (codec == nullptr) return "its compression is not one of none, zip, zips, piz";
     if (auto reason = unknown_channels(header.channels())) return reason;
-    // A part of an image, or one with a margin: its first texel is not where the axes begin.
+    // This is a part of an image, or an image with a margin, so its first texel is not where the
+    // axes begin.
     if (header.dataWindow() != header.displayWindow()) {
         return "its data window is not its display window: cropped images are not read";
     }

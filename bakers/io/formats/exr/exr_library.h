@@ -1,4 +1,5 @@
-// Between our words and OpenEXR's, for exr*.cpp alone: only they know the library.
+// Translates between skybake's types and OpenEXR's. Only exr*.cpp include this file and know the
+// library.
 #pragma once
 
 #include <ImfHeader.h>
@@ -24,23 +25,24 @@ struct ExrFacts {
     Attributes attributes;
 };
 
-// The header of a file of our profile.
+// Makes the header of a file as skybake writes it.
 Imf::Header make_exr_header(const ExrFacts& facts);
 
-// What an attribute's name breaks, in words, or nothing. Names are those of the file: of pieces.
+// Returns which rule an attribute's name breaks, in words, or nothing. The names are those in the
+// file, so long texts are already in pieces.
 std::optional<std::string> bad_attribute_name(const Attributes& attributes);
 
-// What is in the header of a file of `bytes` bytes that our readers do not take, or that the file
-// cannot hold, or nothing. The library believes a header, and allocates what it claims: call this
-// before it opens the file. The stream stands at the file's beginning, and does so afterwards.
-// Throws what the library and the stream throw.
+// Returns what the header of a file of `bytes` bytes contains that skybake does not read or that
+// the file is too short to hold, in words, or nothing. Call this before the library opens the file,
+// because the library trusts the header and allocates what it claims. The stream is at the file's
+// beginning before and after the call. Throws what the library and the stream throw.
 std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes);
 
-// Of a header that our readers take: channels as texels hold them, colours as R G B [A] rather than
-// in the file's alphabetical order; texts whole.
+// Returns the facts of a header that skybake reads. Channels are in the order of texels: colours as
+// R G B [A], not in the file's alphabetical order. Texts are joined.
 ExrFacts facts_of(const Imf::Header& header);
 
-// E0304.
+// Returns E0304 for a damaged file.
 config::Diagnostic damaged_exr(const std::string& name, const std::string& reason);
 
 }  // namespace skybake

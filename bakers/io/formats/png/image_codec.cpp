@@ -1,4 +1,4 @@
-// What the module skybake_images exports.
+// The codec that the module skybake_images exports, and its writer of PNG files.
 #include "bakers/io/formats/png/image_codec.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -17,10 +17,10 @@ extern "C" const skybake::ImageCodec* skybake_image_codec() {
 namespace skybake {
 namespace {
 
-// No fmt here: OpenImageIO's headers turn its exceptions into aborts.
+// This file does not use fmt, because OpenImageIO's headers turn fmt's exceptions into aborts.
 
-// zlib's levels are 1 to 9. 3 makes the files of rendered skies a tenth larger than 6 does, in half
-// of the time.
+// One of zlib's levels 1 to 9. With level 3, files of rendered skies are a tenth larger than with
+// level 6 and take half the time.
 constexpr int compression_level = 3;
 
 EncodedPicture encode(int width, int height, std::span<const std::uint8_t> rgb) {

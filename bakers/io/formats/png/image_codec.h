@@ -1,6 +1,6 @@
-// The seam between pictures and the libraries that know them: what the module on its far side does.
-// Linking OpenImageIO loads 260 libraries and costs half a second at every start of the program, so
-// it is loaded on first use (map_image.h).
+// The interface of the module skybake_images, which reads pictures and writes PNG files by
+// OpenImageIO. Linking OpenImageIO would load 260 libraries and cost half a second at every start
+// of the program, so the module is loaded on first use (map_image.h).
 #pragma once
 
 #include <cstdint>
@@ -18,33 +18,31 @@ struct MapPixels {
     int width = 0;                           // 1 to largest_map_edge
     int height = 0;                          // the same
     std::vector<std::string> channel_names;  // in the file's order
-    std::vector<float> values;  // of the channel asked for, row-major; empty: there is no such
+    std::vector<float> values;  // of the requested channel, row-major; empty: no such channel
 };
 
-// A picture's file, or why there is none.
+// The bytes of a picture's file, or why there are none.
 struct EncodedPicture {
     std::string problem;  // empty: none
     std::string bytes;
 };
 
-// The module's functions. None throws.
+// The module's functions, none of which throws.
 struct ImageCodec {
-    // The channel of that name, or the first where it is empty. Integers are over their largest
-    // value, nothing else is changed.
+    // Reads the channel of that name, or the first channel if the name is empty. Integers are
+    // divided by their largest value; nothing else is changed.
     MapPixels (*read)(const std::filesystem::path& path, const std::string& channel);
 
-    // A PNG of 8 bits a channel, sRGB, of interleaved R G B; row 0 at the top. No date, no
-    // software's name: the same picture gives the same bytes.
+    // Makes a PNG with 8 bits per channel, sRGB, from interleaved R G B with row 0 at the top. It
+    // contains no date and no software's name, so the same picture gives the same bytes.
     EncodedPicture (*encode_png)(int width, int height, std::span<const std::uint8_t> rgb);
 };
 
-// What the module exports, under this name.
+// The function that the module exports, and its name.
 using ImageCodecFunction = const ImageCodec* (*)();
 inline constexpr const char* image_codec_symbol = "skybake_image_codec";
 
-// Makes PNG files by OpenImageIO; a part of the module skybake_images.
-
-// As ImageCodec::encode_png.
+// The module's implementation of ImageCodec::encode_png.
 EncodedPicture encode_png(int width, int height, std::span<const std::uint8_t> rgb);
 
 }  // namespace skybake

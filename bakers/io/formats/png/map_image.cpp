@@ -23,7 +23,7 @@ namespace {
 using config::Diagnostic;
 using config::Outcome;
 
-// At a place of the recipe, or of the picture where no recipe is known to name it.
+// Makes a diagnostic at a place in the recipe, or in the picture if no recipe names it.
 Diagnostic map_error(std::string code, const config::CloudMap& map,
                      const config::SourceRange& place, const std::string& reason) {
     const std::string file = map.path.string();
@@ -45,7 +45,7 @@ std::string no_such_channel(const std::string& channel, const std::vector<std::s
                        suggestion.empty() ? "" : "; ", suggestion);
 }
 
-// What is wrong with the first value that is not in [0, 1].
+// Describes the first value that is not in [0, 1], or returns nothing.
 std::optional<std::string> value_out_of_range(const MapPixels& pixels) {
     const auto found = std::find_if(pixels.values.begin(), pixels.values.end(),
                                     [](float value) { return !(value >= 0 && value <= 1); });
@@ -57,7 +57,8 @@ std::optional<std::string> value_out_of_range(const MapPixels& pixels) {
         index % pixels.width, index / pixels.width, *found);
 }
 
-// IEC 61966-2-1, of v in [0, 1]. The division makes 1 of 1, whose logarithm is 0: white stays 1.
+// The inverse transfer function of IEC 61966-2-1, for v in [0, 1]. For v = 1 the quotient is
+// exactly 1 and its logarithm 0, so white stays 1.
 double linear_of_srgb(double v) {
     if (v <= 0.04045) return v / 12.92;
     return exponential(2.4 * logarithm((v + 0.055) / 1.055));

@@ -1,4 +1,4 @@
-// No fmt here: OpenImageIO's headers turn its exceptions into aborts.
+// This file does not use fmt, because OpenImageIO's headers turn fmt's exceptions into aborts.
 #include "bakers/io/formats/png/map_reader.h"
 
 #include <OpenImageIO/imageio.h>
@@ -24,7 +24,7 @@ using OIIO::ImageInput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-// A picture that is not read; caught at the end of this file.
+// An exception for a picture that is refused. It is caught at the end of this file.
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -35,7 +35,8 @@ void expect(bool condition, const std::string& otherwise) {
 
 // --- Opening ------------------------------------------------------------------------------------
 
-// The library would try any of its formats, films and text among them, for any file.
+// The formats that are read. Left alone, the library would try all its formats, including films and
+// text, for any file.
 struct Format {
     const char* name;  // the library's
     std::string_view first_bytes;
@@ -50,7 +51,7 @@ constexpr std::array<Format, 6> formats = {{
     {"tiff", "MM\0+"sv},
 }};
 
-// What the file is, where the library may be trusted with it.
+// Returns the format of the file, or null if the library must not open it.
 const char* format_of(const std::filesystem::path& path) {
     std::array<char, 8> bytes{};
     std::ifstream file(path, std::ios::binary);
@@ -64,7 +65,8 @@ const char* format_of(const std::filesystem::path& path) {
     if (format->name == "png"sv) {
         if (const auto damage = png_damage(file)) throw Refused(*damage);
     }
-    // The library would abort the program for a channel of unknown type in a deep image.
+    // Deep images are refused here, because the library would abort the program for a channel of
+    // unknown type in them.
     constexpr std::size_t flags_at = 5;
     constexpr int deep_flag = 0x08;
     const bool deep = begin.size() > flags_at && (begin[flags_at] & deep_flag) != 0;
@@ -72,7 +74,7 @@ const char* format_of(const std::filesystem::path& path) {
     return format->name;
 }
 
-// The library's words for what went wrong, of which the first line says most.
+// Returns the first line of the library's error message, which says most.
 std::string reason(const ImageInput& input) {
     const std::string words = input.geterror();
     return words.empty() ? "it is damaged" : words.substr(0, words.find('\n'));
@@ -80,7 +82,8 @@ std::string reason(const ImageInput& input) {
 
 std::unique_ptr<ImageInput> open(const std::filesystem::path& path, const char* format,
                                  ImageSpec& specification) {
-    // One thread, and -1: OpenEXR's own count, which the program shares, stays as it is.
+    // The library uses one thread. The value -1 leaves OpenEXR's own number of threads, which the
+    // whole program shares, unchanged.
     OIIO::attribute("threads", 1);
     OIIO::attribute("exr_threads", -1);
     std::unique_ptr<ImageInput> input = ImageInput::create(format);
@@ -94,7 +97,7 @@ std::unique_ptr<ImageInput> open(const std::filesystem::path& path, const char* 
 
 // --- What is read -------------------------------------------------------------------------------
 
-// Far beyond any picture; a damaged count would have a row of many GiB allocated.
+// Far more than any picture has. A damaged count would otherwise allocate a row of many GiB.
 constexpr int most_channels = 1024;
 
 void expect_plain_picture(const ImageSpec& picture) {
@@ -113,15 +116,16 @@ void expect_plain_picture(const ImageSpec& picture) {
            "its orientation tag turns or mirrors it; store it upright");
 }
 
-// Of OpenEXR: other readers would fill the rest of the display window with black.
+// Refuses OpenEXR files that do not fill the display window, because other readers would fill the
+// rest with black.
 void expect_whole_window(const ImageSpec& picture) {
     expect(picture.x == picture.full_x && picture.y == picture.full_y &&
                picture.width == picture.full_width && picture.height == picture.full_height,
            "its data window is not its display window");
 }
 
-// Of TIFF: what the library would convert from another colour model, or inverts for some types
-// only, or scales inexactly.
+// Refuses TIFF files that the library would convert from another colour model, invert for some
+// types only, or scale inexactly.
 void expect_plain_samples(const ImageSpec& picture) {
     constexpr int black_is_zero = 1, rgb = 2;
     const int model = picture.get_int_attribute("tiff:PhotometricInterpretation", black_is_zero);
@@ -138,8 +142,8 @@ void expect_plain_samples(const ImageSpec& picture) {
 // Calls `rows_ready` with some rows of a channel after the other, top to bottom, as values of
 // `type`.
 //
-// Row by row where there are no tiles: for whole strips of TIFF the library decodes by itself, and
-// reports success where that fails.
+// Without tiles, it reads row by row: the library decodes whole strips of TIFF with its own
+// decoder, which reports success even if it fails.
 template <class T, class Visit>
 void read_rows(ImageInput& input, const ImageSpec& picture, int channel, TypeDesc type,
                Visit&& rows_ready) {
@@ -155,18 +159,19 @@ void read_rows(ImageInput& input, const ImageSpec& picture, int channel, TypeDes
                                                    channel + 1, type, band.data())
                                 : input.read_scanlines(0, 0, y, y_end, picture.z, channel,
                                                        channel + 1, type, band.data());
-        // Some failures are told by words alone.
+        // Some failures are reported only by an error message.
         expect(read && !input.has_error(), reason(input));
         rows_ready(band);
     }
 }
 
-// Integers over their largest value; the quotient is rounded to nearest.
+// Reads integers and divides them by their largest value; the quotient is rounded to nearest.
 template <class T>
 std::vector<float> read_values(ImageInput& input, const ImageSpec& picture, int channel,
                                TypeDesc type, float largest) {
     std::vector<float> values;
-    // Reserved memory costs nothing until it is written to: a damaged size ends in an error first.
+    // Reserved memory costs nothing until it is written to, and a damaged size causes an error
+    // before that.
     values.reserve(static_cast<std::size_t>(picture.width) *
                    static_cast<std::size_t>(picture.height));
     read_rows<T>(input, picture, channel, type, [&](const std::vector<T>& band) {
@@ -228,7 +233,7 @@ namespace {
 
 constexpr std::streamoff signature_bytes = 8;
 
-// Big-endian.
+// Reads a big-endian number.
 std::uint32_t number_of(const char* bytes) {
     std::uint32_t number = 0;
     for (int i = 0; i < 4; ++i) number = number << 8U | static_cast<unsigned char>(bytes[i]);
@@ -242,8 +247,8 @@ std::uint32_t checksum(std::uint32_t before, const char* bytes, std::size_t coun
 
 }  // namespace
 
-// A chunk is the length of its data, its type, the data, and the checksum of type and data: ISO/IEC
-// 15948, 5.3.
+// A chunk consists of the length of its data, its type, the data, and the checksum of type and data
+// (ISO/IEC 15948, 5.3).
 std::optional<std::string> png_damage(std::istream& file) {
     std::vector<char> piece(std::size_t{1} << 16);
     file.seekg(signature_bytes);

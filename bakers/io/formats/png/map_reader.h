@@ -1,4 +1,5 @@
-// Reads a channel of a picture by OpenImageIO; a part of the module skybake_images.
+// Reads a channel of a picture by OpenImageIO, and checks PNG files before. This is a part of the
+// module skybake_images.
 #pragma once
 
 #include <istream>
@@ -9,16 +10,15 @@
 
 namespace skybake {
 
-// As ImageCodec::read.
+// The module's implementation of ImageCodec::read.
 MapPixels read_map(const std::filesystem::path& path, const std::string& channel);
 
-// The chunks of a PNG file, before its pixels are decoded.
-
-// What is wrong with the chunks of the PNG file in `file`, or nothing: each has the checksum that
-// goes with it, and the last is IEND. (What follows that is not the picture's.)
+// Returns what is wrong with the chunks of a PNG file, or nothing. Each chunk must have the right
+// checksum, and the last must be IEND; bytes after it do not belong to the picture.
 //
-// The library that decodes pixels stops reading with the last pixel: it takes files that lack their
-// end, and rows from a chunk whose checksum it has not come to yet. It also prints what it finds.
+// Call this before the pixels are decoded. The library that decodes them stops reading at the last
+// pixel, so it accepts files that lack their end, and rows from a chunk whose checksum it has not
+// reached. It also prints what it finds.
 std::optional<std::string> png_damage(std::istream& file);
 
 }  // namespace skybake

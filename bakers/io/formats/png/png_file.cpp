@@ -21,14 +21,14 @@ using config::Outcome;
 using config::PixelType;
 namespace fs = std::filesystem;
 
-// zlib's own default, pinned so that the bytes are.
+// This is zlib's own default. It is fixed so that the bytes of files do not change.
 constexpr int deflate_level = 6;
 
 constexpr std::array<int, 4> colour_types = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
                                              PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
 
-// The library reports errors by leaving the function that it is in: an exception does so too, as
-// the library is built to let them pass.
+// The library expects that an error handler does not return. Throwing an exception is allowed,
+// because the library is built to let exceptions pass.
 [[noreturn]] void fail(png_structp, png_const_charp reason) { throw std::runtime_error(reason); }
 void ignore(png_structp, png_const_charp) {}
 
@@ -65,7 +65,7 @@ class Writer {
         text.itxt_length = metadata.size();
         png_set_text(png_, info_, &text, 1);
         png_write_info(png_, info_);
-        if (bits == 16) png_set_swap(png_);  // samples come little-endian
+        if (bits == 16) png_set_swap(png_);  // samples are little-endian
     }
     void row(const char* samples) {
         png_write_row(png_, reinterpret_cast<png_const_bytep>(samples));
@@ -77,7 +77,7 @@ class Writer {
     png_infop info_;
 };
 
-// Channels of one row beside each other, from rows of each.
+// Interleaves the channels of one row, given separate rows of each channel.
 void interleave(const SheetRows& rows, int y, std::size_t width, std::size_t channels,
                 std::size_t sample, std::string& row) {
     row.resize(width * channels * sample);
@@ -90,7 +90,7 @@ void interleave(const SheetRows& rows, int y, std::size_t width, std::size_t cha
     }
 }
 
-// What is asked for that PNG files cannot hold.
+// Returns what PNG files cannot hold of the asset, in words, or nothing.
 std::optional<std::string> png_obstacle(const Baked& baked, int level) {
     if (!config::facts_of(config::FileFormat::png).holds(baked.pixel_type)) {
         return "PNG files hold unorm8 and unorm16";
@@ -164,7 +164,7 @@ class Reader {
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
 
-    // Throws where the header or a chunk before the samples is damaged.
+    // Throws if the header or a chunk before the samples is damaged.
     FileFacts open() {
         png_read_info(png_, info_);
         FileFacts facts;
@@ -217,7 +217,7 @@ Outcome<FileFacts> inspect_png(const fs::path& path) {
     }
 }
 
-// The samples of all rows, as bytes: rows of an atlas are asked for again and again, and a
+// Holds the samples of all rows, as bytes, because the rows of an atlas are read repeatedly and a
 // compressed stream cannot go back.
 class HeldRows {
   public:
@@ -248,7 +248,8 @@ class HeldRows {
     }
 
   private:
-    // Deflate makes at most 1032 bytes of one.
+    // Whether a file of `bytes` bytes can hold the samples. Deflate expands one byte to at most
+    // 1032.
     bool can_hold(std::uint64_t bytes) const {
         const double samples =
             static_cast<double>(facts_.image_size[0]) * static_cast<double>(facts_.image_size[1]) *

@@ -1,4 +1,4 @@
-// What the module of OpenVDB exports.
+// The codec that the module skybake_vdb exports.
 #include "bakers/io/formats/vdb/vdb_codec.h"
 
 #include "bakers/io/formats/vdb/vdb_library.h"

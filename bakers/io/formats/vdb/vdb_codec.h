@@ -1,8 +1,9 @@
-// The seam between VDB files and OpenVDB: what the module on its far side does. Linking OpenVDB
-// costs 35 ms at every start of the program, so it is loaded on first use (vdb_file.cpp).
+// The interface of the module skybake_vdb, which encodes and decodes VDB files by OpenVDB. Linking
+// OpenVDB would cost 35 ms at every start of the program, so the module is loaded on first use
+// (vdb_file.cpp).
 //
-// Everything here is bytes in, bytes out; files are written on the near side. Functions but the
-// readers throw std::exception where the library does.
+// The functions that encode only make bytes; the program writes them to files. These functions
+// throw std::exception if the library does; the readers do not throw.
 #pragma once
 
 #include <array>
@@ -29,30 +30,30 @@ struct VdbEncoding {
     config::VdbCompression compression = config::VdbCompression::none;
 };
 
-// The name of the size of a sparse volume in a grid's metadata.
+// The name under which a grid's metadata holds the size of a sparse volume.
 inline constexpr const char* vdb_size_name = "skybake/size";
 
 // What a grid says of itself.
 struct VdbGridDescription {
     std::string name;
-    VdbActiveVoxels active;  // with bounds even where there are none
-    // Of the volume, as metadata named vdb_size_name; none where the bounds say it.
+    VdbActiveVoxels active;  // with bounds even if no voxel is active
+    // The size of the volume, stored as metadata named vdb_size_name; none if the bounds say it.
     std::optional<std::array<int, 3>> size;
-    std::array<double, 3> voxel_size{};    // edges
-    std::array<double, 3> first_centre{};  // of voxel (0, 0, 0)
+    std::array<double, 3> voxel_size{};    // edges of a voxel
+    std::array<double, 3> first_centre{};  // centre of voxel (0, 0, 0)
     VdbEncoding encoding;
     Attributes metadata;
 };
 
-// The record of a grid up to its tree.
+// The part of a grid's record before its tree.
 struct VdbGridHead {
     std::string bytes;
-    std::size_t positions_at = 0;  // where in `bytes` grid_positions() go
-    std::size_t grid_at = 0;       // where in `bytes` the grid's own data begins
+    std::size_t positions_at = 0;  // where grid_positions() go in `bytes`
+    std::size_t grid_at = 0;       // where the grid's own data begins in `bytes`
 };
 
-// Active voxels of a strip (vdb_tree.h) as the file holds them. The file wants the leaves of a node
-// in the order of x first, so the columns of the node's strips are to be interleaved.
+// The active voxels of a strip (vdb_tree.h) as the file holds them. The file needs the leaves of a
+// node in the order of x first, so the columns of the node's strips must be interleaved.
 struct VdbStrip {
     std::string bytes;
     std::array<std::size_t, vdb_node_columns> column_ends{};  // ascending; the last: bytes.size()
@@ -60,33 +61,35 @@ struct VdbStrip {
 
 // The module's functions.
 struct VdbCodec {
-    // Everything before the first grid. `uuid` has 36 characters.
+    // Returns everything before the first grid. `uuid` has 36 characters.
     std::string (*file_head)(const std::string& uuid, const Attributes& attributes, int grids);
 
     VdbGridHead (*grid_head)(const VdbGridDescription& grid);
 
-    // Positions in the file: of the grid's own data, of its voxels, behind its end.
+    // Encodes positions in the file: of the grid's own data, of its voxels, and after its end.
     std::string (*grid_positions)(std::uint64_t grid, std::uint64_t voxels, std::uint64_t end);
 
-    // The tree of a grid is its root; then its 4096^3 nodes in the order of x, then y, then z; and
-    // behind each of them its 128^3 nodes with their leaves. A node has children and nothing else.
+    // The tree of a grid begins with its root. Its 4096^3 nodes follow in the order of x, then y,
+    // then z, and after each of them its 128^3 nodes with their leaves. A node has only children,
+    // no tiles.
     std::string (*root)(std::size_t upper_nodes);
-    // The places of a node's children are counted as those of leaves are, 32 along an axis.
+    // The places of a node's children are counted like those of leaves, but with 32 along an axis.
     std::string (*upper_node)(const std::array<int, 3>& corner,
                               const std::vector<std::uint16_t>& places, VdbEncoding encoding);
     std::string (*lower_node)(const VdbLeaves& leaves, VdbEncoding encoding);
 
-    // The active voxels of a strip; its values x fastest, then y, then z. Any thread may call it.
+    // Encodes the active voxels of a strip. `values` are x fastest, then y, then z. Any thread may
+    // call it.
     void (*encode_strip)(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
                          VdbEncoding encoding, VdbStrip& encoded);
 
-    // As read_vdb and read_vdb_voxels, of files that can be opened.
+    // Implement read_vdb and read_vdb_voxels for files that can be opened.
     config::Outcome<VdbFile> (*read)(const std::filesystem::path& path);
     config::Outcome<bool> (*read_voxels)(const std::filesystem::path& path,
                                          const std::function<bool(const VdbSlab& slab)>& visit);
 };
 
-// What the module exports, under this name.
+// The function that the module exports, and its name.
 using VdbCodecFunction = const VdbCodec* (*)();
 inline constexpr const char* vdb_codec_symbol = "skybake_vdb_codec";
 

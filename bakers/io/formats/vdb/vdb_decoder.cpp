@@ -18,7 +18,7 @@ namespace {
 using config::Outcome;
 namespace io = openvdb::io;
 
-// A file that is not what it should be; caught at the end of this file.
+// An exception for a damaged file. It is caught at the end of this source file.
 struct Damaged : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -36,17 +36,18 @@ T read_raw(std::istream& in) {
 
 // --- Heads --------------------------------------------------------------------------------------
 
-// The first format with a mask in each node, of 2012; and the last one that the library knows.
+// The formats that are read: from the first with a mask in each node, of 2012, to the last that the
+// library knows.
 constexpr std::uint32_t oldest_format = openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION;
 constexpr std::uint32_t newest_format = openvdb::OPENVDB_FILE_VERSION;
 
-// A file read with what io::Archive has for classes that derive from it.
+// A file that is read with the protected functions of io::Archive.
 //
-// The library allocates what a file's lengths ask for before it finds that the file ends, 4 GiB for
-// one flipped bit; so lengths are looked at before the library reads.
+// The library allocates memory by the lengths in a file before it notices that the file ends: one
+// flipped bit can cost 4 GiB. So lengths are checked before the library reads.
 class Input : public io::Archive {
   public:
-    // Reads the head of the file; the stream throws from now on where the file ends early.
+    // Reads the head of the file. From now on the stream throws if the file ends early.
     explicit Input(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
         stream_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
         stream_.seekg(0, std::ios::end);
@@ -89,13 +90,13 @@ class Input : public io::Archive {
     }
     void read_transform(openvdb::GridBase& grid) {
         const auto begin = stream_.tellg();
-        skip_sized(1);  // the name of its kind
+        skip_sized(1);  // the name of its type
         stream_.seekg(begin);
         grid.readTransform(stream_);
     }
 
   private:
-    // Skips a length and so many bytes, `count` times.
+    // Skips `count` items, each of which is a length and that many bytes.
     void skip_sized(int count) {
         for (; count > 0; --count) {
             const std::int64_t length = read_raw<std::uint32_t>(stream_);
@@ -132,7 +133,7 @@ std::vector<Grid> read_grid_heads(Input& input) {
     return grids;
 }
 
-// The texts of a map by name, without what helps OpenVDB to find its way in the file.
+// Returns the texts of a map by name, without those that OpenVDB itself needs to read the file.
 Attributes texts_of(const openvdb::MetaMap& map) {
     Attributes attributes;
     for (auto entry = map.beginMeta(); entry != map.endMeta(); ++entry) {
@@ -186,7 +187,7 @@ struct LeafEntry {
     std::int64_t position = 0;
 };
 
-// Reads a node's masks and tiles; returns where its children begin, in the file's order.
+// Reads a node's masks and tiles. Returns the corners of its children, in the file's order.
 template <class Node>
 std::vector<Coord> read_node(std::istream& in, const Coord& corner, bool half) {
     typename Node::NodeMaskType children, active_tiles;
@@ -210,12 +211,12 @@ std::vector<Coord> read_node(std::istream& in, const Coord& corner, bool half) {
     return corners;
 }
 
-// The volume that a file's leaves are to be in.
+// The bounds of the volume, which all leaves of a file must be in.
 class Box {
   public:
     explicit Box(const Vector& size) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            // A slab is allocated for whatever the file says.
+            // The size is checked because a slab of this size is allocated.
             expect(size[axis] > 0 && size[axis] <= most_voxels, "its size is damaged");
             size_[axis] = static_cast<int>(size[axis]);
         }
@@ -223,7 +224,7 @@ class Box {
 
     const std::array<int, 3>& size() const { return size_; }
 
-    // The part of the leaf that is in the box. Throws where there is none.
+    // Returns the part of the leaf that is in the box. Throws if there is none.
     VoxelBox leaf_at(const Coord& corner) const {
         VoxelBox box;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -236,7 +237,7 @@ class Box {
     }
 
   private:
-    static constexpr std::int64_t most_voxels = 16384;  // that a recipe may ask for along an axis
+    static constexpr std::int64_t most_voxels = 16384;  // the most that a recipe may ask for along an axis
     std::array<int, 3> size_{};
 };
 
@@ -248,7 +249,7 @@ std::array<std::uint16_t, 3> leaf_number(const VoxelBox& leaf) {
     return number;
 }
 
-// The leaves of a tree, in the file's order, without their positions.
+// Reads the leaves of a tree, in the file's order, without their positions.
 std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
     expect(read_raw<std::int32_t>(in) == 1, "its leaves have several buffers");
     expect(read_raw<float>(in) == 0, "its background is not 0");
@@ -261,7 +262,7 @@ std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
         for (const Coord& lower : read_node<UpperNode>(in, corner, half)) {
             for (const Coord& leaf : read_node<LowerNode>(in, lower, half)) {
                 leaves.push_back({leaf_number(box.leaf_at(leaf)), 0});
-                in.seekg(sizeof(VdbLeafMask), std::ios::cur);  // it is with the voxels too
+                in.seekg(sizeof(VdbLeafMask), std::ios::cur);  // the mask is stored with the voxels too
             }
         }
     }
@@ -270,7 +271,7 @@ std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
 
 // --- Voxels -------------------------------------------------------------------------------------
 
-// The voxels of a file whose grids have one size.
+// The voxels of a file whose grids all have the same size.
 class Volume {
   public:
     Volume(Input& input, std::vector<Grid> grids)
@@ -280,7 +281,7 @@ class Volume {
 
     const std::array<int, 3>& size() const { return box_.size(); }
 
-    // `slab` begins at a multiple of 8 and is a layer of leaves.
+    // Reads a slab, which begins at a multiple of 8 and is a layer of leaves.
     void read(VdbSlab& slab) {
         const VoxelBox layer = {{}, {size()[0], size()[1], slab.depth}};
         slab.voxels.assign(grids_.size() * static_cast<std::size_t>(layer.count()), 0.0F);
@@ -301,7 +302,7 @@ class Volume {
     std::vector<LeafEntry> find_leaves(const Grid& grid);
     void read_leaf(std::size_t channel, const LeafEntry& entry, VdbSlab& slab);
 
-    // Makes the stream one of the grid.
+    // Sets up the stream for reading the grid.
     void use(const Grid& grid) {
         static constexpr float background = 0;
         io::setDataCompression(input_.stream(), grid.compression);
@@ -353,12 +354,12 @@ std::vector<LeafEntry> Volume::find_leaves(const Grid& grid) {
         leaf.position = input_.position();
         Leaf::NodeMaskType active;
         active.load(in);
-        // Null: skip the values.
+        // Null means that the values are skipped.
         io::readCompressedValues<float>(in, nullptr, Leaf::NUM_VALUES, active, half);
     }
     expect(input_.position() == grid.descriptor.getEndPos(),
            "its voxels do not end where they should");
-    // Within a layer the order stays that of the file, so that it is read forwards.
+    // The order within a layer stays that of the file, so that the file is read forwards.
     std::stable_sort(leaves.begin(), leaves.end(),
                      [](const LeafEntry& a, const LeafEntry& b) { return a.leaf[2] < b.leaf[2]; });
     return leaves;

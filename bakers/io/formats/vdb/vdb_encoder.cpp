@@ -18,7 +18,7 @@ using config::VdbCompression;
 namespace io = openvdb::io;
 
 constexpr float background = 0;
-constexpr std::size_t uuid_at = 21;  // behind the magic number, three versions and a flag
+constexpr std::size_t uuid_at = 21;  // after the magic number, three versions and a flag
 constexpr std::size_t uuid_length = 36;
 
 // --- Streams ------------------------------------------------------------------------------------
@@ -43,7 +43,7 @@ class StringBuffer : public std::streambuf {
     std::string& bytes_;
 };
 
-// Appends to a string what the library writes.
+// A stream that appends what the library writes to a string.
 class StringOutput {
   public:
     explicit StringOutput(std::string& bytes) : buffer_(bytes), stream_(&buffer_) {}
@@ -63,8 +63,8 @@ void write_raw(std::ostream& out, const T& value) {
     out.write(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-// The library's own io::File drops ZIP for fog volumes, though every reader takes it; here what was
-// asked for is what is written.
+// Returns the flags for the requested compression. The library's own io::File drops ZIP for fog
+// volumes although every reader accepts it; this encoder writes what was requested.
 std::uint32_t compression_flags(VdbCompression compression) {
     constexpr std::uint32_t inactive_values_left_out = io::COMPRESS_ACTIVE_MASK;
     switch (compression) {
@@ -108,8 +108,8 @@ openvdb::Vec3IMetadata vector_of(const std::array<int, 3>& v) {
     return openvdb::Vec3IMetadata(openvdb::Vec3i(v[0], v[1], v[2]));
 }
 
-// The figures that readers take instead of visiting the tree. How much memory the tree takes is not
-// among them: it depends on the reader.
+// Adds the figures that readers use instead of visiting the tree. The memory size of the tree is
+// not among them, because it depends on the reader.
 void insert_statistics(openvdb::MetaMap& map, const VdbActiveVoxels& active,
                        std::uint32_t compression) {
     using openvdb::GridBase;
@@ -122,7 +122,7 @@ void insert_statistics(openvdb::MetaMap& map, const VdbActiveVoxels& active,
 
 // --- Trees --------------------------------------------------------------------------------------
 
-// A node with these children and nothing else, up to those children.
+// Writes a node that has these children and no tiles, without the children themselves.
 template <class Node>
 void write_node(StringOutput& out, const std::vector<std::uint16_t>& places, bool half) {
     typename Node::NodeMaskType children;
@@ -136,8 +136,9 @@ void write_node(StringOutput& out, const std::vector<std::uint16_t>& places, boo
 
 // --- Voxels -------------------------------------------------------------------------------------
 
-// The active values of a leaf in the order of the file, z fastest; returns how many. The leaf's
-// first value is at `corner`; the others `row` further per y and `plane` further per z.
+// Copies the active values of a leaf to `out` in the order of the file, z fastest, and returns
+// their number. The leaf's first value is at `corner`; `row` and `plane` are the distances between
+// values along y and z.
 std::size_t gather(const float* corner, std::ptrdiff_t row, std::ptrdiff_t plane,
                    const VdbLeafMask& active, float* out) {
     constexpr std::uint64_t all = ~std::uint64_t{0};
@@ -158,7 +159,7 @@ std::size_t gather(const float* corner, std::ptrdiff_t row, std::ptrdiff_t plane
     return static_cast<std::size_t>(out - begin);
 }
 
-// As LeafNode::writeBuffers, for a leaf whose inactive values are all the background.
+// Does what LeafNode::writeBuffers does, for a leaf whose inactive values are all the background.
 void write_leaf(std::ostream& out, const VdbLeafMask& active, const float* values,
                 std::size_t count, VdbEncoding encoding) {
     write_raw(out, active);
@@ -183,7 +184,7 @@ std::string file_head(const std::string& uuid, const Attributes& attributes, int
     if (bytes.size() != uuid_at + uuid_length || uuid.size() != uuid_length) {
         throw std::runtime_error("the head of a VDB file is not as expected");
     }
-    bytes.replace(uuid_at, uuid_length, uuid);  // the library's is random
+    bytes.replace(uuid_at, uuid_length, uuid);  // the library's own UUID is random
     openvdb::MetaMap map;
     insert(map, attributes);
     map.writeMeta(out);

@@ -16,10 +16,8 @@
 
 namespace skybake {
 
-// Loads the module that knows OpenVDB.
-
-// The codec, or null with the reason. The module, skybake_vdb.so, is loaded once and stays; see
-// load_module.h for where it is.
+// The codec of the module skybake_vdb.so, or null with the reason. The module is loaded once and
+// stays loaded; load_module.h says where it is.
 struct LoadedVdbCodec {
     const VdbCodec* codec = nullptr;
     std::string reason;
@@ -35,7 +33,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t hash_digits = 32;
 
-// What would make a file that this writer does not know, as a mistake of the program.
+// Returns what this writer cannot write of the volume, in words, or nothing. Asking for it is a bug
+// in the program.
 std::optional<std::string> contradiction(const Baked& volume, int level_number) {
     if (level_number < 0 || static_cast<std::size_t>(level_number) >= volume.levels.size()) {
         return fmt::format("a volume without level {}", level_number);
@@ -66,7 +65,7 @@ std::optional<std::string> contradiction(const Baked& volume, int level_number) 
 
 template <class T, class Read>
 Outcome<T> read_with_module(const fs::path& path, Read&& read) {
-    Outcome<FileInput> opened = FileInput::open(path);  // says why it cannot be, OpenVDB does not
+    Outcome<FileInput> opened = FileInput::open(path);  // OpenVDB does not say why it fails
     if (!opened.value) return {{}, std::move(opened.diagnostics)};
     const LoadedVdbCodec& loaded = vdb_codec();
     if (loaded.codec != nullptr) return read(*loaded.codec);

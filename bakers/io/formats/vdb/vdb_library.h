@@ -1,4 +1,5 @@
-// What the files of the module share: OpenVDB's types. Only they include this.
+// What the source files of the module skybake_vdb share: OpenVDB's types, and the functions of
+// VdbCodec. Only these files include it.
 #pragma once
 
 #include <openvdb/io/Compression.h>
@@ -15,8 +16,7 @@ using Leaf = openvdb::FloatTree::LeafNodeType;
 static_assert(Leaf::DIM == vdb_leaf_edge && LowerNode::DIM == vdb_node_edge &&
               UpperNode::DIM == vdb_upper_node_edge);
 
-// Volumes to bytes, with OpenVDB. The functions of VdbCodec that write, see there.
-
+// The functions of VdbCodec that encode volumes; vdb_codec.h describes them.
 std::string file_head(const std::string& uuid, const Attributes& attributes, int grids);
 VdbGridHead grid_head(const VdbGridDescription& grid);
 std::string grid_positions(std::uint64_t grid, std::uint64_t voxels, std::uint64_t end);
@@ -27,9 +27,7 @@ std::string lower_node(const VdbLeaves& leaves, VdbEncoding encoding);
 void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
                   VdbEncoding encoding, VdbStrip& encoded);
 
-// VDB files to descriptions and voxels, with OpenVDB. The functions of VdbCodec that read, see
-// there.
-
+// The functions of VdbCodec that read files; vdb_codec.h describes them.
 config::Outcome<VdbFile> read(const std::filesystem::path& path);
 config::Outcome<bool> read_voxels(const std::filesystem::path& path,
                                   const std::function<bool(const VdbSlab& slab)>& visit);

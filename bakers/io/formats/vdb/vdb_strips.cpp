@@ -13,10 +13,11 @@ namespace {
 using config::Diagnostic;
 using config::PixelType;
 
-// The unit of parallel work: rows as long as a node, for the sake of noises that are cheap along x,
-// and several parts of each node, since small volumes have but one.
+// The size of a strip, which is the unit of parallel work. Its rows are as long as a node, because
+// some noises are cheap along x. A node has several strips, because small volumes have only one
+// node.
 constexpr std::array<int, 3> strip_edges = {vdb_node_edge, 32, vdb_node_edge};
-// From here on a float rounds to an infinite half: half-way between 65504 and 65536.
+// Floats from here on round to an infinite half. This is half-way between 65504 and 65536.
 constexpr float half_overflow = 65520;
 
 }  // namespace
@@ -56,12 +57,12 @@ void VdbStripMaker::encode(const VoxelBox& strip, VdbStripSlot& slot) const {
     codec_.encode_strip(strip, slot.values.data(), slot.leaves, encoding_, slot.encoded);
 }
 
-// The first voxel that the file cannot hold.
+// Returns a diagnostic for the first voxel that the file cannot hold, or nothing.
 std::optional<Diagnostic> VdbStripMaker::unstorable_voxel(const AlignedFloats& values,
                                                           const VoxelBox& strip,
                                                           std::size_t channel) const {
     const float bound = encoding_.half ? half_overflow : INFINITY;
-    // Look for whether before where: the usual strip has none.
+    // First checks whether there is such a voxel at all, because a typical strip has none.
     int outside = 0;
     for (const float value : values) outside |= std::abs(value) < bound ? 0 : 1;  // no NaN is below
     if (outside == 0) return std::nullopt;

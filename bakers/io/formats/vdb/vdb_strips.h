@@ -1,5 +1,5 @@
-// The parts of a volume from which VDB files are made: their voxels, which of them are active, and
-// their bytes. Strips are independent of each other; any thread may make one.
+// Strips are the parts of a volume from which a VDB file is made: their voxels, which voxels are
+// active, and their bytes. Strips are independent of each other, so any thread may make one.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@
 
 namespace skybake {
 
-// The strips of a volume in the order of its tree: node after node.
+// Returns the strips of a volume in the order of its tree, node after node.
 std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size);
 
-// Memory for a strip, and what became of it.
+// The memory for a strip, and its results.
 struct VdbStripSlot {
     AlignedFloats values;
-    VdbLeaves leaves;  // the active ones
+    VdbLeaves leaves;  // leaves with active voxels
     VdbStrip encoded;
     std::optional<config::Diagnostic> error;
 };
@@ -34,10 +34,11 @@ class VdbStripMaker {
 
     VdbEncoding encoding() const { return encoding_; }
 
-    // Fills slot.values and slot.leaves, or slot.error: E0401 for a voxel that is NaN or infinite,
-    // E0402 for one that rounds to an infinite half. Throws what the volume's source throws.
+    // Fills in slot.values and slot.leaves, or slot.error: E0401 for a voxel that is NaN or
+    // infinite, E0402 for one that rounds to an infinite half. Throws what the volume's source
+    // throws.
     void evaluate(const VoxelBox& strip, std::size_t channel, VdbStripSlot& slot) const;
-    // Fills slot.encoded from those.
+    // Fills in slot.encoded from slot.values and slot.leaves.
     void encode(const VoxelBox& strip, VdbStripSlot& slot) const;
 
   private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int leaf_edge = vdb_leaf_edge;
 
-// In leaves, from the corner of the node.
+// Returns the place of a leaf, counted in leaves from the corner of its node.
 std::uint16_t place_of(const std::array<int, 3>& leaf_origin) {
     int place = 0;
     for (const int coordinate : leaf_origin) {
@@ -17,7 +17,7 @@ std::uint16_t place_of(const std::array<int, 3>& leaf_origin) {
     return static_cast<std::uint16_t>(place);
 }
 
-// The voxels of a leaf that are in a box of this size.
+// Returns the voxels of a leaf that lie in a box of this size.
 VdbLeafMask voxels_within(const std::array<int, 3>& size) {
     std::uint64_t plane = 0;
     for (int y = 0; y < size[1]; ++y) plane |= ((std::uint64_t{2} << (size[2] - 1)) - 1) << (8 * y);
@@ -26,15 +26,15 @@ VdbLeafMask voxels_within(const std::array<int, 3>& size) {
     return mask;
 }
 
-// The bits without the sign of the largest float that is stored as 0. For halves it is 2^-25, half
-// of the least half: a tie that goes to the even one.
+// Returns the bits, without the sign, of the largest float that is stored as 0. For half it is
+// 2^-25, which is half of the least half: the tie rounds to even, which is 0.
 std::uint32_t largest_zero(config::PixelType type) {
     return type == config::PixelType::half ? std::bit_cast<std::uint32_t>(0x1p-25F) : 0;
 }
 
 std::uint32_t magnitude(float value) { return std::bit_cast<std::uint32_t>(value) & 0x7fffffffU; }
 
-// The leaves of a strip, x slowest, that have an active voxel.
+// Tells which leaves of a strip, x slowest, have an active voxel.
 std::vector<char> find_occupied(const VoxelBox& strip, const float* values, std::uint32_t zero) {
     const auto leaves_along = [&](std::size_t axis) {
         return static_cast<std::size_t>((strip.size[axis] + leaf_edge - 1) / leaf_edge);
@@ -127,7 +127,8 @@ VdbLeaves merge_leaves(std::span<const VdbLeaves> strips) {
 
 void VdbActiveVoxels::add(const VoxelBox& strip, const VdbLeaves& leaves) {
     for (std::size_t i = 0; i < leaves.places.size(); ++i) {
-        // Which x, y and z have an active voxel: in every eighth bit, or in the lowest eight.
+        // The masks tell which x, y and z have an active voxel: x in every eighth bit of x_mask, y
+        // in groups of eight bits of yz_mask, and z in the lowest eight bits of z_mask.
         std::uint64_t x_mask = 0, yz_mask = 0, z_mask = 0;
         for (std::size_t x = 0; x < leaves.active[i].size(); ++x) {
             const std::uint64_t plane = leaves.active[i][x];

@@ -1,5 +1,6 @@
-// Which voxels of a VDB tree are active: the leaves that exist, and a mask of each. Knows nothing
-// of OpenVDB.
+// The shape of a VDB tree, without OpenVDB. A volume lies in leaves of 8^3 voxels, in nodes of
+// 128^3, in nodes of 4096^3; the children of every node are in the order of x, then y, then z. This
+// header says which leaves exist and which of their voxels are active.
 #pragma once
 
 #include <array>
@@ -14,38 +15,39 @@
 
 namespace skybake {
 
-// Of the 8^3 voxels of a leaf: voxel (x, y, z) is bit 8 y + z of word x. So it is in the file.
+// A mask of the 8^3 voxels of a leaf, as it is in the file: voxel (x, y, z) is bit 8 y + z of word
+// x.
 using VdbLeafMask = std::array<std::uint64_t, 8>;
 
 // The leaves of a 128^3 node, or of a strip of one, in the file's order. The place of a leaf is
 // 256 x + 16 y + z, counted in leaves from the node's corner.
 struct VdbLeaves {
     std::vector<std::uint16_t> places;  // ascending
-    std::vector<VdbLeafMask> active;    // one per place; voxels outside of the volume are not
+    std::vector<VdbLeafMask> active;    // one per place; voxels outside of the volume are inactive
     bool empty() const { return places.empty(); }
 };
 
-// A strip is a box within one node that begins at a multiple of 8 along each axis, and ends at one
-// or at the volume's end.
+// A strip is a box within one node. It begins at a multiple of 8 along each axis, and ends at a
+// multiple of 8 or at the volume's end.
 
-// Where a leaf begins, given the strip that it is in.
+// Returns where a leaf begins, given the strip that it is in.
 std::array<int, 3> leaf_origin(const VoxelBox& strip, std::uint16_t place);
 
-// The columns of a node: its leaves of one x. They follow each other in the file.
+// A column of a node is its leaves of one x. Columns follow each other in the file.
 inline constexpr int vdb_node_columns = 16;
 inline int vdb_column(std::uint16_t place) { return place / 256; }
 
-// All voxels of the strip.
+// Returns leaves in which all voxels of the strip are active.
 VdbLeaves all_leaves(const VoxelBox& strip);
 
-// The voxels whose values, x fastest, then y, then z, are stored as something else than 0 or -0;
-// leaves without any are left out. `type` is half or float32.
+// Returns the leaves with the voxels that are not stored as 0 or -0. `values` are x fastest, then
+// y, then z. Leaves without such voxels are left out. `type` is half or float32.
 VdbLeaves active_leaves(const VoxelBox& strip, const float* values, config::PixelType type);
 
-// Of strips of one node that follow each other along y, in that order.
+// Merges the leaves of strips of one node. The strips follow each other along y, in that order.
 VdbLeaves merge_leaves(std::span<const VdbLeaves> strips);
 
-// How many voxels are active, and their bounds, inclusive: last < first where there are none.
+// The number of active voxels and their bounds, inclusive. If there are none, last < first.
 struct VdbActiveVoxels {
     static constexpr int none = std::numeric_limits<int>::max();
     std::array<int, 3> first = {none, none, none};
@@ -55,18 +57,17 @@ struct VdbActiveVoxels {
     void add(const VoxelBox& strip, const VdbLeaves& leaves);
 };
 
-// How a dense volume lies in a VDB tree: leaves of 8^3 voxels in nodes of 128^3 in nodes of 4096^3,
-// every node's children in the order of x, then y, then z. Knows nothing of OpenVDB.
+// The edges of leaves and nodes, in voxels.
 inline constexpr int vdb_leaf_edge = 8;
 inline constexpr int vdb_node_edge = 128;
 inline constexpr int vdb_upper_node_edge = 4096;
 
-// The cells of edge `edge[axis]` that `box` consists of, each cut to the box, x slowest and z
-// fastest. The box begins at a multiple of the edges.
+// Divides `box` into cells of edge `edge[axis]`, each cut to the box, x slowest and z fastest. The
+// box begins at a multiple of the edges.
 std::vector<VoxelBox> cells_in_tree_order(const VoxelBox& box, const std::array<int, 3>& edge);
 std::vector<VoxelBox> cells_in_tree_order(const VoxelBox& box, int edge);
 
-// Where a voxel is among the values of its box, x fastest, then y, then z.
+// Returns the index of a voxel among the values of its box, x fastest, then y, then z.
 inline std::ptrdiff_t voxel_index(const VoxelBox& box, const std::array<int, 3>& voxel) {
     const auto from = [&](std::size_t axis) {
         return std::ptrdiff_t{voxel[axis]} - box.origin[axis];

@@ -20,20 +20,20 @@ namespace {
 using config::Diagnostic;
 using config::Outcome;
 
-// 32 digits in the groups of a UUID.
+// Arranges 32 digits in the groups of a UUID.
 std::string uuid_of(const std::string& hash) {
     return fmt::format("{}-{}-{}-{}-{}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4),
                        hash.substr(16, 4), hash.substr(20, 12));
 }
 
-// The node of this edge that a strip is in begins here.
+// Returns the corner of the node with this edge that contains the strip.
 std::array<int, 3> node_corner(const VoxelBox& strip, int edge) {
     std::array<int, 3> corner = strip.origin;
     for (int& coordinate : corner) coordinate -= coordinate % edge;
     return corner;
 }
 
-// The runs of parts that are in one node of this edge.
+// Divides parts into runs that are in the same node of this edge.
 template <class Part>
 std::vector<std::span<const Part>> nodes_of(std::span<const Part> parts, int edge) {
     std::vector<std::span<const Part>> nodes;
@@ -48,7 +48,7 @@ std::vector<std::span<const Part>> nodes_of(std::span<const Part> parts, int edg
     return nodes;
 }
 
-// Of a 128^3 node in its 4096^3 node.
+// Returns the place of a 128^3 node in its 4096^3 node.
 std::uint16_t node_place(const VoxelBox& strip) {
     constexpr int nodes = vdb_upper_node_edge / vdb_node_edge;
     int place = 0;
@@ -58,7 +58,7 @@ std::uint16_t node_place(const VoxelBox& strip) {
     return static_cast<std::uint16_t>(place);
 }
 
-// Runs `produce` and `consume` over `count` items with a slot each.
+// Runs `produce` and `consume` over `count` items, each with a slot.
 void run_pipeline(std::size_t count, int threads,
                   const std::function<void(std::size_t index, VdbStripSlot& slot)>& produce,
                   const std::function<bool(std::size_t index, VdbStripSlot& slot)>& consume) {
@@ -154,8 +154,8 @@ void VdbWriter::survey_strip(std::size_t channel, const VoxelBox& strip, VdbStri
     }
 }
 
-// The bytes kept are those of the first strips, as far as they fit: which ones these are does not
-// depend on threads, though how many strips are encoded in vain does.
+// Keeps the bytes of the first strips, as far as they fit. Which strips these are does not depend
+// on threads; only the number of strips that are encoded in vain does.
 void VdbWriter::keep(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot) {
     if (slot.leaves.empty()) return;
     active_[grid].add(strip, slot.leaves);
@@ -218,7 +218,7 @@ bool VdbWriter::write_part(std::size_t index, VdbStripSlot& slot) {
     return going_well();
 }
 
-// Grids without active voxels have no parts.
+// Begins all grids up to `grid`. Grids without active voxels have no parts, so several may begin.
 void VdbWriter::begin_grids_through(std::size_t grid) {
     while (grids_begun_ <= grid) {
         if (grids_begun_ > 0) end_grid();
@@ -279,7 +279,7 @@ VdbLeaves VdbWriter::leaves_of_node(Parts parts) const {
     return merge_leaves(leaves);
 }
 
-// Interleaves the columns of the node's strips.
+// Writes the columns of the node's strips, interleaved.
 void VdbWriter::write_node() {
     for (std::size_t column = 0; column < vdb_node_columns; ++column) {
         for (const VdbStrip& strip : node_) {

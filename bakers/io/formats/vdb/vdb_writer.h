@@ -1,9 +1,10 @@
-// Writes the records of a VDB file one after the other: write_vdb, once it is known that it can.
+// Writes the records of a VDB file one after the other. write_vdb uses it after it has checked that
+// the volume can be written.
 //
-// A tree's topology precedes its voxels. That of a dense volume follows from its size. A sparse
-// volume is surveyed first: all its strips are evaluated in the order of the tree, and what is kept
-// are the masks of leaves with active voxels and, up to a number of bytes, the encoded voxels;
-// strips whose bytes are not kept are evaluated again when their turn to be written comes.
+// In a file, a tree's topology precedes its voxels. The topology of a dense volume follows from its
+// size. A sparse volume is surveyed first: all its strips are evaluated in the order of the tree.
+// The survey keeps the masks of leaves with active voxels and, up to a number of bytes, the encoded
+// voxels. Strips whose bytes are not kept are evaluated again when they are written.
 #pragma once
 
 #include <atomic>
@@ -25,24 +26,24 @@
 
 namespace skybake {
 
-// E0301.
+// Returns E0301 with the reason.
 config::Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason);
 
 class VdbWriter {
   public:
-    // All but `progress`, which may be null, outlive the writer.
+    // All arguments must outlive the writer. `progress` may be null.
     VdbWriter(const Baked& volume, const Level& level, const VdbCodec& codec,
               std::size_t most_kept_bytes, Progress* progress, const std::filesystem::path& path);
 
-    // Once.
+    // Writes the file. Call it only once.
     config::Outcome<bool> write(const Attributes& attributes, int threads);
 
   private:
-    // A strip that the file has voxels of.
+    // A strip with voxels in the file.
     struct Part {
         std::size_t grid = 0;
         VoxelBox strip;
-        VdbLeaves leaves;  // of sparse volumes
+        VdbLeaves leaves;  // for sparse volumes
         bool is_encoded = false;
         VdbStrip encoded;
     };
@@ -78,14 +79,14 @@ class VdbWriter {
     FileOutput file_;
     std::optional<config::Diagnostic> error_;
 
-    std::vector<Part> parts_;               // as in the file
+    std::vector<Part> parts_;               // in the order of the file
     std::vector<VdbActiveVoxels> active_;   // per grid
     std::size_t kept_bytes_ = 0;            // of encoded strips
     std::atomic<bool> keeps_bytes_ = true;  // until they are too many
 
     std::size_t grids_begun_ = 0;
-    std::vector<VdbStrip> node_;  // the strips of a node that is not complete
-    std::uint64_t positions_at_ = 0, grid_at_ = 0, voxels_at_ = 0;  // of the grid begun last
+    std::vector<VdbStrip> node_;  // the strips of the node that is not yet complete
+    std::uint64_t positions_at_ = 0, grid_at_ = 0, voxels_at_ = 0;  // of the last grid begun
 };
 
 }  // namespace skybake
