@@ -12,14 +12,14 @@
 namespace skybake {
 namespace {
 
-// The multiple of `unit` in steps of which a kind of axis is divided.
+// A step between ticks: `mantissa` times `unit`.
 struct Step {
     int mantissa = 1;
     double unit = 1;
     double value() const { return mantissa * unit; }
 };
 
-// Steps from about `range` down to a ten-thousandth of it, the coarsest first.
+// Returns steps from about `range` down to a ten-thousandth of it, the coarsest first.
 std::vector<double> steps_within(double range, AxisTicks kind) {
     std::vector<double> steps;
     if (kind == AxisTicks::angles) {
@@ -47,7 +47,7 @@ class Ticks {
         const double range = std::abs(last_ - first_);
         if (!std::isfinite(range) || range == 0) return {};
         const std::vector<double> steps = steps_within(range, axis_.ticks);
-        // The finest step that fits everywhere, then finer ones where there is room.
+        // Takes the finest step that fits everywhere, then finer steps in places with enough room.
         std::optional<std::vector<AxisTick>> uniform;
         for (const double step : steps) {
             std::vector<AxisTick> candidates = multiples(step, first_, last_);
@@ -76,8 +76,8 @@ class Ticks {
         return {place_on(axis_, value), value, number_label(value)};
     }
 
-    // Multiples of the step from one value to another, ends included, ascending in t. An end that
-    // is a multiple but for rounding counts.
+    // Returns the multiples of the step from one value to another, including the ends, ascending in
+    // t. An end counts as a multiple if it is one up to rounding.
     std::vector<AxisTick> multiples(double step, double from, double to) const {
         constexpr double rounding = 1e-9;
         const double low = std::min(from, to), high = std::max(from, to);
@@ -142,7 +142,7 @@ class Ticks {
         }
     }
 
-    // More cannot be told apart, whatever the gap.
+    // More ticks cannot be distinguished, whatever the gap.
     static constexpr std::size_t most_ticks = 1000;
 
     const ChartAxis& axis_;
@@ -164,10 +164,10 @@ std::string superscript(int number) {
 
 // --- Ranges -------------------------------------------------------------------------------------
 
-// Far beyond anything measured; differences and quotients within are finite.
+// This is far beyond anything measured, and small enough that differences and quotients are finite.
 constexpr double largest_shown = 1e150;
 
-// 1, 2 and 5 times the powers of ten about [low, high], ascending.
+// Returns 1, 2 and 5 times the powers of ten around [low, high], ascending.
 std::vector<double> round_numbers_about(double low, double high) {
     std::vector<double> numbers;
     const int first = static_cast<int>(std::floor(std::log10(low))) - 1;
@@ -201,7 +201,7 @@ ChartAxis axis_over(std::string title, const std::vector<double>& values, bool l
         high = std::max(high, value);
     }
     if (low > high) low = high = 1;
-    // Below a trillionth of the largest value is rounding.
+    // Values below a trillionth of the largest are only rounding errors.
     if (logarithmic) low = std::max(low, high * 1e-12);
     if (low == high) {
         const double half = low == 0 ? 1 : std::abs(low) / 2;
@@ -219,7 +219,7 @@ ChartAxis axis_over(std::string title, const std::vector<double>& values, bool l
 
 ChartAxis rounded_axis(std::string title, const std::vector<double>& values, double smallest) {
     constexpr double largest = 1e100;  // so that no end of an axis overflows
-    constexpr double beyond = 1.25;    // an axis goes at least so far beyond its values
+    constexpr double beyond = 1.25;    // an axis goes beyond its values by at least this factor
     double least = largest, most = 0;
     for (const double value : values) {
         if (!std::isfinite(value)) continue;
@@ -245,7 +245,7 @@ bool can_show(const ChartAxis& axis, double value) {
            (axis.ticks != AxisTicks::logarithmic || value >= 1 / largest_shown);
 }
 
-// By bisection: the axis is monotonic.
+// Finds the place by bisection, because the axis is monotonic.
 double place_on(const ChartAxis& axis, double value) {
     if (std::isnan(value)) return 1;
     const bool rising = axis.value(1) > axis.value(0);

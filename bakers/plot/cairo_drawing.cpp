@@ -1,4 +1,4 @@
-// Draws by Cairo, with text by Pango: the module skybake_charts.
+// The module skybake_charts: draws by Cairo, with text by Pango.
 #include <cairo-svg.h>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
@@ -16,7 +16,7 @@
 namespace skybake {
 namespace {
 
-// Owns what a C library has made.
+// Frees an object of a C library.
 template <auto Free>
 struct Freed {
     template <class T>
@@ -34,13 +34,14 @@ using Text = Owned<char, g_free>;
 
 // --- Text ---------------------------------------------------------------------------------------
 
-// Where Debian, Fedora and Arch keep the font.
+// The folders where Debian, Fedora and Arch keep the font.
 constexpr std::array<const char*, 3> font_folders = {"/usr/share/fonts/truetype/dejavu",
                                                      "/usr/share/fonts/dejavu-sans-fonts",
                                                      "/usr/share/fonts/TTF"};
 
-// Makes DejaVu Sans all that fontconfig knows: nothing depends on the machine's configuration, and
-// no cache is sought in a home folder, which accounts of farms do not have. False without the font.
+// Makes DejaVu Sans the only font that fontconfig knows. Then nothing depends on the machine's
+// configuration, and fontconfig does not look for a cache in a home folder, which accounts on
+// render farms do not have. Returns false if the font is missing.
 bool load_font() {
     FcConfig* const config = FcConfigCreate();
     int found = 0;
@@ -62,8 +63,8 @@ bool has_font() {
     return loaded;
 }
 
-// Pictures have letters that stand on whole rows of pixels (`hinted`), files have them as the font
-// means them. Both space them by fractions of pixels.
+// In pictures, letters are aligned to whole rows of pixels (`hinted`); in files, they have the
+// font's exact outlines. In both, they are spaced by fractions of pixels.
 void set_font_options(PangoContext* pango, bool hinted) {
     const Owned<cairo_font_options_t, cairo_font_options_destroy> options(
         cairo_font_options_create());
@@ -105,14 +106,14 @@ void set_colour(cairo_t* context, Colour colour) {
     cairo_set_source_rgb(context, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
 }
 
-// Where a picture is drawn, and how: pixels of the drawing from (x, y) on.
+// The surface that a drawing is drawn on. It shows the pixels of the drawing from (x, y) on.
 struct Target {
     cairo_t* context;
     int x = 0;
     int y = 0;
     int width = 0;
     int height = 0;
-    bool is_file = false;  // which is looked at in any size
+    bool is_file = false;  // a file can be viewed at any size
 };
 
 void draw(const Target& target, const Shape& shape) {
@@ -139,7 +140,7 @@ void draw(const Target& target, const Shape& shape) {
     cairo_new_path(context);
 }
 
-// Cairo 1.16 puts glyphs on whole pixels, but outlines where they belong.
+// Draws text as outlines, because Cairo 1.16 moves glyphs to whole pixels.
 void draw(const Target& target, const TextLine& line) {
     if (!has_font()) return;
     cairo_t* const context = target.context;
@@ -163,7 +164,7 @@ void draw(const Target& target, const TextLine& line) {
     cairo_restore(context);
 }
 
-// The part of a picture that the target shows.
+// Draws the part of a picture that the target shows.
 void draw(const Target& target, const PlacedPicture& placed) {
     const Picture& picture = placed.picture;
     const int left = std::max(placed.x, target.x), top = std::max(placed.y, target.y);
@@ -204,7 +205,7 @@ void draw(const Target& target, const Drawing& drawing) {
 
 // --- What the module does -----------------------------------------------------------------------
 
-// Fonts are shared by all drawings.
+// A lock for drawing, because all drawings share the fonts.
 std::mutex& one_at_a_time() {
     static std::mutex mutex;
     return mutex;
@@ -218,7 +219,7 @@ double measure(std::string_view text, const TextStyle& style) {
     return width_of(layout_of(context.get(), text, style, true).get());
 }
 
-// A part of the picture, as large as Cairo's surfaces may be.
+// Paints a part of the picture, at most as large as Cairo's surfaces may be.
 void paint_tile(const Drawing& drawing, Target tile, Picture& picture) {
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, tile.width, tile.height));
     const Context context(cairo_create(surface.get()));
@@ -262,8 +263,8 @@ cairo_status_t append(void* text, const unsigned char* bytes, unsigned count) {
     return CAIRO_STATUS_SUCCESS;
 }
 
-// Cairo numbers the ids of a file ("surface12", "image9") through all files of the program. Here
-// they count from 0 in each.
+// Renumbers the ids in a file ("surface12", "image9") from 0, because Cairo counts them over all
+// files that the program writes.
 std::string renumbered(std::string_view svg) {
     constexpr std::array<std::string_view, 3> prefixes = {"\"surface", "\"image", "\"#image"};
     std::map<std::string_view, std::size_t> numbers;

@@ -18,8 +18,8 @@ constexpr TextStyle axis_title_style = {13, FontWeight::regular, ink_colour};
 constexpr TextStyle subtitle_style = {12, FontWeight::regular, pale_ink_colour};
 constexpr TextStyle tick_style = {12, FontWeight::regular, pale_ink_colour};
 
-// In pixels.
-constexpr int chart_margin = 14;  // about all that a chart holds
+// All lengths are in pixels.
+constexpr int chart_margin = 14;  // around everything in a chart
 constexpr int tick_length = 4;
 constexpr int tick_to_label = 4;  // from a tick's end to its label
 constexpr int label_ascent = 9;   // height of digits in tick_style
@@ -36,7 +36,7 @@ constexpr double curve_width = 2;
 
 int ceiled(double length) { return static_cast<int>(std::ceil(length)); }
 
-// How far apart ticks are so that labels of the style stand clear, as a share of a length.
+// The distance between ticks, as a share of an axis of `pixels`, at which labels do not touch.
 double tick_gap_up(int pixels) { return 2.8 * tick_style.em_pixels / pixels; }
 
 int widest(const std::vector<AxisTick>& ticks) {
@@ -45,12 +45,12 @@ int widest(const std::vector<AxisTick>& ticks) {
     return ceiled(width);
 }
 
-// The pixel of a plot's axis that t falls on.
+// Returns the pixel that t falls on along an axis of a plot.
 int pixel_at(double t, int length) {
     return std::clamp(static_cast<int>(std::floor(t * length)), 0, length - 1);
 }
 
-// A thin line about an area, outside of it.
+// Draws a thin line around an area, outside of it.
 void draw_border(Drawing& drawing, const PlotArea& area) {
     drawing.fill(area.x - 1, area.y - 1, area.width + 2, 1, border_colour);
     drawing.fill(area.x - 1, area.y + area.height, area.width + 2, 1, border_colour);
@@ -60,7 +60,8 @@ void draw_border(Drawing& drawing, const PlotArea& area) {
 
 // --- Legends ------------------------------------------------------------------------------------
 
-// Names in rows of a width, each with a sample of what it names at its left.
+// Arranges names in rows of a given width. Each name has a sample of its curve or marker at its
+// left.
 class LegendRows {
   public:
     struct Entry {
@@ -69,7 +70,7 @@ class LegendRows {
         int row;
     };
 
-    // Names that are empty have no entry.
+    // Empty names get no entry.
     LegendRows(const std::vector<std::string>& names, int width) {
         int x = 0;
         for (std::size_t i = 0; i < names.size(); ++i) {
@@ -100,7 +101,7 @@ std::vector<std::string> names_of(const std::vector<ChartLine>& lines) {
 
 // --- One chart ----------------------------------------------------------------------------------
 
-// What a chart takes besides its plot, and the drawing of it all.
+// Lays out a chart, including everything around its plot, and draws it.
 class ChartLayout {
   public:
     ChartLayout(const Chart& chart, const TextStyle& style)
@@ -128,7 +129,7 @@ class ChartLayout {
                chart_margin - label_ascent / 2;
     }
 
-    // With its upper left corner at (x, y).
+    // Draws the chart with its upper left corner at (x, y).
     void draw(Drawing& drawing, int x, int y) const {
         const PlotArea plot{x + left_, y + top_, chart_.width, chart_.height};
         drawing.write(chart_.title, plot.x, y + chart_margin + title_ascent, TextAlign::left,
@@ -255,7 +256,7 @@ class ChartLayout {
 constexpr int figure_margin = 24;
 constexpr int subtitle_height = 17;
 
-// The samples of all families and of the front, in rows from `top` on.
+// Draws the samples of all families and of the front, in rows from `top` on.
 void draw_families(Drawing& drawing, const Figure& figure, const LegendRows& legend, int top) {
     for (const LegendRows::Entry& entry : legend.entries()) {
         const int x = figure_margin + entry.x;
@@ -378,7 +379,7 @@ Picture line_chart(const std::vector<ChartLine>& lines, const std::string& title
 Chart scatter_chart(std::vector<ChartPoint> points, const std::string& title,
                     const std::string& x_title, const std::string& y_title) {
     constexpr int width = 430, height = 380;
-    // Below the resolution of a double on a scale of 1 there is nothing to tell apart.
+    // Errors below the resolution of a double on a scale of 1 cannot be distinguished.
     constexpr double smallest_shown = 1e-17;
     Chart chart{title, rounded_axis(x_title, all_of(points, &ChartPoint::x), smallest_shown),
                 rounded_axis(y_title, all_of(points, &ChartPoint::y), smallest_shown), width,

@@ -17,7 +17,8 @@ constexpr TextStyle emphasised_style = {11, FontWeight::bold, ink_colour};
 
 // --- Markers ------------------------------------------------------------------------------------
 
-// Okabe & Ito, "Color Universal Design", 2008, and a grey: apart for all kinds of colour vision.
+// The colours of Okabe & Ito, "Color Universal Design", 2008, and a grey. They can be distinguished
+// with all kinds of colour vision.
 constexpr std::array<Colour, 8> family_colours = {{{0x00, 0x72, 0xb2},
                                                    {0xd5, 0x5e, 0x00},
                                                    {0x00, 0x9e, 0x73},
@@ -27,7 +28,8 @@ constexpr std::array<Colour, 8> family_colours = {{{0x00, 0x72, 0xb2},
                                                    {0x00, 0x00, 0x00},
                                                    {0x8c, 0x8c, 0x8c}}};
 
-// Corners of a family's marker about the origin, in units of its size; none: a circle.
+// Returns the corners of a family's marker around the origin, in units of its size. A circle has
+// none.
 const std::vector<DrawingPoint>& corners_of(int family) {
     static const std::array<std::vector<DrawingPoint>, 8> shapes = {{
         {},
@@ -58,8 +60,8 @@ const std::vector<DrawingPoint>& corners_of(int family) {
 constexpr double label_gap = 1.5;  // between a label and anything else
 constexpr std::array<double, 7> label_distances = {9, 14, 22, 32, 46, 64, 86};
 constexpr int label_directions = 16;
-constexpr double price_of_crossing = 14;  // as much as so many pixels further away
-constexpr double price_of_leaning = 5;    // of a place above or below, where a leader reads worse
+constexpr double price_of_crossing = 14;  // equals this many pixels of distance
+constexpr double price_of_leaning = 5;    // for places above or below: such leaders are harder to read
 
 bool overlap(const Box& a, const Box& b) {
     return a.left < b.right + label_gap && b.left < a.right + label_gap &&
@@ -87,7 +89,8 @@ bool crosses(const Segment& line, const Box& box) {
            clip(line.y0, line.y1 - line.y0, box.top, box.bottom);
 }
 
-// The box whose nearest side or corner lies at a distance in a direction.
+// Returns the label's box whose nearest side or corner is at a given distance and in a given
+// direction.
 Box box_at(const Label& label, double distance, double angle) {
     const double across = std::cos(angle);
     const double down = std::sin(angle);
@@ -96,7 +99,7 @@ Box box_at(const Label& label, double distance, double angle) {
     return {x - label.width / 2, y - label.height / 2, x + label.width / 2, y + label.height / 2};
 }
 
-// From the point to the nearest place of its label.
+// Returns the line from the point to the nearest place of its label.
 Segment leader_of(const Label& label, const Box& box) {
     return {label.x, label.y, std::clamp(label.x, box.left, box.right),
             std::clamp(label.y, box.top, box.bottom)};
@@ -204,8 +207,8 @@ class PointDrawing {
         return lines;
     }
 
-    // Those that are emphasised on top of all others, and else the first on top: later families are
-    // variations of earlier ones.
+    // Draws emphasised points on top of all others. Otherwise, earlier points are on top, because
+    // later families are variations of earlier ones.
     void draw_markers() {
         for (const bool emphasised : {false, true}) {
             for (auto at = chart_.points.rbegin(); at != chart_.points.rend(); ++at) {
@@ -227,8 +230,8 @@ class PointDrawing {
         if (!point.tooltip.empty()) drawing_.tooltips.push_back({place, point.tooltip});
     }
 
-    // The points with labels, those that matter most first. Points that share a label and all but
-    // share a place are told once.
+    // Returns the points with labels, the most important first. If several points share a label and
+    // almost share a place, only one is returned.
     std::vector<const ChartPoint*> labelled() const {
         constexpr double same_place = 24;  // pixels
         std::vector<const ChartPoint*> points;
@@ -278,8 +281,8 @@ class PointDrawing {
         }
     }
 
-    // The name on a piece of paper, which keeps lines off the letters, with a thin line to its
-    // point where that is not near.
+    // Draws the label on a background of paper, which keeps lines off the letters. If its point is
+    // not near, a thin line leads to it.
     void draw_label(const ChartPoint& point, const Label& wanted, const Box& box) {
         const Segment leader = leader_of(wanted, box);
         const double length = std::hypot(leader.x1 - leader.x0, leader.y1 - leader.y0);

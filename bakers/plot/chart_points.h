@@ -1,5 +1,5 @@
-// The points of a chart: markers, the line of their front, and names that cover neither each other
-// nor the points.
+// Draws the points of a chart: their markers, the line of their front, and labels that cover
+// neither each other nor the points.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace skybake {
 
-// Where the plot of a chart is in its drawing, in pixels.
+// The area of a chart's plot in its drawing, in pixels.
 struct PlotArea {
     int x = 0;
     int y = 0;
@@ -21,7 +21,7 @@ DrawingPoint place_in(const PlotArea& plot, const Chart& chart, double x, double
 
 void draw_points(Drawing& drawing, const Chart& chart, const PlotArea& plot);
 
-// The marker of a family, which has its own colour and shape.
+// Draws the marker of a family. Each family has its own colour and shape.
 void draw_marker(Drawing& drawing, DrawingPoint at, int family);
 
 void draw_front_sample(Drawing& drawing, DrawingPoint left, double length);
@@ -37,7 +37,7 @@ struct Segment {
     double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-// A name to be written near (x, y).
+// The size of a label that is to be placed near (x, y).
 struct Label {
     double x = 0;
     double y = 0;
@@ -45,9 +45,9 @@ struct Label {
     double height = 0;
 };
 
-// The box of each label, in the order given: the earlier chooses first. Boxes stay within `area`
-// and touch neither one another nor an obstacle; of the places left, a label takes the one that
-// lies nearest and crosses the fewest lines. None where there is no such place.
+// Returns a box for each label. Labels are placed in the given order. Boxes stay within `area` and
+// touch neither each other nor an obstacle. Of the remaining places, a label takes one that is near
+// and crosses few lines; a label without any place gets no box.
 std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, const Box& area,
                                              const std::vector<Box>& obstacles,
                                              const std::vector<Segment>& lines);

@@ -1,4 +1,4 @@
-// Pictures in a grid with captions; declared in chart.h.
+// Arranges pictures in a grid with captions. chart.h declares the function.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,7 +13,7 @@ constexpr int caption_line_height = 18;
 constexpr int first_baseline = 17;  // below a picture
 constexpr TextStyle caption_style = {13, FontWeight::regular, ink_colour};
 
-// The caption broken at spaces so that each line fits; a word that does not is a line of its own.
+// Breaks the caption at spaces so that each line fits. A word that does not fit gets its own line.
 std::vector<std::string> broken_into_lines(const std::string& caption, int width) {
     std::vector<std::string> lines;
     std::string line;
@@ -33,7 +33,7 @@ std::vector<std::string> broken_into_lines(const std::string& caption, int width
     return lines;
 }
 
-// What a cell holds, and a whole sheet of equal cells.
+// The layout of a sheet of equal cells.
 struct Sheet {
     int columns = 1;
     int cell_width = 0;

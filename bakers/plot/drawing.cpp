@@ -19,7 +19,7 @@ namespace {
 
 struct LoadedModule {
     const ChartModule* functions = nullptr;
-    std::string reason;  // of their absence
+    std::string reason;  // why they are missing
 };
 
 LoadedModule load() {
@@ -35,7 +35,7 @@ const LoadedModule& chart_module() {
 
 // --- SVG ----------------------------------------------------------------------------------------
 
-// Text as XML may hold it, in elements, attributes and comments.
+// Escapes a text for XML elements, attributes and comments.
 std::string escaped(std::string_view text) {
     std::string result;
     for (const char letter : text) {
@@ -56,14 +56,14 @@ std::string escaped(std::string_view text) {
                 result += "&apos;";
                 break;
             default:
-                // XML knows no other control characters.
+                // XML allows no other control characters.
                 result += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
         }
     }
     return result;
 }
 
-// Invisible discs that know what to say.
+// Returns the SVG of the tooltips: invisible discs with a title.
 std::string tooltips_of(const Drawing& drawing) {
     constexpr double radius = 8;
     std::string text;
@@ -112,7 +112,8 @@ void Drawing::write_upwards(std::string_view text, double baseline, double y,
 double text_width(std::string_view text, const TextStyle& style) {
     const ChartModule* const functions = chart_module().functions;
     if (functions == nullptr || text.empty()) return 0;
-    // Pages repeat their labels, and a width takes longer than a look into a map.
+    // Widths are kept in a memo, because pages repeat their labels and measuring takes longer than
+    // a lookup in a map.
     using Key = std::tuple<std::string, int, FontWeight>;
     static std::mutex mutex;
     static std::map<Key, double> widths;

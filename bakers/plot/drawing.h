@@ -1,7 +1,7 @@
-// What a chart is drawn of, and the seam to the libraries that draw it.
+// Pictures, drawings of shapes and text, and the interface of the module that draws them.
 //
-// Cairo and Pango load 30 libraries, which no bake needs: they are behind the module
-// skybake_charts, which is loaded when the first picture is drawn (load_module.h).
+// Cairo and Pango load 30 libraries, which no bake needs. Only the module skybake_charts uses them,
+// and it is loaded when the first picture is drawn (load_module.h).
 #pragma once
 
 #include <array>
@@ -17,9 +17,8 @@
 
 namespace skybake {
 
-// Pictures for eyes: what every part of a preview is made into.
-
-// 8 bits per channel, R G B interleaved, sRGB; row 0 is at the top.
+// A picture for people to look at: 8 bits per channel, R G B interleaved, sRGB; row 0 is at the
+// top.
 struct Picture {
     int width = 0;
     int height = 0;
@@ -32,24 +31,24 @@ struct Picture {
           rgb(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 3) {}
 };
 
-// The bytes of a PNG, 8 bits per channel, sRGB, without date or software's name: the same picture
-// gives the same bytes. E0300 where the module that makes them is not there; E0500 where it refuses
-// the picture (its size contradicts its bytes, or it has no pixels: a mistake of the program).
+// Returns the bytes of a PNG with 8 bits per channel, sRGB, without date or software's name, so the
+// same picture gives the same bytes. E0300 if the module that makes them is missing; E0500 if it
+// refuses the picture, because its size contradicts its bytes or it has no pixels (a bug in the
+// program).
 config::Outcome<std::string> png_bytes(const Picture& picture);
 
-// image  tones or greys that mean themselves
-// scene  what an eye would see, to be looked at as large as the page has room for
-// plot   lines or false colours on paper, which may be dark as the page is
+// image colours or greys that are values, not light scene what an eye would see; shown as large as
+// the page has room for plot lines or false colours on paper, which may be dark like the page
 enum class PictureKind { image, scene, plot };
 
-// A picture with what a page says of it.
+// A picture and what a page says about it.
 struct PreviewPicture {
     std::string name;   // the file's stem, unique in a preview: "transmittance_red"
     std::string title;  // "Transmittance, red"
-    // What one sees, with units, exposure and tone curve, in a sentence or two.
+    // Says in a sentence or two what the picture shows, with units, exposure and tone curve.
     std::string caption;
     Picture picture;
-    std::optional<double> exposure = {};  // what radiance was multiplied by, in pictures of light
+    std::optional<double> exposure = {};  // the factor of radiance, in pictures of light
     PictureKind kind = PictureKind::image;
 };
 
@@ -58,7 +57,7 @@ inline PreviewPicture as_plot(PreviewPicture picture) {
     return picture;
 }
 
-// R G B, sRGB.
+// A colour: R G B in sRGB.
 using Colour = std::array<std::uint8_t, 3>;
 
 inline constexpr Colour ink_colour = {0x1f, 0x23, 0x28};
@@ -66,18 +65,18 @@ inline constexpr Colour pale_ink_colour = {0x59, 0x63, 0x6e};
 inline constexpr Colour grid_colour = {0xe6, 0xe8, 0xeb};
 inline constexpr Colour paper_colour = {0xff, 0xff, 0xff};
 
-// In pixels from the upper left corner of the drawing, y down: the centre of the first pixel is at
-// (1/2, 1/2).
+// A point, in pixels from the upper left corner of the drawing, with y downwards. The centre of the
+// first pixel is at (1/2, 1/2).
 struct DrawingPoint {
     double x = 0;
     double y = 0;
 };
 
-// A line through the points, or the area that it encloses, or circles about the points.
+// A line through the points, the area that it encloses, or circles around the points.
 struct Shape {
     std::vector<DrawingPoint> points;
     bool closed = false;
-    double radius = 0;           // above 0: a circle about each point, and no line
+    double radius = 0;           // above 0: a circle around each point, and no line
     std::optional<Colour> fill;  // none: hollow
     Colour stroke = ink_colour;
     double stroke_width = 0;  // 0: no outline
@@ -99,17 +98,18 @@ struct TextLine {
     DrawingPoint baseline;
     TextAlign align = TextAlign::left;
     TextStyle style;
-    bool upwards = false;  // turned a quarter to the left, to be read from below
+    bool upwards = false;  // turned left by 90 degrees, to be read from below
 };
 
-// A picture whose upper left corner is at (x, y), one of its pixels on each pixel of the drawing.
+// A picture whose upper left corner is at (x, y). Each of its pixels covers one pixel of the
+// drawing.
 struct PlacedPicture {
     Picture picture;
     int x = 0;
     int y = 0;
 };
 
-// What a viewer of an SVG file shows under the pointer.
+// A text that a viewer of an SVG file shows under the pointer.
 struct Tooltip {
     DrawingPoint centre;
     std::string text;
@@ -131,23 +131,23 @@ struct Drawing {
     void write_upwards(std::string_view text, double baseline, double y, const TextStyle& style);
 };
 
-// How far a text goes, in pixels; 0 where text cannot be drawn.
+// Returns the width of a text in pixels; 0 if text cannot be drawn.
 double text_width(std::string_view text, const TextStyle& style);
 
-// The drawing on white paper. What lies outside of it is cut off.
+// Paints the drawing on white paper. Parts outside of it are cut off.
 Picture painted(const Drawing& drawing);
 
-// The same as an SVG file, well-formed whatever the texts hold. Letters are outlines, so that they
-// look the same in every viewer. The same drawing gives the same bytes. `comment` stands in its
-// second line.
+// Returns the drawing as an SVG file, which is well-formed whatever the texts contain. Letters are
+// outlines, so that they look the same in every viewer. The same drawing gives the same bytes. The
+// file's second line is `comment`.
 std::string svg_of(const Drawing& drawing, std::string_view comment);
 
-// Why charts cannot be drawn as they should be, or nothing: the error E0300 without the module, the
-// warning W0302 without the font DejaVu Sans, where charts have no text. To be asked before charts
-// are drawn; without the module they are blank.
+// Returns why charts cannot be drawn properly, or nothing. Call it before drawing charts. Without
+// the module it returns the error E0300, and charts would be blank; without the font DejaVu Sans it
+// returns the warning W0302, and charts have no text.
 [[nodiscard]] std::optional<config::Diagnostic> chart_problem();
 
-// What the module exports. For any number of threads.
+// The functions of the module. Any number of threads may call them.
 struct ChartModule {
     bool (*has_font)();
     double (*text_width)(std::string_view text, const TextStyle& style);

@@ -33,7 +33,7 @@ constexpr std::array<Colour, 7> diverging_stops = {{{23, 45, 110},
                                                     {214, 96, 57},
                                                     {120, 22, 33}}};
 
-// What is `share` of the way from one to the other, in sRGB.
+// Returns the colour at the fraction `share` of the way from one to the other, in sRGB.
 Colour mixed(Colour from, Colour to, double share) {
     Colour colour{};
     for (std::size_t i = 0; i < colour.size(); ++i) {
@@ -42,11 +42,11 @@ Colour mixed(Colour from, Colour to, double share) {
     return colour;
 }
 
-// Where there is no value.
+// The colour of places without a value.
 constexpr Colour missing_colour = {0xd0, 0xd4, 0xd9};
 
-// Where a value stands on a scale: 0 at low, 1 at high; beyond them, and what has no logarithm, at
-// the nearer end.
+// Returns the place of a value on a scale: 0 at low, 1 at high. Values beyond them, and values
+// without a logarithm, are at the nearer end.
 double place_on(const ColourScale& scale, double value) {
     const double t = scale.logarithmic ? std::log(std::max(value, scale.low) / scale.low) /
                                              std::log(scale.high / scale.low)
@@ -91,7 +91,7 @@ Image2<float> repeated(const Image2<float>& field, int times) {
 Colour sequential_colour(double t) {
     Colour colour{};
     for (std::size_t i = 0; i < colour.size(); ++i) {
-        // The polynomials leave [0, 1] by a few thousandths.
+        // The polynomials exceed [0, 1] by a few thousandths.
         const double value = std::clamp(at(viridis[i], t), 0.0, 1.0);
         colour[i] = static_cast<std::uint8_t>(std::lround(255 * value));
     }

@@ -1,5 +1,5 @@
-// Scalar fields in colours. Both colour maps change evenly for the eye and keep their order for
-// readers who do not see red and green apart.
+// Shows scalar fields in colours. Both colour maps change evenly for the eye, and their order is
+// visible to readers who cannot distinguish red and green.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace skybake {
 
-// viridis, from dark violet to yellow, lightness rising throughout; t in [0, 1]. The colour map of
-// S. van der Walt and N. Smith (CC0), by the polynomials of M. Zucker (CC0), which are within 1 %
-// of it.
+// Returns a colour of viridis, from dark violet to yellow with lightness rising throughout, for t
+// in [0, 1]. The colour map is by S. van der Walt and N. Smith (CC0), its polynomials are by M.
+// Zucker (CC0) and within 1 % of it.
 Colour sequential_colour(double t);
 
-// From dark blue over white at 1/2 to dark red; t in [0, 1].
+// Returns a colour from dark blue over white at 1/2 to dark red, for t in [0, 1].
 Colour diverging_colour(double t);
 
-// What colours mean.
+// The meaning of colours.
 struct ColourScale {
     double low = 0;
     double high = 1;
@@ -26,21 +26,21 @@ struct ColourScale {
     bool diverging = false;  // 0 in the middle: low == -high
     std::string title;       // "transmittance"
 
-    // At t in [0, 1] of the scale.
+    // Returns the colour at t in [0, 1] of the scale.
     Colour colour_at(double t) const {
         return diverging ? diverging_colour(t) : sequential_colour(t);
     }
     ChartAxis axis() const;
 };
 
-// One pixel a texel of a field of one channel, whose row 0 is at the bottom; values beyond the
-// scale have the colour of the nearer end, and what is not a number is grey.
+// Draws a field of one channel, whose row 0 is at the bottom, with one pixel per texel. Values
+// beyond the scale have the colour of the nearer end, and NaN is grey.
 Picture in_false_colours(const Image2<float>& field, const ColourScale& scale);
 
-// The same channels, at a size whose longer edge is `smallest_edge` at least, by repeating texels,
-// and `longest_edge` at most, by means of square blocks (of which the last of a row or column may
-// be smaller). Needs smallest_edge <= longest_edge / 2, so that no field is too small and too
-// large.
+// Resizes a field with all its channels so that its longer edge has at least `smallest_edge`
+// texels, by repeating texels, and at most `longest_edge`, by averaging square blocks (the last of
+// a row or column may be smaller). smallest_edge must be at most longest_edge / 2, so that no field
+// is both too small and too large.
 Image2<float> fitted(const Image2<float>& field, int smallest_edge, int longest_edge);
 
 }  // namespace skybake

@@ -24,12 +24,13 @@ using config::Diagnostic;
 using config::Outcome;
 
 constexpr const char* tag_name = "CACHEDIR.TAG";
-// What https://bford.info/cachedir/ asks for.
+// The text that https://bford.info/cachedir/ asks for.
 constexpr std::string_view tag_text =
     "Signature: 8a477f597d28d172789f06886806bc55\n"
     "# This folder holds assets that skybake can bake again.\n";
 
-// Keys are 32 hexadecimal digits; whatever else a manifest says leads nowhere.
+// Whether the text is a key, which has 32 hexadecimal digits. Other texts in a manifest must not
+// become paths.
 bool is_key(std::string_view key) {
     return key.size() == 32 && key.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
@@ -40,21 +41,23 @@ fs::path entry_folder(const fs::path& cache, const std::string& key) {
     return assets_folder(cache) / key.substr(0, 2) / key;
 }
 
-// Nobody asks a copy into the cache to stop: it is short beside the bake that it spares.
+// A progress that is never cancelled. A copy into the cache is short compared with the bake that it
+// saves.
 class Unhurried : public Progress {
   public:
     void advance(std::string_view, double) override {}
     bool cancelled() const override { return false; }
 };
 
-// A folder in `pending`, locked while this process lives, removed with what is in it.
+// A folder in `pending`. It is locked while this process lives, and the destructor removes it with
+// its contents.
 class PendingFolder {
   public:
     explicit PendingFolder(const fs::path& cache, std::error_code& error) {
         static std::atomic<unsigned> counter{0};
         const fs::path parent = cache / "pending";
         fs::create_directories(parent, error);
-        // Processes of other containers and machines may have this one's number.
+        // Processes in other containers and on other machines may have the same number as this one.
         for (bool is_own = false; !error && !is_own;) {
             path_ = parent / fmt::format("{}-{}", ::getpid(), counter++);
             is_own = fs::create_directory(path_, error) && lock();
@@ -71,8 +74,8 @@ class PendingFolder {
     const fs::path& path() const { return path_; }
 
   private:
-    // False where another process has taken the new folder for an abandoned one in the meantime: it
-    // holds the lock, or the folder is gone. Where there are no locks nothing is taken for
+    // Returns false if another process has mistaken the new folder for an abandoned one in the
+    // meantime: it holds the lock, or the folder is gone. Without locks, no folder counts as
     // abandoned.
     bool lock() {
         lock_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -124,12 +127,12 @@ std::vector<Diagnostic> store(const fs::path& cache, const ReadyAsset& asset) {
     if (error) return {unwritable(target, error.message())};
     if (fs::is_symlink(target, error)) fs::remove(target, error);  // one that leads nowhere
     fs::rename(pending.path(), target, error);
-    // Another process was faster: its entry holds the same.
+    // If another process was faster, its entry holds the same bytes.
     if (error && !fs::exists(target)) return {unwritable(target, error.message())};
     return {};
 }
 
-// Out of sight at once, then file by file.
+// Removes an entry: moves it to `pending` at once, then removes it file by file.
 std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entry) {
     std::error_code error;
     const PendingFolder pending(cache, error);
@@ -138,7 +141,8 @@ std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entr
     return {};
 }
 
-// What is in `pending` and nobody holds the lock of: its process is gone. Links are not followed.
+// Removes the folders in `pending` whose lock nobody holds, because their processes are gone. Links
+// are not followed.
 void remove_abandoned(const fs::path& cache) {
     std::error_code error;
     std::vector<fs::path> pending;
@@ -181,13 +185,14 @@ bool is_damage(const std::vector<Diagnostic>& diagnostics) {
                        [](const Diagnostic& diagnostic) { return diagnostic.code == "E0304"; });
 }
 
-// Whether the manifest is that of an entry, as it was written.
+// Whether the manifest is that of this entry and unchanged since it was written.
 bool is_entry_of(const Manifest& manifest, const std::string& key) {
     return manifest.alterations.empty() && manifest.assets.size() == 1 &&
            manifest.assets[0].key == key;
 }
 
-// Files of an entry that are not what its manifest says; the manifest itself if it is damaged.
+// Returns the files of an entry that differ from its manifest, or the manifest itself if it is
+// damaged.
 std::vector<fs::path> damages(const CacheEntry& entry) {
     const auto manifest = read_manifest(entry.folder);
     if (!manifest.value || !is_entry_of(*manifest.value, entry.key)) {
@@ -212,11 +217,12 @@ std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
     if (!fs::exists(folder, error)) return std::nullopt;
     const auto manifest = read_manifest(folder);
     if (!manifest.value || !is_entry_of(*manifest.value, key)) {
-        // A damaged entry makes room for a whole one; one that cannot be read now may be good.
+        // A damaged entry is removed to make room for a good one. An entry that cannot be read now
+        // may still be good.
         if (manifest.value || is_damage(manifest.diagnostics)) remove_entry(folder_, folder);
         return std::nullopt;
     }
-    // Its last use. A cache that may only be read is used all the same.
+    // Records the last use. It may fail, because a read-only cache can be used as well.
     ::utimensat(AT_FDCWD, (folder / manifest_name).c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
     return ReadyAsset{folder, manifest.value->assets[0]};
 }

@@ -27,15 +27,15 @@ namespace fs = std::filesystem;
 using config::Diagnostic;
 using config::Outcome;
 
-// Whether a copy failed for what was to be copied, not for where it was to go.
+// Whether a copy failed because of its source, not because of its target.
 bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
     return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
         return diagnostic.code == "E0300" || diagnostic.code == "E0304";
     });
 }
 
-// One bake of one folder, locked. Each step says whether to go on; where not, diagnostics say why,
-// or there are none after an interruption.
+// One bake into one locked folder. Each step returns whether to go on. If not, the diagnostics say
+// why; after an interruption there are none.
 class FolderMaker {
   public:
     FolderMaker(const FolderBake& bake, const FolderPlan& plan, BakeObserver& observer)
@@ -76,7 +76,8 @@ class FolderMaker {
         return true;
     }
 
-    // A copy from a source, or a bake. All are tried, so that one run shows all that is wrong.
+    // Copies each stale asset from a source or bakes it. All assets are tried, so that one run
+    // shows all errors.
     bool make_all() {
         bool good = true;
         for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
@@ -88,7 +89,7 @@ class FolderMaker {
         return good;
     }
 
-    // What a source has and cannot be read, or is damaged, is baked.
+    // If the asset of a source cannot be read or is damaged, the asset is baked.
     bool copy(std::size_t i, const Progress& progress) {
         for (AssetSource* source : bake_.sources) {
             const auto ready = source->find(plan_.assets[i].identity.key);
@@ -126,8 +127,8 @@ class FolderMaker {
         return true;
     }
 
-    // A picture that is another one than when the asset's key was made: its bytes would stand under
-    // the key of others.
+    // Returns a diagnostic if an input picture has changed since the asset's key was made.
+    // Otherwise the asset would be stored under the wrong key.
     std::optional<Diagnostic> changed_input(const PlannedAsset& planned) const {
         const auto now = asset_identity(*bake_.recipe, *planned.bake, bake_.certification);
         if (!now.value) return now.diagnostics.front();
@@ -153,7 +154,7 @@ class FolderMaker {
         return true;
     }
 
-    // Last, so that it gets its name first.
+    // Stages the manifest last, so that it gets its name first.
     bool stage_manifest() {
         Manifest manifest = new_manifest(*bake_.recipe);
         for (const FinishedAsset& finished : result_.assets) {
@@ -176,8 +177,9 @@ class FolderMaker {
         return result_.manifest != WriteResult::interrupted || stop_for_interruption();
     }
 
-    // Once all files have their names. Until a file is gone the manifest lists it, so that a later
-    // bake knows it even if this one is killed; a file that was changed in the meantime is kept.
+    // Removes retired files after all new files have their names. The manifest lists a file until
+    // it is removed, so that a later bake knows it even if this one is killed. A file that was
+    // changed in the meantime is kept.
     bool prune() {
         std::vector<Diagnostic> failures;
         for (const RetiredFile& file : plan_.pruned) {
@@ -203,7 +205,8 @@ class FolderMaker {
         return failures.empty() || stop(std::move(failures));
     }
 
-    // The manifest states the recipe's values as they are now; what is not baked may be of others.
+    // Warns if assets that are not baked now have other values than the recipe's current ones,
+    // which the manifest states.
     void warn_of_other_values() {
         for (const config::Bake& section : bake_.recipe->parameters.bakes) {
             const auto is_this = [&section](const auto& other) {
@@ -235,7 +238,8 @@ class FolderMaker {
         return true;
     }
 
-    // Whatever was found until then is not what the user wants to read.
+    // Drops the diagnostics found so far, because the user does not want to read them after
+    // interrupting.
     bool stop_for_interruption() {
         diagnostics_.clear();
         return false;
@@ -247,8 +251,8 @@ class FolderMaker {
     BakedFolder result_;
     Manifest manifest_;
     AtomicFiles files_;
-    // An asset whose bake has succeeded, and its entry in the manifest; nothing of it has touched
-    // the disk.
+    // An asset whose bake has succeeded, and its entry in the manifest. Nothing has been written to
+    // the disk yet.
     struct PreparedAsset {
         Baked baked;
         ManifestAsset entry;
@@ -262,7 +266,8 @@ struct LockedFolder {
     std::vector<fs::path> made;  // by this process
 };
 
-// Another process may take away the folder that it made and this one waits for.
+// Makes and locks the folder, repeatedly if necessary: another process may remove the folder that
+// it made while this one waits for it.
 Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer) {
     bool told = false;
     const auto waits = [&] {

@@ -1,9 +1,9 @@
-// Brings a folder up to date with a recipe: makes what is stale, leaves the rest alone.
+// Brings a folder up to date with a recipe: makes stale assets and leaves the others alone.
 //
-// One process at a time works in a folder; others wait for it, and then find its work done. All
-// assets are made, and all files on the disk, before the first gets its name, and the manifest gets
-// its name first: whenever a process is killed, the folder holds whole files, old and new, and the
-// next bake sees by their hashes which are not the manifest's.
+// Only one process at a time works in a folder. Others wait and then find its work done. All assets
+// are made and all files are on the disk before the first file gets its name, and the manifest gets
+// its name first. So whenever a process is killed, the folder holds only whole files, old or new,
+// and the next bake sees by the hashes which of them do not match the manifest.
 #pragma once
 
 #include <memory>
@@ -17,21 +17,22 @@
 
 namespace skybake {
 
-// Whoever watches a bake. Calls come from the thread that called bake_folder.
+// Observes a bake. All calls come from the thread that called bake_folder.
 class BakeObserver {
   public:
     virtual ~BakeObserver() = default;
-    // True once the user has interrupted.
+    // Returns true once the user has interrupted.
     virtual bool cancelled() const = 0;
-    // Another process is at work in the folder; called once.
+    // Says that another process works in the folder. It is called once.
     virtual void waits() = 0;
     virtual void planned(const FolderPlan& plan) = 0;
-    // A step of an asset (or of "manifest") begins; it ends with the object. Never null.
+    // Says that a step of an asset (or of "manifest") begins. The step ends when the returned
+    // object is destroyed. It is never null.
     virtual std::unique_ptr<Progress> begin(std::string_view asset) = 0;
 };
 
 enum class AssetState {
-    up_to_date,  // its files were left alone
+    up_to_date,  // its files did not change
     copied,      // from one of the sources
     baked,
 };
@@ -40,23 +41,24 @@ struct FinishedAsset {
     AssetState state = AssetState::baked;
     ManifestAsset entry;
     std::vector<WriteResult> files;  // in the order of entry.files
-    // Wall time that choosing a size, certifying and probing took besides entry.timing.bake_s; 0
-    // where this run has not baked the asset.
+    // Wall time in seconds for choosing a size, certifying and probing, in addition to
+    // entry.timing.bake_s; 0 if this run has not baked the asset.
     double certify_s = 0;
 };
 
 struct BakedFolder {
     std::vector<FinishedAsset> assets;  // in the order of FolderBake::bakes
     WriteResult manifest = WriteResult::unchanged;
-    std::vector<RetiredFile> retired;  // of earlier recipes, and kept
-    std::vector<RetiredFile> pruned;   // of earlier recipes, and removed
+    std::vector<RetiredFile> retired;  // from earlier recipes, and kept
+    std::vector<RetiredFile> pruned;   // from earlier recipes, and removed
 };
 
-// Diagnostics of plan_folder, of bakers (E0401 to E0405, E0407) and of writing (E0301), after which
-// the folder is as it was, but where a rename failed: then files that have their names keep them.
-// E0301: a file could not be removed, all others are as they should be. W0303: an entry that a bake
-// of a part leaves is of other values. Warnings may accompany a value. No value and no errors after
-// an interruption.
+// Bakes into the folder. After errors of plan_folder, of bakers (E0401 to E0405, E0407) or of
+// writing (E0301), the folder is unchanged, except that after a failed rename the files already
+// renamed keep their names. E0301 can also mean that a file could not be removed; then everything
+// else is as it should be. W0303: after a bake of a part, an entry that was not baked has other
+// values than the recipe. Warnings may accompany a value. After an interruption there is neither a
+// value nor an error.
 config::Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
 
 }  // namespace skybake

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using config::Outcome;
 
-// Hashes what it copies: no second look at a file that may change in between.
+// Copies a file and hashes the copied bytes, because the file may change between two reads.
 Outcome<bool> copy(const fs::path& from, const ManifestFile& expected, const fs::path& to,
                    const Progress& progress) {
     Outcome<FileInput> input = FileInput::open(from);

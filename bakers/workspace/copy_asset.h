@@ -1,4 +1,5 @@
-// Ready-made files into another folder.
+// Sources of ready-made assets, which need not be baked again, and copying of their files into
+// another folder.
 #pragma once
 
 #include <filesystem>
@@ -13,9 +14,7 @@
 
 namespace skybake {
 
-// Where an asset may lie ready-made, so that it need not be baked again.
-
-// An asset whose files lie in a folder, under the names of its entry.
+// An asset whose files are in a folder, under the names in its entry.
 struct ReadyAsset {
     std::filesystem::path folder;
     ManifestAsset entry;
@@ -24,18 +23,20 @@ struct ReadyAsset {
 class AssetSource {
   public:
     virtual ~AssetSource() = default;
-    // The asset of this key, or none. Its files are looked at again before they are used, so they
-    // may be damaged or vanish at any time. May wait for another thread that is making it.
+    // Returns the asset with this key, or nothing. Its files are checked again before they are
+    // used, so they may be damaged or vanish at any time. The call may wait for another thread that
+    // is making the asset.
     virtual std::optional<ReadyAsset> find(const std::string& key) = 0;
-    // What `find` gave cannot be read, or is not what its entry says.
+    // Says that the result of `find` cannot be read or does not match its entry.
     virtual void reject(const ReadyAsset& /*asset*/) {}
-    // An asset that has just been baked, its files complete under their names.
+    // Offers an asset that has just been baked. Its files are complete and have their names.
     virtual void offer(const ReadyAsset& asset) = 0;
 };
 
-// Stages a copy of each of the asset's files, and says what became of it; the last is `interrupted`
-// where progress.cancelled(). E0300, E0304 where a file cannot be read or does not hold the bytes
-// that its entry says: then nothing of the asset is staged. E0301 where a copy cannot be written.
+// Stages a copy of each of the asset's files and returns the results. The last result is
+// `interrupted` if progress.cancelled(). E0300 or E0304 if a file cannot be read or does not hold
+// the bytes that its entry says; then nothing of the asset is staged. E0301 if a copy cannot be
+// written.
 config::Outcome<std::vector<WriteResult>> stage_copies(const ReadyAsset& asset,
                                                        const std::filesystem::path& folder,
                                                        AtomicFiles& files,

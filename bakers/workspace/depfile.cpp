@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As GCC writes them, which is what all readers of depfiles understand: a backslash is one by
-// itself, unless what follows it is escaped.
+// Escapes a name as GCC does, which all readers of depfiles understand: a backslash stands for
+// itself unless the character after it is escaped.
 std::string escaped(const fs::path& path) {
     const std::string& name = path.native();
     std::string text;

@@ -32,7 +32,7 @@ std::vector<std::string> output_files(const FolderBake& bake) {
     return names;
 }
 
-// Why the files of an entry are not those that it describes.
+// Returns why the files of an entry differ from those that it describes.
 std::vector<std::string> file_faults(const fs::path& folder, const ManifestAsset& entry,
                                      const Bake& bake) {
     std::vector<std::string> faults;
@@ -67,7 +67,7 @@ void compare_with_folder(const OutputFolder& folder, PlannedAsset& planned) {
     if (planned.reasons.empty()) planned.up_to_date = *entry;
 }
 
-// Of what is to be made.
+// Returns the largest asset of those that must be made.
 const PlannedAsset* largest_asset(const FolderPlan& plan) {
     const PlannedAsset* largest = nullptr;
     for (const PlannedAsset& asset : plan.assets) {
@@ -77,8 +77,8 @@ const PlannedAsset* largest_asset(const FolderPlan& plan) {
     return largest;
 }
 
-// The manifest's list of files as this bake will leave it. What a bake of a part does not name
-// stays.
+// Returns the manifest's list of files as this bake will leave it. Assets that a bake of a part
+// does not name stay in it.
 Manifest files_after(const FolderBake& bake, const Manifest& previous) {
     Manifest manifest;
     for (const Bake& section : bake.bakes) {
@@ -139,8 +139,8 @@ std::size_t FolderPlan::stale_count() const {
         assets.begin(), assets.end(), [](const PlannedAsset& asset) { return asset.stale(); }));
 }
 
-// Assets are made one after the other; tables are held until all files are written, volumes are
-// made anew while they are.
+// Assets are made one after the other. Tables are held in memory until all files are written;
+// volumes are made again while files are written.
 double FolderPlan::memory_mib() const {
     const PlannedAsset* largest = largest_asset(*this);
     if (!largest) return 0;
@@ -206,7 +206,7 @@ void add_input_changes(const AssetIdentity& identity, const ManifestAsset& previ
 
 }  // namespace
 
-// Each part with its length, so that no two identities join to one text.
+// Each part is hashed with its length, so that different identities never give the same text.
 std::string key_of(const AssetIdentity& identity) {
     Hasher hasher;
     const auto add = [&hasher](std::string_view part) {
@@ -273,7 +273,7 @@ std::vector<std::string> differences(const AssetIdentity& identity, const Manife
         reasons.push_back(fmt::format("--certify {} → {}", previous.certification,
                                       to_string(identity.certification)));
     }
-    // Whatever the manifest says of itself, the key decides.
+    // The key decides, whatever else the manifest says.
     if (reasons.empty()) reasons.emplace_back("another key");
     if (reasons.size() > longest) {
         const std::size_t more = reasons.size() - longest;

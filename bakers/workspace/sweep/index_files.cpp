@@ -29,7 +29,7 @@ Json to_json(const config::Array& array) {
     return list;
 }
 
-// Of values that a key of a recipe takes.
+// Converts the value of a recipe's key.
 Json to_json(const config::Value& value) {
     if (const auto* flag = std::get_if<bool>(&value.data)) return *flag;
     if (const auto* integer = std::get_if<std::int64_t>(&value.data)) return *integer;
@@ -94,7 +94,7 @@ Json variant_json(const config::Sweep& sweep, const VariantResult& variant) {
     return json;
 }
 
-// Damaged text in a string must not become an exception: it is replaced by U+FFFD.
+// Invalid UTF-8 in a string must not cause an exception, so it is replaced by U+FFFD.
 std::string text_of(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -116,10 +116,10 @@ std::string csv_line(const std::vector<std::string>& fields) {
     return line + "\n";
 }
 
-// The shortest decimal that reads back as the same number.
+// Returns the shortest decimal that reads back as the same number.
 std::string figure_to_string(double value) { return Json(value).dump(); }
 
-// All assets that any variant has, in the order of their first one.
+// Returns the names of all assets of any variant, in the order of their first occurrence.
 std::vector<std::string> asset_names(std::span<const VariantResult> variants) {
     std::vector<std::string> names;
     for (const VariantResult& variant : variants) {

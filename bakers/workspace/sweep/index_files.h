@@ -1,6 +1,6 @@
-// What a sweep leaves beside its variants: index.csv and index.jsonl, a row for each, for tables
-// and programs, and sweep.json, which says what was asked for. The same bytes from every run that
-// comes to the same results, whole or in shards.
+// The files that a sweep leaves beside its variants: index.csv for spreadsheets and index.jsonl for
+// programs, with one row per variant, and sweep.json, which says what was asked for. Runs with the
+// same results give the same bytes, whether they run whole or in shards.
 #pragma once
 
 #include <array>
@@ -20,25 +20,26 @@ inline constexpr std::string_view sweep_manifest_name = "sweep.json";
 inline constexpr std::array<std::string_view, 3> index_names = {"index.csv", "index.jsonl",
                                                                 sweep_manifest_name};
 
-// One line a variant, RFC 4180 but for its line ends: index, name, what varies, status, the first
-// error, and of each asset its errors, content hash and files.
+// Returns one line per variant, in the format of RFC 4180 except for its line ends: index, name,
+// what varies, status, the first error, and the errors, content hash and files of each asset.
 std::string index_csv(const config::Sweep& sweep, std::span<const VariantResult> variants);
 
-// The same as one JSON object a line.
+// Returns the same as one JSON object per line.
 std::string index_jsonl(const config::Sweep& sweep, std::span<const VariantResult> variants);
 
-// The form of it is sweep_schema.json.
+// Returns the text of sweep.json. sweep_schema.json defines its form.
 std::string sweep_json(const config::Sweep& sweep, std::span<const VariantResult> variants);
 
-// The JSON Schemas of sweep.json, and of a line of index.jsonl below $defs/variant.
+// Returns the JSON Schema of sweep.json. The schema of a line of index.jsonl is below
+// $defs/variant.
 std::string_view sweep_schema();
 
-// Whether the index may be written there: E0302, E0303 as inspect_output_folder. A folder with a
-// sweep.json of skybake's claims all three.
+// Checks whether the index may be written into the folder. E0302 and E0303 as for
+// inspect_output_folder. If the folder has a sweep.json of skybake, all three files are skybake's.
 [[nodiscard]] std::vector<config::Diagnostic> inspect_index(const std::filesystem::path& folder,
                                                             bool force);
 
-// Writes the three, all or none of them. E0301, E0302.
+// Writes all three files, or none of them. E0301, E0302.
 [[nodiscard]] std::vector<config::Diagnostic> write_index(const std::filesystem::path& folder,
                                                           const config::Sweep& sweep,
                                                           std::span<const VariantResult> variants);

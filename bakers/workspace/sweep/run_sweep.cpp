@@ -33,8 +33,8 @@ Diagnostic internal_error(const std::exception& exception) {
     return diagnostic;
 }
 
-// No error if the assets are those that were planned. Others would stand in one index with variants
-// of the recipe as it was.
+// Returns an error unless the assets are those that were planned. Otherwise one index would mix
+// variants of the recipe before and after a change.
 std::vector<Diagnostic> check_against_plan(const FolderBake& bake,
                                            const std::vector<std::string>& planned_keys) {
     std::vector<std::string> keys;
@@ -51,15 +51,15 @@ std::vector<Diagnostic> check_against_plan(const FolderBake& bake,
              "run it again"}};
 }
 
-// Temporaries that a killed process has left beside files that are up to date. Not while another
-// process has the folder: it removes them itself.
+// Removes temporaries that a killed process has left beside up-to-date files. Does nothing while
+// another process has the folder locked, because that process removes them itself.
 void remove_left_overs(const std::filesystem::path& folder) {
     const auto lock = FolderLock::acquire(
         folder, [] {}, [] { return true; });
     if (lock.value) remove_stale_temporaries_in(folder);
 }
 
-// Passes what one bake tells on to the sweep's observer, one call at a time.
+// Passes the calls of one bake's observer on to the sweep's observer, one at a time.
 class VariantObserver : public BakeObserver {
   public:
     VariantObserver(const VariantResult& variant, SweepObserver& observer, std::mutex& mutex)
@@ -113,7 +113,7 @@ class SweepRunner {
         const int workers = std::min(threads, static_cast<int>(waiting_.size()));
         std::vector<std::thread> others;
         for (int worker = 0; worker < workers; ++worker) {
-            // The threads that are too many for the workers go to the first ones.
+            // The remaining threads go to the first workers.
             const int own = threads / workers + (worker < threads % workers ? 1 : 0);
             others.emplace_back([this, own] { work(own); });
         }
@@ -121,7 +121,7 @@ class SweepRunner {
     }
 
   private:
-    // Those wanted twice or more, and where up-to-date variants have them.
+    // Registers the assets that two or more variants need, and where up-to-date variants have them.
     void share_assets() {
         std::map<std::string, int> users;
         for (const PlannedVariant& variant : plan_) {
@@ -138,7 +138,7 @@ class SweepRunner {
         }
     }
 
-    // A variant that is up to date, or that cannot be planned.
+    // Finishes a variant that is up to date or that cannot be planned.
     void settle(PlannedVariant& variant) {
         if (observer_.cancelled()) return;
         const auto folder = job_.folder / variant.result.name;
@@ -150,11 +150,11 @@ class SweepRunner {
 
     struct Task {
         std::size_t variant = 0;
-        std::vector<std::string> made;  // shared keys that it makes
+        std::vector<std::string> made;  // keys of the shared assets that it makes
     };
 
-    // The next variant that need not wait for another one's assets or memory. None once all are
-    // taken, or the user has interrupted.
+    // Returns the next variant that need not wait for another one's assets or memory. Returns
+    // nothing once all are taken or the user has interrupted.
     std::optional<Task> next_task() {
         std::unique_lock lock(mutex_);
         while (!waiting_.empty() && !observer_.cancelled()) {
@@ -173,7 +173,7 @@ class SweepRunner {
         return std::nullopt;
     }
 
-    // One that alone is too large has failed when it was planned.
+    // A variant that is too large on its own has already failed when it was planned.
     bool has_memory_for(const PlannedVariant& variant) const {
         return running_ == 0 || !job_.memory_limit_mib ||
                memory_mib_ + variant.memory_mib <= *job_.memory_limit_mib;
@@ -200,7 +200,8 @@ class SweepRunner {
         wake_others();
     }
 
-    // Under the lock, so that none misses it between looking for a task and beginning to wait.
+    // Notifies under the lock, so that no thread misses it between looking for a task and beginning
+    // to wait.
     void wake_others() {
         const std::lock_guard lock(mutex_);
         freed_.notify_all();
@@ -217,7 +218,8 @@ class SweepRunner {
         observer_.finished(variant.result, true, elapsed.count());
     }
 
-    // What is thrown, for lack of memory, fails the variant: a thread must not let it pass.
+    // Turns an exception, such as lack of memory, into a failure of the variant, because no
+    // exception may leave a thread.
     template <typename Step>
     static void guard(VariantResult& result, const Step& step) {
         try {
@@ -257,7 +259,8 @@ class SweepRunner {
         if (cache) append(cache->problems(), result);
     }
 
-    // What others wait for, so that they need not wait for the rest of the variant.
+    // Makes the assets that other variants wait for first, so that they need not wait for the rest
+    // of this variant.
     bool make_shared_first(const FolderBake& whole, PlannedVariant& variant, const Task& task,
                            VariantObserver& observer) {
         if (task.made.empty() || task.made.size() == variant.stale.size()) return true;
@@ -276,7 +279,8 @@ class SweepRunner {
         return false;
     }
 
-    // No value and no error means an interruption: the variant stays missing.
+    // If there is neither a value nor an error, the bake was interrupted and the variant stays
+    // missing.
     static void finish(config::Outcome<BakedFolder> baked, VariantResult& result) {
         if (!baked.value) {
             if (!baked.diagnostics.empty()) fail(std::move(baked.diagnostics), result);
@@ -308,11 +312,11 @@ class SweepRunner {
     std::mutex observer_mutex_;
     ReadyAssets ready_;
 
-    std::mutex mutex_;  // of all below
+    std::mutex mutex_;  // guards all members below
     std::condition_variable freed_;
     std::vector<std::size_t> waiting_;  // variants in order
     int running_ = 0;
-    double memory_mib_ = 0;  // of those running
+    double memory_mib_ = 0;  // of the running variants
 };
 
 std::vector<VariantResult> results_of(std::vector<PlannedVariant> plan) {

@@ -1,8 +1,8 @@
-// Makes the variants of a sweep that are not up to date, side by side.
+// Makes the variants of a sweep that are not up to date, several at a time.
 //
-// A variant is a bake of a folder, whole or not at all, so a sweep that is killed goes on where it
-// was. An asset that several variants want is made by the first that gets to it and copied by the
-// others. One that fails leaves its error.json and no more.
+// A variant is a bake into a folder, which is done completely or not at all, so a sweep that was
+// killed can continue. An asset that several variants need is made by the first that gets to it and
+// copied by the others. A variant that fails leaves only its error.json.
 #pragma once
 
 #include <string_view>
@@ -13,28 +13,29 @@
 
 namespace skybake {
 
-// Whoever watches a sweep. Calls come one at a time, from any thread; only `cancelled` may be
-// called while another one is.
+// Observes a sweep. Calls come from any thread, one at a time; only `cancelled` may be called
+// during another call.
 class SweepObserver {
   public:
     virtual ~SweepObserver() = default;
-    // True once the user has interrupted.
+    // Returns true once the user has interrupted.
     virtual bool cancelled() const = 0;
-    // How far the step of a variant is, in [0, 1]; often.
+    // Reports the progress of a variant's step, in [0, 1]. It is called often.
     virtual void advance(const VariantResult& variant, std::string_view step, double fraction) = 0;
-    // Another process is at work in the variant's folder.
+    // Says that another process works in the variant's folder.
     virtual void waits(const VariantResult& variant) = 0;
-    // `made` is false for one that was up to date or failed before anything was tried.
+    // Says that a variant is finished. `made` is false if it was up to date or failed before
+    // anything was tried.
     virtual void finished(const VariantResult& variant, bool made, double seconds) = 0;
 };
 
-// Makes what the plan says, and returns its results, in the plan's order. After an interruption
-// those that were not finished are missing.
+// Makes the variants of the plan and returns their results in the plan's order. After an
+// interruption, variants that were not finished have the status `missing`.
 std::vector<VariantResult> run_sweep(const SweepJob& job, std::vector<PlannedVariant> plan,
                                      SweepObserver& observer);
 
-// What there is, without making anything: what is not up to date has failed, where its folder says
-// so, or is missing.
+// Returns the results without making anything. A variant that is not up to date counts as failed if
+// its folder has an error.json, else as missing.
 std::vector<VariantResult> survey_sweep(const SweepJob& job, std::vector<PlannedVariant> plan);
 
 }  // namespace skybake

@@ -16,8 +16,8 @@ namespace {
 
 using config::Outcome;
 
-// Whether the manifest of the folder says what it would say if it were written now: the parameters
-// of the recipe are in it, also those that no asset depends on.
+// Whether the folder's manifest says what it would say if it were written now. It also contains the
+// recipe's parameters that no asset depends on.
 bool is_settled(const FolderPlan& plan, const config::Recipe& recipe) {
     if (plan.stale_count() > 0 || !plan.folder.previous) return false;
     const Manifest& previous = *plan.folder.previous;
@@ -62,7 +62,8 @@ std::string last_failure(const std::filesystem::path& folder) {
     return errors.empty() ? "" : errors[0].code + ": " + errors[0].message;
 }
 
-// "0007_seed=2", with the files that a variant leaves.
+// Whether the folder is that of a variant: it is named like "0007_seed=2" and has the files that a
+// variant leaves.
 bool is_variant_folder(const std::filesystem::path& folder) {
     constexpr std::size_t fewest_digits = 4;
     const std::string name = folder.filename().string();

@@ -32,7 +32,8 @@ bool is_plain(char c) {
     return letter || digit || std::string_view("+-.,_").find(c) != std::string_view::npos;
 }
 
-// "8 km" becomes "8km", "[16, 16, 8]" "16,16,8", "4e-6 /m" "4e-6perm"; anything else is a dash.
+// Makes a value fit for a name: "8 km" becomes "8km", "[16, 16, 8]" becomes "16,16,8", "4e-6 /m"
+// becomes "4e-6perm"; other characters become dashes.
 std::string safe(std::string_view text) {
     std::string result;
     for (const char c : text) {
@@ -85,7 +86,7 @@ std::string VariantNames::name(int index) const {
         name += fmt::format("_{}={}", safe(keys_[i]), safe(values[i].plain));
     }
     name.resize(std::min(name.size(), longest_name));
-    while (name.back() == '.') name.pop_back();  // which Windows would drop
+    while (name.back() == '.') name.pop_back();  // Windows would drop these dots
     return name;
 }
 

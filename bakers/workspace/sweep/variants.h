@@ -1,4 +1,4 @@
-// The variants of a sweep: their names, what came of each, and why one failed.
+// The variants of a sweep: their names, their results, and why one failed.
 #pragma once
 
 #include <filesystem>
@@ -14,14 +14,14 @@
 
 namespace skybake {
 
-// Names of variants' folders: "0007_threshold=0.35_seed=2".
-
-// What tells each path from the others: its last name, with as many of those before as that takes.
-// "clouds.c.threshold" is "threshold", next to "clouds.d.threshold" it is "c.threshold".
+// Returns a name that distinguishes each path from the others: its last name, with as many of the
+// names before it as necessary. "clouds.c.threshold" becomes "threshold"; beside
+// "clouds.d.threshold" it becomes "c.threshold".
 std::vector<std::string> distinguishing_names(const std::vector<std::string>& paths);
 
-// The names of the variants of one sweep. Unique by their numbers, of letters, digits and
-// `+-.,=_` alone and at most 100 long, so that every file system, shell and URL takes them.
+// The names of the variants of one sweep, and of their folders: "0007_threshold=0.35_seed=2". Their
+// numbers make them unique. They consist of letters, digits and `+-.,=_` and have at most 100
+// characters, so that every file system, shell and URL accepts them.
 class VariantNames {
   public:
     explicit VariantNames(const config::Sweep& sweep);
@@ -34,32 +34,31 @@ class VariantNames {
     int digits_ = 4;
 };
 
-// error.json: why a variant could not be made, in its folder until it can.
+// error.json says why a variant could not be made. It stays in the variant's folder until the
+// variant is made.
 inline constexpr std::string_view failure_name = "error.json";
 
-// Its text: the errors among the diagnostics.
+// Returns the text of error.json: the errors among the diagnostics.
 std::string failure_json(const std::vector<config::Diagnostic>& diagnostics);
 
-// The errors of a folder's error.json; none if there is none, or it is damaged.
+// Returns the errors in a folder's error.json, or none if it is missing or damaged.
 [[nodiscard]] std::vector<config::Diagnostic> read_failure(const std::filesystem::path& folder);
 
-// Writes the errors into the variant's folder, which is made where it is missing. E0301, E0302.
+// Writes the errors into the variant's folder and makes the folder if it is missing. E0301, E0302.
 [[nodiscard]] std::vector<config::Diagnostic> write_failure(
     const std::filesystem::path& folder, const std::vector<config::Diagnostic>& diagnostics);
 
-// Takes it away, if it is there.
+// Removes error.json if it exists.
 void remove_failure(const std::filesystem::path& folder);
 
-// What became of a variant, as index files and manifests tell it: nothing that changes from run to
+// One asset of a variant, as index files describe it. It holds nothing that changes from run to
 // run.
-
-// One asset of a variant.
 struct VariantAsset {
     std::string name;
     std::string kind;
     std::string key;  // see AssetIdentity
     std::vector<int> size;
-    std::optional<ErrorFigures> lookup_error;  // none where it was not measured
+    std::optional<ErrorFigures> lookup_error;  // none if it was not measured
     std::optional<ErrorFigures> texel_error;
     std::string content_hash;
     std::vector<std::string> files;  // relative to the variant's folder
@@ -79,8 +78,8 @@ struct VariantResult {
     int index = 0;
     std::string name;  // of its folder
     VariantStatus status = VariantStatus::missing;
-    std::vector<VariantAsset> assets;             // of one that is done
-    std::vector<config::Diagnostic> diagnostics;  // of one that failed; warnings of others
+    std::vector<VariantAsset> assets;             // if it is done
+    std::vector<config::Diagnostic> diagnostics;  // errors if it failed, else warnings
 };
 
 }  // namespace skybake

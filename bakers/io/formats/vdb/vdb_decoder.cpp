@@ -237,7 +237,7 @@ class Box {
     }
 
   private:
-    static constexpr std::int64_t most_voxels = 16384;  // the most that a recipe may ask for along an axis
+    static constexpr std::int64_t most_voxels = 16384;  // the most along an axis of a recipe
     std::array<int, 3> size_{};
 };
 
@@ -262,7 +262,7 @@ std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
         for (const Coord& lower : read_node<UpperNode>(in, corner, half)) {
             for (const Coord& leaf : read_node<LowerNode>(in, lower, half)) {
                 leaves.push_back({leaf_number(box.leaf_at(leaf)), 0});
-                in.seekg(sizeof(VdbLeafMask), std::ios::cur);  // the mask is stored with the voxels too
+                in.seekg(sizeof(VdbLeafMask), std::ios::cur);  // it is with the voxels too
             }
         }
     }
