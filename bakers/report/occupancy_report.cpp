@@ -37,8 +37,8 @@ namespace {
 using occupancy::Ray;
 using Member = std::array<double, 5>;
 
-// fraction(1/2 + n / g^i), g the real root of g^6 = g + 1 (M. Roberts, "The unreasonable
-// effectiveness of quasirandom sequences", 2018).
+// Returns member n of Roberts' sequence: fraction(1/2 + n / g^i), where g is the real root of g^6 =
+// g + 1 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
 Member member(int n) {
     constexpr double kRoot = 1.1347241384015194;
     Member values;
@@ -56,7 +56,7 @@ std::array<double, 3> direction(double cosine, double turn) {
     return {sine * cosine_of_turns(turn), sine * cosine_of_turns(turn - 0.25), cosine};
 }
 
-// Uniform from cos 60 deg to 1.
+// Maps a uniform share to a cosine that is uniform from cos 60 deg to 1.
 double steep_cosine(double share) {
     constexpr double kLeast = 0.5;
     return kLeast + (1 - kLeast) * share;
@@ -99,18 +99,18 @@ constexpr int kRays = 3000;
 constexpr int kQuickRays = 300;
 constexpr int kGridRepetitions = 9;
 constexpr int kQuickGridRepetitions = 3;
-// The tile of Olajos 2016 is 600 units wide; a ray goes on for 500 of them in steps of 1.
+// The tile of Olajos 2016 is 600 units wide, and a ray is 500 units long with steps of 1.
 constexpr double kStepsPerTile = 600;
 constexpr double kMarchSteps = 500;
 
-// The values of one channel as stored.
+// Returns the values of one channel as stored.
 std::vector<float> stored_channel(const Baked& volume, std::size_t channel, int threads) {
     const Level& level = volume.levels.front();
     std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
     const BoxSequence boxes(level.size, 1);
     parallel_for(boxes.count(), threads, [&](int i) {
         const VoxelBox box = boxes[i];
-        // With one column, boxes follow each other in the order of the voxels.
+        // The sequence has one column, so the boxes follow each other in the order of the voxels.
         float* const target =
             values.data() + occupancy::index_of(level.size, 0, box.origin[1], box.origin[2]);
         std::vector<float*> channels(volume.channel_names.size(), nullptr);
@@ -121,7 +121,7 @@ std::vector<float> stored_channel(const Baked& volume, std::size_t channel, int 
     return values;
 }
 
-// One way to skip: which cells count as occupied, and how rays use them.
+// One way of skipping: which cells count as occupied, and how rays use them.
 struct Structure {
     std::string name;
     Skipping skipping = Skipping::none;
@@ -137,7 +137,7 @@ class OccupancyMeasurement {
                          const OccupancyBake& bake, const ReportOptions& options)
         : voxels_(voxels), volume_(volume), bake_(bake), options_(options) {}
 
-    // None: interrupted.
+    // Measures all ways of skipping. Returns nothing after an interruption.
     std::optional<std::vector<SkippingRow>> measure() {
         make_cells();
         const auto cells = exact_.occupied.size();
@@ -220,8 +220,8 @@ class OccupancyMeasurement {
         return row;
     }
 
-    // How many of the rays just marched have another optical depth than without skipping, which was
-    // first.
+    // Returns how many of the rays just marched have another optical depth than without skipping.
+    // The first call is for the march without skipping.
     std::int64_t changed_rays() {
         if (unskipped_.empty()) unskipped_ = depths_;
         std::int64_t changed = 0;

@@ -1,4 +1,5 @@
-// The report of an occupancy grid: what skipping by it saves, and whether it loses anything.
+// The report of an occupancy grid: how much work empty-space skipping saves, and whether it loses
+// samples.
 #pragma once
 
 #include <array>
@@ -12,23 +13,25 @@
 
 namespace skybake {
 
-// As report_asset.
+// Makes the report of an occupancy grid, as report_asset does.
 config::Outcome<AssetReport> report_occupancy(const config::Recipe& recipe,
                                               const config::Bake& bake,
                                               const ReportOptions& options);
 
-// The fixed rays that skipping is measured with: three sets through a tile that repeats.
+// One of the three sets of fixed rays through a repeating tile, with which skipping is measured.
 struct RaySet {
     std::string name;  // "up", "within", "down"
     std::vector<occupancy::Ray> rays;
 };
 
-// `count` rays each, through a tile of this extent:
+// Returns three sets of `count` rays through a tile of this extent, by Roberts' sequence in five
+// dimensions:
 //   up      from its base, the cosine of the zenith angle uniform in [cos 60 deg, 1]
 //   within  from its lower quarter, directions uniform on the sphere
 //   down    from its top, as up, mirrored
-// by Roberts' sequence in five dimensions. With a tile of 600 units each way they are those of
-// tests/data/rays_*.csv, to the digits printed there.
+//
+// For a tile of 600 units along each axis they are the rays of tests/data/rays_*.csv, to the digits
+// printed there.
 std::array<RaySet, 3> skipping_rays(const std::array<double, 3>& extent, int count);
 
 }  // namespace skybake

@@ -35,7 +35,7 @@ namespace {
 constexpr int kRepetitions = 9;
 constexpr int kQuickRepetitions = 3;
 
-// The quadrature level, from 0, that a bake chose; its details count from 1.
+// Returns the quadrature level that a bake chose, counted from 0. The table's details count from 1.
 int chosen_level(const Baked& table) {
     for (const auto& [name, value] : table.details) {
         if (name == "quadrature_level") return static_cast<int>(std::get<double>(value)) - 1;
@@ -43,8 +43,8 @@ int chosen_level(const Baked& table) {
     return 0;
 }
 
-// What the report is about: for multiple scattering the converged method, which the paper's is one
-// variant of.
+// Returns the bake that the report is about. For multiple scattering it has the converged method;
+// the paper's method is one of the variants.
 Bake subject(const Bake& bake) {
     Bake result = bake;
     if (auto* asset = result.find<MultipleScatteringBake>()) {
@@ -53,7 +53,7 @@ Bake subject(const Bake& bake) {
     return result;
 }
 
-// The same whatever its quadrature reaches.
+// Returns the bake without a bound for the error of its texels.
 Bake without_texel_bound(const Bake& bake) {
     Bake result = bake;
     if (auto* asset = result.find<MultipleScatteringBake>()) {
@@ -85,7 +85,8 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     Outcome<Baked> baked = bake_asset(recipe, subject(bake), bake_options);
     const bool holds = !misses_texel_bound(baked);
     if (!holds) {
-        // All the more reason to show what can be had.
+        // The bake is repeated without the bound, because the report then shows which errors can be
+        // reached.
         report.notes.push_back("`bake` refuses it: " + baked.diagnostics.front().message);
         baked = bake_asset(recipe, without_texel_bound(subject(bake)), bake_options);
     }
@@ -118,7 +119,7 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     return outcome;
 }
 
-// Assets whose variants are compared; of the others certificates say what they reach.
+// The kinds of assets whose variants are compared. For others, the certificate states the error.
 struct AssetReporter {
     std::string_view asset;
     Outcome<AssetReport> (*report)(const config::Recipe& recipe, const Bake& bake,

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kSignLength = 512;  // the signs stand within so many bytes
+constexpr std::size_t kSignLength = 512;  // the signs are within this many bytes
 
 std::string beginning_of(const fs::path& path) {
     std::string text(kSignLength, '\0');
@@ -103,7 +103,7 @@ bool is_named_by_its_file(const ReportRow& row) {
     return row.volume_file && row.volume_file->format != config::FileFormat::bin;
 }
 
-// What the rows of a sweep of one size differ in.
+// Returns the word for what the variants of one size differ in.
 const char* compared_of(const AssetReport& asset) {
     if (asset.kind == "bruneton") return "methods";
     return asset.volume ? "octaves" : "quadratures";
@@ -123,8 +123,8 @@ Figure report_figure(const AssetReport& asset) {
     for (const ReportRow& row : asset.rows) {
         const int family = family_index(plot.families, row.family);
         ChartPoint lookup = point_of(row, family, row.time_ms, row.lookup.rms, row.on_lookup_front);
-        // Files of the same voxels stand in one place, where those named by their size speak for
-        // all.
+        // Files of the same voxels are at the same place, so only the one named by its size keeps
+        // its label.
         if (is_named_by_its_file(row) && !lookup.emphasised) lookup.label.clear();
         lookups.push_back(std::move(lookup));
         if (row.in_quadrature_sweep) {
@@ -183,7 +183,7 @@ Figure sky_truth_figure(const SkyErrorReport& report) {
     plot.front_name = "Pareto front";
     std::vector<ChartPoint> median, p90;
     for (const SkyErrorRow& row : report.rows) {
-        if (!row.method.takes_time()) {  // no time, which a logarithmic axis has no place for
+        if (!row.method.takes_time()) {  // a logarithmic axis cannot show a time of 0
             plot.subtitles.push_back(fmt::format("{}: {:.2g} median, {:.2g} p90", row.method.family,
                                                  row.error.median, row.error.p90));
             continue;

@@ -1,5 +1,5 @@
-// The files of a report: CSV for spreadsheets, JSON for programs, one plot for each asset
-// (report_files.h); and the signs by which it knows its own.
+// The files of a report: CSV for spreadsheets, JSON for programs, and one plot for each asset. The
+// header also recognises files that a report wrote.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,11 @@
 
 namespace skybake {
 
-// RFC 4180 but for line ends, one row a variant; the first line names the columns with their units.
+// Returns CSV as of RFC 4180 except for its line ends, with one row per variant. The first line
+// names the columns with their units.
 std::string report_csv(const std::vector<AssetReport>& assets);
 
-// One object; keys are those of the structs in report.h.
+// Returns one JSON object. Its keys are those of the structs in report.h.
 std::string report_json(const std::vector<AssetReport>& assets);
 
 struct ReportFile {
@@ -25,30 +26,28 @@ struct ReportFile {
     std::string text;
 };
 
-// report.csv, report.json and NAME.svg for each asset.
+// Returns report.csv, report.json and NAME.svg for each asset.
 std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets);
 
-// Their names, before the report is made.
+// Returns the names of these files, before the report is made.
 std::vector<std::string> report_file_names(const std::vector<std::string>& assets);
 
-// Whether a text that stands under such a name was written by report_files, or under the like by
-// `report --truth`.
+// Whether a file with this name and text was written by report_files or by `report --truth`.
 bool is_report_text(std::string_view name, std::string_view text);
 
-// E0303 for each file of these names that is in the folder and is not a report's.
+// Returns E0303 for each file with one of these names that is in the folder and that no report
+// wrote.
 [[nodiscard]] std::vector<config::Diagnostic> foreign_report_files(
     const std::filesystem::path& folder, const std::vector<std::string>& names);
 
-// The plots of reports, as SVG files.
-
-// A comment by which reports know their files.
+// The comment in SVG files by which reports recognise their own plots.
 inline constexpr std::string_view report_plot_sign = "skybake report";
 
-// Of an asset: time against lookup error, and against texel error for the quadrature sweep; of
-// volumes, bytes against lookup error too.
+// Plots an asset: time against lookup error, and time against texel error for the quadrature sweep;
+// for volumes also bytes against lookup error.
 Figure report_figure(const AssetReport& asset);
 
-// Of the sky: the time of each method against its error.
+// Plots the time of each method for the sky against its error.
 Figure sky_truth_figure(const SkyErrorReport& report);
 
 std::string report_svg(const Figure& figure);

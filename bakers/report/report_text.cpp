@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// One list of columns for both forms, and one of those that volumes alone have: empty cells of a
-// table's rows.
+// A column of CSV and a key of JSON. One list has the columns of all assets, another those of
+// volumes only, whose cells are empty in the rows of tables.
 struct Column {
     std::string_view name;
     std::function<Json(const ReportRow&)> value;
@@ -62,7 +62,7 @@ std::string dump(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-// A cell: quoted if it must be.
+// Returns the text of a cell, quoted if necessary.
 std::string csv_cell(const Json& value) {
     if (!value.is_string()) return dump(value, -1);
     const auto& text = value.get_ref<const std::string&>();

@@ -37,10 +37,11 @@ using config::Outcome;
 
 namespace {
 
-// Writing a compressed file takes ten times as long as making its voxels.
+// Files are written fewer times, because writing a compressed file takes ten times as long as
+// making its voxels.
 constexpr VolumeRepetitions kVolumeRepetitions = {.voxels = 9, .writes = 3};
 constexpr VolumeRepetitions kQuickVolumeRepetitions = {.voxels = 3, .writes = 1};
-// As of --certify=quick and --certify=full.
+// The numbers of points are those of --certify=full and --certify=quick.
 constexpr int kPoints = 16384;
 constexpr int kQuickPoints = 1024;
 
@@ -112,7 +113,7 @@ config::Outcome<AssetReport> report_bruneton(const config::Recipe& recipe, const
     auto& asset = subject.as<BrunetonBake>();
     asset.size = made->size;
     asset.mips = 1;
-    // What the other method is measured against.
+    // The solved method is the one that the other is measured against.
     asset.method = config::BrunetonMethod::solved;
     return report_volume(recipe,
                          {subject,
@@ -143,7 +144,7 @@ CloudPlan plan_of(const config::Cloud& cloud, const CloudInputs& inputs,
     return make_cloud_plan(cloud, *inputs.base, inputs.detail, size, inputs.maps);
 }
 
-// The same voxels without a bound on the noise, so that nothing is proved empty.
+// Returns the same voxels, made without a bound on the noise, so that no box is known to be empty.
 Voxels without_bounds(CloudPlan plan) {
     plan.noise_bound = std::numeric_limits<float>::infinity();
     return std::make_shared<CloudField>(std::move(plan));
@@ -196,10 +197,11 @@ using config::OpticalDepthBake;
 
 namespace {
 
-// Texels of a table between points: hundreds of shells along each path are slow to sum.
+// The most texels along an axis. It is small because summing hundreds of shells along each path is
+// slow.
 constexpr int kMostColumnTexels = 32;
 
-// Up to where shells go if the recipe has none: Ai et al. 2014.
+// The altitude up to which shells go if the recipe does not say, from Ai et al. 2014.
 constexpr config::Length kPaperAltitude = {35e3};
 
 void add(const config::Atmosphere& atmosphere, const OpticalDepthBake& bake,
@@ -275,7 +277,7 @@ using config::Outcome;
 
 namespace {
 
-// By texture coordinates of a volume of any size.
+// Returns the reference by texture coordinates, for a volume of any size.
 ReferenceOfSize reference_of(const Noise& noise) {
     const auto remembered =
         std::make_shared<RememberedReference>([&noise](const std::array<double, 3>& place) {
@@ -286,7 +288,8 @@ ReferenceOfSize reference_of(const Noise& noise) {
         return [remembered, axes](const std::array<double, 3>& uvw) {
             std::array<double, 3> place = uvw;
             for (std::size_t i = 0; i < 3; ++i) {
-                // Voxel i, whose centre is at (i + 1/2) / size, may sample its lower corner.
+                // The centre of voxel i is at (i + 1/2) / size, but the voxel may sample its lower
+                // corner.
                 if (axes[i].offset == 0) place[i] -= 0.5 / axes[i].size;
             }
             return (*remembered)(place);

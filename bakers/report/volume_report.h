@@ -1,4 +1,4 @@
-// The reports of volumes: what all have in common, and what each kind of asset compares.
+// Reports of volumes: the part that all have in common, and a function for each kind of asset.
 #pragma once
 
 #include <array>
@@ -13,45 +13,46 @@
 namespace skybake {
 
 struct VolumeReportSubject {
-    config::Bake bake;                // of the size that the report is about, with one level
+    config::Bake bake;                // has the size that the report is about, and one level
     std::array<int, 3> asked_size{};  // what the recipe asks for
     int asked_mips = 1;
     const VolumeSweep& sweep;
     const ReferenceOfSize& reference;
     ComparisonOfSize comparison = {};
-    // Of references that are expensive; 0: as many as of other volumes.
+    // The number of points to compare if the reference is expensive; 0: as many as for other
+    // volumes.
     int points = 0;
-    // Of the times that the sweep's variants bring along, and what these are; 0: they bring none.
+    // The repetitions behind the times that the sweep's variants bring along, and what these times
+    // mean; 0: the variants bring no times.
     int repetitions = 0;
     std::string timing = {};
 };
 
-// Bakes the subject and measures its sweep. As report_asset.
+// Bakes the subject and measures its sweep. Outcomes are those of report_asset.
 config::Outcome<AssetReport> report_volume(const config::Recipe& recipe,
                                            const VolumeReportSubject& subject,
                                            const ReportOptions& options);
 
-// What each kind of asset compares, as report_asset.
-//
-// Of Bruneton's tables: methods, sizes and pixel types of scattering (bruneton_sweep.h), sizes and
-// pixel types of the others. `quick` has sizes below that of a recipe's own where
-// making that takes seconds.
+// Reports Bruneton's tables: for scattering it compares methods, sizes and pixel types
+// (bruneton_sweep.h), for other tables sizes and pixel types. With `quick`, sizes are below the
+// recipe's own if making that takes seconds. Outcomes of this and the following functions are those
+// of report_asset.
 config::Outcome<AssetReport> report_bruneton(const config::Recipe& recipe, const config::Bake& bake,
                                              const ReportOptions& options);
 
-// Sizes, pixel types and compressions, and what is saved by not making noise where there is no
-// cloud.
+// Compares sizes, pixel types and compressions, and reports how much time is saved by not making
+// noise in places without cloud.
 config::Outcome<AssetReport> report_cloud_volume(const config::Recipe& recipe,
                                                  const config::Bake& bake,
                                                  const ReportOptions& options);
 
-// Exact quadrature beside sums over shells, of one thickness and of equal attenuation, more and
-// more of them. Densities and phase functions have nothing to sum, and nothing to compare.
+// Compares exact quadrature with sums over more and more shells, of equal thickness and of equal
+// attenuation. Densities and phase functions have no sums, so there is nothing to compare.
 config::Outcome<AssetReport> report_column_volume(const config::Recipe& recipe,
                                                   const config::Bake& bake,
                                                   const ReportOptions& options);
 
-// Sizes, pixel types, octaves and compressions.
+// Compares sizes, pixel types, octaves and compressions.
 config::Outcome<AssetReport> report_noise_volume(const config::Recipe& recipe,
                                                  const config::Bake& bake,
                                                  const ReportOptions& options);

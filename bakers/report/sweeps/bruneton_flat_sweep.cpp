@@ -28,14 +28,15 @@ namespace {
 
 constexpr int kTransmittancePoints = 16384;
 constexpr int kQuickTransmittancePoints = 1024;
-// The reference takes 12 times as many directions as a texel.
+// There are few points, because the reference sums over 12 times as many directions as a texel
+// does.
 constexpr int kIrradiancePoints = 256;
 constexpr int kQuickIrradiancePoints = 32;
 constexpr std::int64_t kMostFlatTexels = std::int64_t{1} << 20;
 constexpr std::int64_t kMostIrradianceTexels = std::int64_t{1} << 12;
 constexpr std::int64_t kQuickMostIrradianceTexels = std::int64_t{1} << 10;
 
-// A table as a function, with all that it is of.
+// A table as a function, with everything that it depends on.
 struct FlatSubject {
     SkyMedium medium;
     std::vector<double> solar_irradiance;
@@ -44,7 +45,8 @@ struct FlatSubject {
     FlatTable table;
 };
 
-// Null: interrupted. `seconds` are those of the light.
+// Makes the subject. `seconds` is the time of solving the light. Returns null after an
+// interruption.
 std::shared_ptr<const FlatSubject> subject_of(const config::Atmosphere& atmosphere,
                                               const BrunetonBake& asked,
                                               const ReportOptions& options, double& seconds) {
@@ -72,7 +74,8 @@ std::shared_ptr<const FlatSubject> subject_of(const config::Atmosphere& atmosphe
     return subject;
 }
 
-// A quarter to twice as many texels an axis, or, of what is too large, the most that is not.
+// Returns the sizes: from a quarter to twice as many texels per axis. If the size asked for is too
+// large, it is reduced first.
 std::vector<std::array<int, 3>> flat_sizes(const BrunetonBake& asked, bool quick) {
     const std::int64_t irradiance = quick ? kQuickMostIrradianceTexels : kMostIrradianceTexels;
     const std::int64_t most =

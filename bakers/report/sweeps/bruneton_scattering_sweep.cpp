@@ -37,15 +37,15 @@ namespace {
 
 constexpr int kScatteringPoints = 4096;  // as of --certify=full
 constexpr int kQuickScatteringPoints = 512;
-// Below the published 256x128x32, of which half along each axis but nu is 2^17.
+// This excludes the published size, 256x128x32; half of that along each axis except nu is 2^17.
 constexpr std::int64_t kQuickMostTexels = std::int64_t{1} << 18;
 constexpr std::int64_t kMostScatteringTexels = std::int64_t{1} << 24;
-// 4 orders take 4 s.
+// At this size, 4 orders take 4 s.
 constexpr std::int64_t kMostIteratedTexels = std::int64_t{1} << 14;
 
 std::int64_t texels_of(const Size& size) { return std::int64_t{size[0]} * size[1] * size[2]; }
 
-// At least 2 texels an axis, or as many as there are.
+// Divides the size, but keeps at least 2 texels per axis, or as many as there are.
 Size divided(const BrunetonBake& bake, int divisor) {
     const auto along = [divisor](int texels) {
         return std::min(texels, std::max(texels / divisor, 2));
@@ -54,7 +54,8 @@ Size divided(const BrunetonBake& bake, int divisor) {
             along(bake.size[2])};
 }
 
-// The largest first: as asked, half and a quarter, or where these are too many what is not.
+// Returns the sizes, the largest first: the one asked for, a half and a quarter of it. Sizes with
+// too many texels are left out; if all have too many, the first smaller one is taken.
 std::vector<Size> scattering_sizes(const BrunetonBake& bake, bool quick) {
     const std::int64_t most = quick ? kQuickMostTexels : kMostScatteringTexels;
     std::vector<Size> sizes;
@@ -77,14 +78,15 @@ Size iterated_size(const BrunetonBake& bake, const Size& smallest) {
     return size;
 }
 
-// What all variants are of.
+// The light and the references that all variants share.
 struct Subject {
     Subject(const config::Atmosphere& atmosphere, const BrunetonBake& asked)
         : medium(without_forward_peaks(make_sky_medium(atmosphere))),
           bake(asked),
           content(medium, bake) {}
 
-    // Lookups of all sizes are at the same places, whose light takes long to sum.
+    // Returns the exact texel at a place, from a memo if possible: lookups of all sizes are at the
+    // same places, and their light is expensive.
     Texel exact(const ScatteringView& view, double sun_cos_zenith, double nu) {
         const std::array<double, 6> place = {view.altitude_km, view.s_km,
                                              view.length_km,   view.meets_ground ? 1.0 : 0.0,
@@ -109,7 +111,7 @@ struct Subject {
     std::unique_ptr<const SolvedLight> light;  // null: no higher orders
     std::unique_ptr<const SolvedOrders> higher;
     std::unique_ptr<const ScatteringReference> reference;
-    std::vector<double> largest;  // of the largest size: one scale for all
+    std::vector<double> largest;  // of the largest size; one scale for all variants
 
   private:
     std::mutex mutex;
@@ -128,7 +130,7 @@ class ScatteringSweep {
         made_.points = options.quick ? kQuickScatteringPoints : kScatteringPoints;
     }
 
-    // None: interrupted.
+    // Makes the sweep. Returns nothing after an interruption.
     std::optional<BrunetonSweep> make() {
         if (!solve()) return std::nullopt;
         const std::vector<Size> sizes = scattering_sizes(asked_, options_.quick);
@@ -148,7 +150,7 @@ class ScatteringSweep {
     }
 
   private:
-    // The median; none: interrupted.
+    // Returns the median time of a job, or nothing after an interruption.
     std::optional<double> seconds_of(const std::function<void()>& job) const {
         const std::vector<double> seconds =
             interleaved_medians({job}, made_.repetitions,

@@ -34,7 +34,7 @@ void advance_sweep(const ReportOptions& options, std::string_view step, double f
 
 double milliseconds(double seconds) { return std::round(seconds * 1e9) / 1e6; }  // whole ns
 
-// Voxels that variants share: how they are stored does not change them.
+// Voxels that several variants share, because the way of storing does not change them.
 struct SharedVoxels {
     const VoxelSource* source;
     std::array<int, 3> size;
@@ -58,7 +58,7 @@ std::size_t floats_of_box(const SharedVoxels& voxels, std::size_t channels) {
     return static_cast<std::size_t>(boxes.largest_count()) * channels;
 }
 
-// Makes all voxels box after box, as writers do, over and over in the same memory.
+// Makes all voxels box after box, as writers do, in the same memory again and again.
 void make_voxels(const SharedVoxels& voxels, std::size_t channels, AlignedFloats& memory) {
     const BoxSequence boxes(voxels.size, static_cast<int>(channels));
     const auto plane = static_cast<std::size_t>(boxes.largest_count());
@@ -67,7 +67,7 @@ void make_voxels(const SharedVoxels& voxels, std::size_t channels, AlignedFloats
     for (int i = 0; i < boxes.count(); ++i) voxels.source->fill(boxes[i], planes);
 }
 
-// False if interrupted.
+// Measures the time of making the voxels. Returns false after an interruption.
 bool time_voxels(std::vector<SharedVoxels>& all, std::size_t channels, int repetitions,
                  const ReportOptions& options) {
     AlignedFloats memory;
@@ -98,13 +98,14 @@ struct Written {
     double seconds = 0;
 };
 
-// No value and no diagnostics: interrupted.
+// Writes the volume's file to memory. After an interruption there is neither a value nor a
+// diagnostic.
 Outcome<Written> write_to_memory(const Baked& volume, int repetitions,
                                  const ReportOptions& options) {
     const ManifestAsset asset = describe_with_files(volume);
     Outcome<Written> outcome;
     Written written;
-    constexpr int kThreads = 1;  // whose time is taken
+    constexpr int kThreads = 1;  // the thread that is timed
     const auto write = [&] {
         const MemoryFile file;
         outcome.diagnostics =
@@ -141,7 +142,7 @@ class VolumeMeasurement {
         }
     }
 
-    // False if interrupted.
+    // Measures all variants with these voxels. Returns false after an interruption.
     bool measure(const SharedVoxels& voxels) {
         const auto stored = std::make_shared<StoredSource>(
             *voxels.source, voxels.size, static_cast<int>(baked_.channel_names.size()),
@@ -175,7 +176,8 @@ class VolumeMeasurement {
             fmt::format("{}, {}: left out, {}", variant.family, variant.name, reason.message));
     }
 
-    // Variants that hold the same values, in several files. False if interrupted.
+    // Measures variants that hold the same values in different files. Returns false after an
+    // interruption.
     bool measure_stored(const SharedVoxels& voxels, const Voxels& stored, PixelType type,
                         const std::vector<std::size_t>& variants) {
         Baked volume = baked_;
@@ -223,7 +225,8 @@ class VolumeMeasurement {
         row.lookup = measure_lookups(scaled, type, reference, points_, quiet, comparison).figures;
     }
 
-    // False if interrupted. `result` stays empty where the file cannot be made.
+    // Measures a file. `result` stays empty if the file cannot be made. Returns false after an
+    // interruption.
     bool measure_file(const VolumeVariant& variant, Baked& volume, const ReportRow& values,
                       std::optional<ReportRow>& result) {
         volume.formats = {variant.format};
@@ -261,8 +264,8 @@ class VolumeMeasurement {
     std::size_t done_ = 0;
 };
 
-// An error between the points that were compared, to the digits that more points would not change:
-// pixel types far finer than the interpolation are the same to a lookup.
+// Rounds an error to two digits, which more points would not change. If two pixel types are much
+// finer than the interpolation error, their lookup errors then compare as equal.
 double two_digits(double rms) {
     if (!(rms > 0) || !std::isfinite(rms)) return rms;
     const double unit = std::pow(10.0, std::floor(std::log10(rms)) - 1);

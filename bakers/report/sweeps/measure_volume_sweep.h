@@ -1,4 +1,4 @@
-// Time, error and bytes of each variant of a volume.
+// Measures the time, error and bytes of each variant of a volume.
 #pragma once
 
 #include <functional>
@@ -16,17 +16,19 @@
 namespace skybake {
 
 struct VolumeRepetitions {
-    int voxels = 1;  // times are medians of so many
+    int voxels = 1;  // each time is the median of this many
     int writes = 1;
 };
 
-// The reference of a volume of some size.
+// Returns the reference for a volume of the given size.
 using ReferenceOfSize = std::function<VolumeReference(const std::array<int, 3>& size)>;
 
-// How its errors are measured; empty: in shares of value ranges.
+// Returns how the errors of such a volume are measured. Empty: as shares of the channels' value
+// ranges.
 using ComparisonOfSize = std::function<VolumeComparison(const std::array<int, 3>& size)>;
 
-// A definition at places that many variants are compared at: computed once. Any thread may ask.
+// A memo of a reference, for places at which many variants are compared: each value is calculated
+// once. Any thread may call it.
 class RememberedReference {
   public:
     explicit RememberedReference(VolumeReference definition);
@@ -38,10 +40,11 @@ class RememberedReference {
     std::map<std::array<double, 3>, std::vector<double>> values_;
 };
 
-// The rows of a sweep, fronts marked, and notes on variants that were left out. `baked` is the
-// volume that the sweep is about: the files have its metadata, and errors are shares of the value
-// ranges of its channels, whatever those of a variant are. `points` voxels, at most, and as many
-// lookups are compared with the reference. None: the user has interrupted.
+// Measures a sweep and returns its rows, with marked fronts, and notes on variants that were left
+// out. `baked` is the volume that the sweep is about: all files have its metadata, and all errors
+// are shares of the value ranges of its channels, even if a variant has others. At most `points`
+// voxels and as many lookups are compared with the reference. Returns nothing if the user has
+// interrupted.
 std::optional<MeasuredSweep> measure_volume_sweep(const VolumeSweep& sweep, const Baked& baked,
                                                   const ReferenceOfSize& reference, int points,
                                                   const VolumeRepetitions& repetitions,

@@ -18,7 +18,7 @@ using Model = std::shared_ptr<const TableModel>;
 
 namespace {
 
-// The paper's quadrature takes about 0.1 ms a texel, the finest level 0.3 ms.
+// The paper's quadrature takes about 0.1 ms per texel, the finest level 0.3 ms per texel.
 constexpr long kMaxTexels = 1 << 13;
 constexpr long kMaxTexelsOfLevels = 1 << 10;
 
@@ -84,13 +84,13 @@ class MultipleScatteringSweep {
         }
     }
 
-    // The level that sizes are swept at.
+    // Returns the quadrature level for the sweep over sizes.
     int level_of(const TableModel& model) const {
         const auto count = static_cast<int>(model.cost_per_texel.size());
         return count == 1 ? 0 : level_.value_or(count - 1);
     }
 
-    // Leaves out what is among the levels.
+    // Adds variants of several sizes, except those that are already among the levels.
     void add_sizes(const std::string& family, const Model& model, const Model& truth,
                    const std::vector<std::array<int, 2>>& sizes, PixelType pixel_type) {
         const int level = level_of(*model);
@@ -113,7 +113,7 @@ class MultipleScatteringSweep {
         }
     }
 
-    // The paper's quadrature; at the size of the levels it can be compared with them.
+    // Adds the paper's quadrature. At the size of the levels it can be compared with them.
     void add_paper(const Model& paper, const Model& truth) {
         const bool own = bake_.method == MultipleScatteringMethod::as_in_paper;
         add_sizes("as in the paper", paper, truth, own ? sizes_with_own_ : sizes_,
@@ -155,7 +155,7 @@ Sweep multiple_scattering_sweep(const Medium& medium, const MultipleScatteringBa
     sweep.timing =
         "processor time of the texels, one thread; all share tables of sunlight that were computed "
         "before";
-    // As of --certify=quick, or the first rows of --certify=full.
+    // The points are those of --certify=quick, or the first rows of --certify=full.
     sweep.texels = quick ? PointCounts{8, 8} : PointCounts{64, 16};
     sweep.lookups = sweep.texels;
     sweep.variants = MultipleScatteringSweep(medium, bake, size, level, quick, threads).variants();

@@ -29,7 +29,7 @@ namespace {
 using noise::ChannelPlan;
 using noise::NoisePlan;
 
-// Makes one row of voxels after the other.
+// Makes rows of voxels, one after the other.
 class RowMaker {
   public:
     RowMaker(const NoisePlan& plan, int width)
@@ -60,7 +60,7 @@ class RowMaker {
         noise::pack_channels(plan_.pack, rows, stride_, channels_[0].data());
     }
 
-    // Of the row made last.
+    // Returns the values of the row made last.
     const float* values(std::size_t channel) const { return channels_[channel].data(); }
 
   private:
@@ -131,7 +131,7 @@ std::size_t octave_count(const Noise& noise) {
     return count;
 }
 
-// False where nothing would be left: what there is has no weight.
+// Cuts the octaves to `count`. Returns false if those left have no weight.
 bool cut(NoiseOctaves& octaves, std::size_t count) {
     if (octaves.gains.size() <= count) return true;
     octaves.gains.resize(count);
@@ -139,8 +139,8 @@ bool cut(NoiseOctaves& octaves, std::size_t count) {
     return std::accumulate(octaves.gains.begin(), octaves.gains.end(), 0.0) > 0;
 }
 
-// The noise with no more than `count` octaves of a kind in each channel; their weights have the sum
-// 1 again. None where a channel has no weight in these octaves.
+// Returns the noise with at most `count` octaves of each kind in each channel, with weights that
+// sum to 1 again. Returns nothing if a channel has no weight in these octaves.
 std::optional<Noise> cut_short(Noise noise, std::size_t count) {
     for (NoiseChannel& channel : noise.channels) {
         if (!cut(channel.octaves, count) || !cut(channel.worley_octaves, count))

@@ -76,7 +76,7 @@ class PhaseSweep {
         }
     }
 
-    // Closed forms, fitted in each channel, as if they stood in a table of many texels.
+    // Adds closed forms, fitted in each channel, as if they were in a table of many texels.
     void add_formulas() {
         std::vector<std::vector<PhaseFit>> fits;  // of each channel
         for (const PhaseFunction& function : source_.functions) fits.push_back(fit_phase(function));

@@ -109,8 +109,8 @@ std::uint64_t MemoryFile::bytes() const {
 
 namespace {
 
-// Errors fall along any chain of beats, so the choice of the least error is on the front, if no
-// other.
+// Whether choice a beats choice b. A choice always has a smaller error than the one that it beats,
+// or a smaller cost at the same error, so the choice of the least error is always on the front.
 bool beats(const CostAndError& a, const CostAndError& b, double noise) {
     if (a.error == b.error) return a.cost < b.cost;
     return a.error < b.error && a.cost <= b.cost * (1 + noise);

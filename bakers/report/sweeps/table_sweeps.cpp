@@ -17,7 +17,7 @@ namespace skybake {
 
 namespace {
 
-// Texels that variants share: the pixel type does not change them.
+// Texels that several variants share, because the pixel type does not change them.
 struct Texels {
     const TableModel* model;
     int level;
@@ -45,7 +45,7 @@ void advance(const ReportOptions& options, std::string_view step, double fractio
     if (options.progress != nullptr) options.progress->advance(step, fraction);
 }
 
-// Makes and times all texels; false if interrupted.
+// Makes and times all texels. Returns false after an interruption.
 bool make_texels(std::vector<Texels>& all, int repetitions, const ReportOptions& options) {
     std::vector<std::function<void()>> jobs;
     for (Texels& texels : all) {
@@ -65,7 +65,7 @@ bool make_texels(std::vector<Texels>& all, int repetitions, const ReportOptions&
     return !seconds.empty() || all.empty();
 }
 
-// The references of a sweep's models, each computed when first asked for.
+// A memo of the references of a sweep's models. Each is calculated when it is first needed.
 class References {
   public:
     References(const Sweep& sweep, const ReportOptions& options)
@@ -113,7 +113,8 @@ Baked stored_as(const Variant& variant, const Image2<double>& texels, const Bake
     return table;
 }
 
-// E0401, E0402 where the pixel type cannot hold the texels.
+// Returns the number of bytes of the table's file. E0401 or E0402 if the pixel type cannot hold the
+// texels.
 config::Outcome<std::uint64_t> file_bytes(Baked& table) {
     const std::vector<std::array<double, 2>> ranges(table.channel_names.size(), {0.0, 1.0});
     auto problems = survey_level(table, 0, ranges, BakeOptions{.threads = 1});
@@ -140,7 +141,7 @@ std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const Baked& bake
             *std::find_if(all_texels.begin(), all_texels.end(),
                           [&](const Texels& candidate) { return makes(candidate, variant); });
         ReportRow row = describe(variant, baked);
-        row.time_ms = std::round(texels.seconds * 1e9) / 1e6;  // the clock's nanoseconds
+        row.time_ms = std::round(texels.seconds * 1e9) / 1e6;  // the clock counts nanoseconds
         Baked table = stored_as(variant, texels.image, baked);
         const config::Outcome<std::uint64_t> bytes = file_bytes(table);
         if (!bytes.value) {

@@ -20,7 +20,7 @@ using Model = std::shared_ptr<const TableModel>;
 
 namespace {
 
-// The baselines take about 10 us a texel: tables beyond these sizes would tell nothing new.
+// The baselines take about 10 us per texel, and larger tables would show nothing new.
 constexpr long kMostTransmittanceTexels = 1 << 18;
 constexpr long kMaxTexelsOfSteps = 1 << 14;
 
@@ -48,7 +48,7 @@ std::string family_of(const TransmittanceBake& bake) {
     return family;
 }
 
-// The table's model with another quadrature, ray by ray as the papers have it.
+// Returns the table's model with another quadrature, ray by ray as in the papers.
 TableModel by_steps(const Medium& medium, const TableModel& exact, bool as_depth, StepRule rule,
                     int steps) {
     TableModel model = exact;
@@ -117,7 +117,7 @@ class TransmittanceSweep {
     }
 
   private:
-    // The exact kernel in all sizes; `model` where it is there already.
+    // Adds the exact kernel in all sizes. `model` is its model if that already exists.
     Model add_sizes(const TransmittanceBake& bake, Model model = nullptr) {
         if (model == nullptr) {
             model = std::make_shared<const TableModel>(transmittance_model(medium_, bake));
@@ -159,7 +159,7 @@ class TransmittanceSweep {
         }
     }
 
-    // With the mapping that the sample has, too.
+    // Adds the sample's rule with the mapping that the sample uses.
     void add_sample_as_shipped(const NamedRule& rule, const Model& truth) {
         Variant variant = steps_variant(rule, rule.baseline_steps, truth);
         variant.name += ", ue mapping";
@@ -181,7 +181,7 @@ Sweep transmittance_sweep(const Medium& medium, const TransmittanceBake& bake,
                           std::array<int, 2> size, bool quick) {
     Sweep sweep;
     sweep.timing = "processor time of the texels, one thread";
-    // As of --certify=quick and --certify=full.
+    // The numbers of points are those of --certify=quick and --certify=full.
     sweep.texels = quick ? PointCounts{1024, 1} : PointCounts{16384, 1};
     sweep.lookups = sweep.texels;
     sweep.variants = TransmittanceSweep(medium, bake, size, quick).variants();

@@ -35,7 +35,7 @@ class StorageSweep {
                                                     format) != files_.formats.end();
     }
 
-    // EXR and VDB have no unorm: where the recipe does, they are shown as half.
+    // EXR and VDB do not have unorm. If the recipe asks for unorm, they are shown with half.
     void add_compressions() {
         const bool has_unorm =
             files_.pixel_type == PixelType::unorm8 || files_.pixel_type == PixelType::unorm16;
@@ -78,7 +78,7 @@ class StorageSweep {
         return all;
     }
 
-    // In all pixel types, uncompressed, so that bytes compare.
+    // Adds sizes in all pixel types, uncompressed so that their bytes can be compared.
     void add_sizes() {
         std::vector<std::pair<std::array<int, 3>, Voxels>> volumes;
         for (const std::array<int, 3>& size : sizes()) {

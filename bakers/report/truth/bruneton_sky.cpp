@@ -47,7 +47,7 @@ BrunetonBake bake_of(const SkyMedium& medium, const BrunetonSkySize& size, Brune
     return bake;
 }
 
-// Scattering at the ground by Mie's layers, or by all others.
+// Returns the scattering coefficients at the ground of the Mie layers, or of all other layers.
 Spectrum coefficients_at_ground(const SkyMedium& medium, const std::vector<bool>& is_mie,
                                 bool wanted) {
     Spectrum sum{};
@@ -78,7 +78,7 @@ class BrunetonSky {
         }
         guess_ = coefficients_at_ground(medium_, content_.is_mie(), true);
         const Spectrum others = coefficients_at_ground(medium_, content_.is_mie(), false);
-        for (std::size_t c = kMaxChannels; c-- > 0;) {  // red last: the others need it
+        for (std::size_t c = kMaxChannels; c-- > 0;) {  // red last, because the others need it
             const double red = guess_[0] * others[c];
             guess_[c] = red > 0 ? guess_[c] * others[0] / red : 0;
         }

@@ -1,4 +1,4 @@
-// The sky as a runtime makes it of Bruneton's tables of scattering.
+// The sky that a runtime renders from Bruneton's tables of scattering.
 #pragma once
 
 #include <array>
@@ -7,16 +7,17 @@
 
 namespace skybake {
 
-// The size of a bake by default.
+// The size of the tables. The default is that of a bake.
 struct BrunetonSkySize {
     std::array<int, 3> texels = {256, 128, 32};
     int nu_size = 8;
     double sun_cos_zenith_min = -0.20791169081775934;
 };
 
-// Bakes the tables on one thread, from nothing but the medium, as float. Layers whose phase
-// function has a g, and those of spheres, are Mie's. `combined`: their light is in A of the table,
-// red alone, and its colours are guessed as the implementation of 2017 does:
+// Bakes the tables as float, on one thread, from the medium alone. Mie layers are those whose phase
+// function has a g, and those of spheres. If `combined`, the A channel of the table holds only the
+// red light of the Mie layers, and the other colours are estimated as in the implementation of
+// 2017:
 //
 //   mie = A (colour / red) (rayleigh_red / mie_red) (mie_colour / rayleigh_colour)
 //

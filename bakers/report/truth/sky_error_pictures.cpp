@@ -28,7 +28,8 @@ SkyView view_of(const SkyErrorPictureOptions& options, double sun_zenith_degrees
     return view;
 }
 
-// What the air sends; the ground beyond it is the same for all methods.
+// Renders the radiance of the air. The ground behind it is the same for all methods, so it is left
+// out.
 Image2<float> render(const SkyMedium& medium, const MadeSkyMethod& method, const SkyView& view,
                      int threads) {
     const AirRadiance air = air_radiance(medium, method);
@@ -49,7 +50,7 @@ Image2<float> render(const SkyMedium& medium, const MadeSkyMethod& method, const
     return image;
 }
 
-// In percent, row 0 at the bottom, NaN outside of the dome.
+// Returns the difference in percent, with row 0 at the bottom and NaN outside of the dome.
 Image2<float> chart_field(const SkyDifference& difference, const SkyView& view) {
     Image2<float> field(view.width, view.height, 1);
     for (int y = 0; y < view.height; ++y) {
@@ -62,8 +63,8 @@ Image2<float> chart_field(const SkyDifference& difference, const SkyView& view) 
     return field;
 }
 
-// The least of 0.1, 0.2, 0.5, 1 ... percent, at most 100, that 99 of 100 pixels of all domes lie
-// within.
+// Returns the range of the colour scale: the smallest of 0.1, 0.2, 0.5, 1 ... percent, at most 100,
+// that contains 99 of 100 pixels of all domes.
 double percent_shown(const std::vector<SkyDifference>& domes) {
     std::vector<float> sizes;
     for (const SkyDifference& dome : domes) {

@@ -1,4 +1,4 @@
-// Where on the sky each way to multiple scattering is wrong.
+// Pictures that show where on the sky each method of multiple scattering is wrong.
 #pragma once
 
 #include <string>
@@ -17,14 +17,15 @@ struct SkyErrorPictureOptions {
     int dome_pixels = 64;
 };
 
-// The name of the picture of a method: "sky_error_KEY.png".
+// Returns the name of a method's picture: "sky_error_KEY.png".
 std::string sky_error_picture_name(const SkyMethod& method);
 
-// For each method but the last one PNG file: domes side by side, one for each sun, of the relative
-// error in colours. Each pixel shows the channel with the largest error, relative to the reference
-// or to 1e-3 of the channel's largest value, whichever is larger. Path tracing a whole dome takes
-// too long: errors are against the last method, which is to be the most exact one. Errors as of
-// png_bytes. Fewer files: the user has interrupted.
+// Makes one PNG file for each method except the last. It shows the relative error as colours, on
+// domes side by side, one for each sun. Each pixel shows the channel with the largest error,
+// relative to the reference or to 1e-3 of the channel's largest value, whichever is larger. The
+// reference is the last method, which must be the most exact one, because path tracing a whole dome
+// takes too long. Diagnostics are those of png_bytes. There are fewer files if the user has
+// interrupted.
 config::Outcome<std::vector<ReportFile>> sky_error_pictures(
     const SkyMedium& medium, const std::vector<MadeSkyMethod>& methods,
     const SkyErrorPictureOptions& options, int threads, Progress* progress);

@@ -24,9 +24,10 @@ namespace {
 using config::MultipleScatteringMapping;
 using config::MultipleScatteringMethod;
 
-// What `max_texel_error` chooses by default on Earth (tests/benchmarks/README.md): level 9.
+// The quadrature level, from 0, that the default `max_texel_error` chooses on Earth
+// (tests/benchmarks/README.md): level 9 of those counted from 1.
 constexpr int kLevel = 8;
-// Of the light that a table is fitted to (fitted_radiance.h).
+// The degree of the light that a table is fitted to (fitted_radiance.h).
 constexpr int kFittedDegree = 8;
 constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
 
@@ -51,7 +52,7 @@ std::string name_of(const TableShape& shape) {
                        is_twilight(shape) ? "twilight" : "hillaire");
 }
 
-// A runtime that has this table.
+// Returns the higher orders of a runtime that has this table.
 std::unique_ptr<HigherOrders> orders_of_table(const Medium& medium, const TableShape& shape,
                                               const Image2<double>& texels) {
     RangeCounts range;
@@ -126,7 +127,7 @@ std::unique_ptr<HigherOrders> fitted(const SkyMedium& medium, const TableShape& 
         fit_mean_radiance(medium, light, FitScene(), axes_of(medium, shape), FitSettings(), 1));
 }
 
-// Higher orders with the solution that they look things up in.
+// Higher orders that are looked up in the solution itself, which this class owns.
 class SolutionItself : public HigherOrders {
   public:
     SolutionItself(const SkyMedium& medium, int degree)
@@ -175,7 +176,7 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
         methods.push_back({key_of("fitted", shape), "fitted, solved", name_of(shape), "",
                            [&medium, shape] { return fitted(medium, shape); }});
     }
-    // They take longer than all others together.
+    // Quick reports leave out Bruneton's tables, which take longer than all other methods together.
     const std::vector<bool> bruneton = quick ? std::vector<bool>() : std::vector{false, true};
     for (const bool combined : bruneton) {
         const char* kind = combined ? "combined" : "separate";

@@ -1,4 +1,4 @@
-// Ways to multiple scattering: what a sky may take for the light that was scattered before.
+// Methods of multiple scattering: the light that a sky may use as scattered before.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace skybake {
 
-// What the air sends towards a camera in it, without the ground, in 1/sr for a solar irradiance
-// of 1. Any thread may ask.
+// Returns the radiance of the air, without the ground, for a camera in the air, in 1/sr for a solar
+// irradiance of 1. Any thread may call it.
 using AirRadiance = std::function<Spectrum(double altitude_km, const SunZenith& sun,
                                            const SkyDirection& direction)>;
 
@@ -21,19 +21,19 @@ struct SkyMethod {
     std::string key;       // for file names: "solved_32x32"
     std::string family;    // what it shares with others: "moments, solved"
     std::string name;      // what it differs in: "degree 4"
-    std::string baseline;  // where it is from, of what others are compared with; or empty
-    // All that comes before the first view ray, from nothing but the medium, on one thread: what is
-    // timed. Null: nothing is to be made, there are no higher orders.
+    std::string baseline;  // source of a method that others are compared with; or empty
+    // Does all the work before the first view ray, from the medium alone, on one thread. This work
+    // is timed. Null: there are no higher orders, so nothing is made.
     std::function<std::unique_ptr<HigherOrders>()> make;
-    // The same of methods that bring single scattering along: then there is no `make`.
+    // Does the same for methods that include single scattering. These have no `make`.
     std::function<AirRadiance()> make_whole = {};
 
     bool takes_time() const { return make || make_whole; }
 };
 
-// From single scattering alone to moments of degree 8. Tables are float, with bilinear lookups, as
-// a runtime has them; moments are looked up in the solver's own grid. `quick` leaves out the tables
-// of 64x32. `medium` must outlive what they make.
+// Returns the methods, from single scattering alone to moments of degree 8. Tables are float with
+// bilinear lookups, as a runtime has them; moments are looked up in the solver's own grid. `quick`
+// leaves out the tables of 64x32. `medium` must outlive the results.
 //
 //   single scattering
 //   eight strips       the second order alone (sky/strip_orders.h)

@@ -16,11 +16,11 @@ namespace skybake {
 
 namespace {
 
-// Exact at 90 and 0 degrees.
+// The cosine and the sine are exact at 90 and 0 degrees.
 double cosine_of_degrees(double angle) { return cosine_of_pi(angle / 180); }
 double sine_of_degrees(double angle) { return cosine_of_pi(std::fabs(90 - angle) / 180); }
 
-// Directions of one sun, by their places among all directions.
+// The directions of one sun, as indices into all directions.
 struct SunGroup {
     double sun_zenith_degrees = 0;
     std::vector<std::size_t> directions;
@@ -45,7 +45,8 @@ std::vector<SunGroup> sun_groups(const std::vector<SkyTruthDirection>& direction
     return groups;
 }
 
-// The interval that places[i], ascending, stands for: halfway to its neighbours, and to the ends.
+// Returns the interval that places[i] represents: it extends halfway to the neighbours, or to the
+// ends. The places are ascending.
 std::pair<double, double> interval_of(const std::vector<double>& places, std::size_t i, double low,
                                       double high) {
     return {i == 0 ? low : (places[i - 1] + places[i]) / 2,
@@ -74,7 +75,7 @@ double quantile(const std::vector<double>& sorted, std::size_t tenths) {
     return sorted.empty() ? 0 : sorted[std::min(sorted.size() * tenths / 10, sorted.size() - 1)];
 }
 
-// Figures of errors that stand in the truth's order.
+// Calculates figures of errors that are in the order of the truth.
 SkyErrorFigures figures_of(const std::vector<double>& errors, const std::vector<SkyTruth>& truth,
                            const std::vector<SunGroup>& groups, int channels) {
     SkyErrorFigures figures;
@@ -144,7 +145,7 @@ std::optional<std::vector<MadeSkyMethod>> make_sky_methods(std::vector<SkyMethod
     const std::vector<double> seconds = interleaved_medians(jobs, repetitions, before_each);
     if (seconds.size() != jobs.size()) return std::nullopt;
     for (std::size_t i = 0; i < timed.size(); ++i) {
-        made[timed[i]].time_ms = std::round(seconds[i] * 1e9) / 1e6;  // the clock's nanoseconds
+        made[timed[i]].time_ms = std::round(seconds[i] * 1e9) / 1e6;  // the clock counts ns
     }
     return made;
 }

@@ -17,15 +17,15 @@ namespace skybake {
 
 namespace {
 
-// Paths are traced in blocks of so many (path_tracer.cpp): whole blocks keep all threads busy.
+// Paths are traced in blocks of this size (path_tracer.cpp). Whole blocks keep all threads busy.
 constexpr std::int64_t kBlock = 1024;
 constexpr std::int64_t kMostPilotPaths = 4 * kBlock;
 constexpr std::int64_t kPilotShare = 16;
-// Each direction has a seed of its own; pilots have others, so that no path that decided how many
-// there are is counted.
+// Each direction has its own seed. Pilot paths have other seeds, so that no path is counted that
+// decided the number of paths.
 constexpr std::uint64_t kPilotSeeds = std::uint64_t{1} << 32;
 
-// RMS over channels of (standard error / radiance), 0 where all is black.
+// Returns the RMS over channels of (standard error / radiance), or 0 if all channels are black.
 double relative_spread(const std::vector<SkyTruth>& channels) {
     double squares = 0;
     int lit = 0;
@@ -80,7 +80,7 @@ namespace {
 constexpr std::string_view kSign = "# skybake sky truth ";
 constexpr std::uintmax_t kLargestFile = 16 << 20;
 
-// All of the text but its first line.
+// Returns the text after its first line.
 std::string_view after_first_line(std::string_view text) {
     const std::size_t end = text.find('\n');
     return end == std::string_view::npos ? std::string_view() : text.substr(end + 1);

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The texts of methods are the program's own, without commas and quotes but for baselines'.
+// Quotes a text. Texts of methods contain no quotes, and only those of baselines contain commas.
 std::string quoted(const std::string& text) { return text.empty() ? "" : '"' + text + '"'; }
 
 std::string figures_cells(const SkyErrorFigures& error, int channels) {
