@@ -17,7 +17,7 @@ namespace {
 
 using config::Outcome;
 
-// The voxels of a level as stored, channels interleaved.
+// Returns the voxels of a level as stored, channels interleaved.
 std::vector<float> stored_voxels(const Baked& volume, const Level& level,
                                  const BakeOptions& options) {
     const auto slice =
@@ -93,7 +93,8 @@ class PreviewBake {
         return true;
     }
 
-    // Empty without a memory, and where an input cannot be read, which is for the bake to report.
+    // Returns the key of an asset. It is empty without a memo, or if an input cannot be read; the
+    // bake reports that.
     std::string key_of(const config::Bake& bake) const {
         if (memory_ == nullptr) return "";
         const auto identity = asset_identity(recipe_, bake, options_.certification);
@@ -145,7 +146,7 @@ const PreviewAsset* PreviewAssets::of_kind(std::string_view kind) const {
 
 std::optional<std::size_t> previewed_level(const ManifestAsset& asset) {
     for (std::size_t level = 0; level < asset.levels.size(); ++level) {
-        // Each extent is at most 65536 (see manifest_reader.cpp): the product fits into 64 bits.
+        // Each extent is at most 65536 (see manifest_reader.cpp), so the product fits into 64 bits.
         std::size_t values = asset.channels.size();
         for (const int extent : asset.levels[level].size)
             values *= static_cast<std::size_t>(extent);

@@ -1,4 +1,4 @@
-// What a recipe asks for, baked in memory for a preview; no file is written.
+// Bakes the assets of a recipe in memory for a preview. No file is written.
 #pragma once
 
 #include <cstddef>
@@ -17,48 +17,48 @@
 
 namespace skybake {
 
-// What one preview looks at.
+// The assets that one preview shows.
 struct PreviewAssets {
     std::string title;  // "earth.toml", "out"
     std::vector<PreviewAsset> assets;
-    std::optional<config::Recipe> recipe;      // that made them: without, there is no sky to show
+    std::optional<config::Recipe> recipe;      // that made them; without it no sky is shown
     std::map<std::string, std::string> plots;  // speed against error as SVG, by the asset's name
-    std::vector<std::string> notes;            // what is not shown, and why
+    std::vector<std::string> notes;            // on what is not shown, and why
 
-    // The first asset of that kind, or null.
+    // Returns the first asset of that kind, or null.
     const PreviewAsset* of_kind(std::string_view kind) const;
 };
 
-// The most values (voxels times channels) of a volume that a preview holds in memory: 1 GiB. The
-// pictures of a volume are a few slices and passes over all of it; what is larger is shown at its
-// first level of detail that is not.
+// The most values (voxels times channels) of a volume that a preview holds in memory, which take 1
+// GiB. The pictures of a volume need it in memory: a few slices, and passes over all its voxels. A
+// larger volume is shown at its first level of detail that is small enough.
 inline constexpr std::size_t most_previewed_values = std::size_t{1} << 28;
 
-// The first level that a preview can hold, or none.
+// Returns the first level that a preview can hold, or nothing.
 std::optional<std::size_t> previewed_level(const ManifestAsset& asset);
 
-// `asset` as though its level of detail `level` were all that there is.
+// Returns `asset` as if it had only the level of detail `level`.
 ManifestAsset at_level(const ManifestAsset& asset, std::size_t level);
 
-// What a note says of an asset that is not shown at its full size.
+// Returns the note on an asset that is not shown at its full size.
 std::string level_note(const ManifestAsset& asset, std::optional<std::size_t> level);
 
-// What was baked before, so that it need not be again: by AssetIdentity::key, of recipes that were
-// all reduced in the same way or not at all.
+// A memo of assets that were baked before, by AssetIdentity::key. All recipes that use the same
+// memo must be reduced in the same way or not at all.
 struct AssetMemo {
     std::map<std::string, PreviewAsset> assets;
 };
 
-// Who is told of each asset as a stage of `count`.
+// The progress that each asset is reported to, as one stage of `count`.
 struct BakeStages {
     StageProgress* progress = nullptr;
     int count = 0;
 };
 
-// Bakes the sections `bakes` of the recipe (its own, or reduced ones of the same names). Values are
-// rounded to the pixel type, as a file would hold them. What `memory` has is taken from there; it
-// keeps what was shown this time, and no more. Diagnostics as of bake_asset. No value and no
-// diagnostics: the user has interrupted.
+// Bakes the sections `bakes` of the recipe, which are its own or reduced ones of the same names.
+// Values are rounded to the pixel type, as a file would hold them. Assets in `memory` are not baked
+// again; afterwards it keeps exactly the assets shown this time. Diagnostics are those of
+// bake_asset. If the user interrupts, there is neither a value nor a diagnostic.
 config::Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
                                            std::span<const config::Bake> bakes,
                                            const std::string& title, const BakeOptions& options,

@@ -1,5 +1,5 @@
-// What options ask of a preview: which of them no picture uses, whether the camera is within the
-// air, and a recipe made smaller.
+// Checks the options of a preview: finds options that no picture uses, and a camera above the air.
+// Also reduces a recipe for drafts.
 #pragma once
 
 #include <optional>
@@ -14,24 +14,24 @@
 
 namespace skybake {
 
-// What of its pictures is lit.
+// Returns which pictures of light a preview will have.
 LitPictures lit_pictures_of(std::span<const config::Bake> bakes);
 LitPictures lit_pictures_of(const PreviewAssets& assets);
 
-// E0001 for each option that was given and that no picture uses.
+// Returns E0001 for each given option that no picture uses.
 [[nodiscard]] std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
                                                              const PreviewOptions& options);
 
-// E0110 where options.altitude_m is above the top of the air of a sky that is to be shown: the
-// tables end there. Nothing where there is no sky to show.
+// Returns E0110 if a sky is to be shown and options.altitude_m is above the top of its air, where
+// the tables end.
 [[nodiscard]] std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
                                                                  const PreviewOptions& options);
 
-// Volumes of at most `most_voxels` along an edge in their own proportions and without further
-// levels of detail; tables of at most 256 x 64 and 32 x 32 texels, with a fixed size in place of an
-// error to be reached, and texels of multiple scattering that may be 2 % off. Nothing else differs,
-// so the look is the recipe's. Octaves too fine for so few voxels alias or vanish, which
-// load_recipe would have refused of the recipe itself.
+// Reduces a recipe for a draft. Volumes have at most `most_voxels` along an edge, in the same
+// proportions, and only level 0. Tables have fixed sizes of at most 256 x 64 and 32 x 32 texels,
+// instead of an error bound, and texels of multiple scattering may have errors of 2 %. Nothing else
+// changes, so pictures look like the recipe's. Octaves that are too fine for so few voxels alias or
+// vanish; load_recipe would refuse this in an ordinary recipe.
 config::Recipe draft_of(config::Recipe recipe, int most_voxels);
 
 }  // namespace skybake

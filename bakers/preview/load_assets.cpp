@@ -25,7 +25,7 @@ using config::Diagnostic;
 using config::Outcome;
 namespace fs = std::filesystem;
 
-// A level of `entry`, which the file holds.
+// Loads a level of `entry` that the file holds.
 Outcome<PreviewAsset> load_texels(const fs::path& path, const ManifestAsset& entry,
                                   const ManifestFile& file, int level) {
     const std::array<int, 3>& size = entry.levels[static_cast<std::size_t>(level)].size;
@@ -50,7 +50,8 @@ Outcome<PreviewAsset> load_texels(const fs::path& path, const ManifestAsset& ent
     return {std::move(asset), {}};
 }
 
-// The file of a level that is read quickest: VDB needs a module and a walk over its tree.
+// Returns the file of a level that is fastest to read. VDB is slow: it needs a module and a walk
+// over its tree.
 const ManifestFile* file_of_level(const ManifestAsset& entry, int level) {
     const ManifestFile* found = nullptr;
     for (const ManifestFile& file : entry.files) {
@@ -66,7 +67,7 @@ Diagnostic no_file(const ManifestAsset& entry, const fs::path& folder) {
                       fmt::format("the manifest names no file of `{}`", entry.name));
 }
 
-// W0304 where the file is not that of which the manifest speaks, or speaks for itself.
+// Returns W0304 if the file is not the one that its manifest describes.
 std::optional<Diagnostic> other_bytes(const fs::path& path, const ManifestFile& file) {
     const Outcome<FileFingerprint> found = fingerprint(path);
     if (file.xxh3.empty() || !found.value || found.value->xxh3 == file.xxh3) return std::nullopt;
@@ -78,15 +79,15 @@ std::optional<Diagnostic> other_bytes(const fs::path& path, const ManifestFile& 
     return warning;
 }
 
-// What of diagnostics makes it impossible to go on.
+// Whether an error is among the diagnostics, so that loading cannot go on.
 bool has_error(const std::vector<Diagnostic>& diagnostics) {
     return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& one) {
         return one.severity == config::Severity::error;
     });
 }
 
-// Adds one asset of a manifest to what is shown; what went wrong, if anything did. Warnings become
-// notes, too.
+// Adds one asset of a manifest to the shown ones and returns diagnostics. Warnings also become
+// notes.
 std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& entry,
                                   PreviewAssets& shown) {
     const std::optional<std::size_t> level = previewed_level(entry);
@@ -107,7 +108,7 @@ std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& e
     return {*warning};
 }
 
-// Previews of a folder whose recipe this release cannot read still have pictures.
+// Adds the recipe. A preview still has pictures if this release cannot read the folder's recipe.
 void add_recipe(const Manifest& manifest, const ManifestPlace& place, PreviewAssets& shown) {
     auto recipe = recorded_recipe(manifest, place.file.string(), place.folder);
     if (recipe.value) {
@@ -118,8 +119,9 @@ void add_recipe(const Manifest& manifest, const ManifestPlace& place, PreviewAss
                           recipe.diagnostics.front().message);
 }
 
-// The parameters that a cloud's file carries are a recipe of it; those of a table lack what others
-// depend on, and may be none. A file may have another name than its section.
+// Adds the recipe that a single file carries. The parameters in a cloud's file are a complete
+// recipe; those in a table's file lack values of other assets and may not be a recipe. A file may
+// have another name than its section.
 void add_own_recipe(PreviewAssets& shown) {
     const ManifestAsset& entry = shown.assets.front().entry;
     auto recipe = config::parse_recipe(entry.parameters, "the file");
@@ -135,7 +137,7 @@ std::string folder_title(const fs::path& folder) {
     return path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
 }
 
-// An asset reduced to what one of its files holds.
+// Returns an asset reduced to what one of its files holds.
 ManifestAsset alone(const ManifestAsset& asset, const ManifestFile& file) {
     ManifestAsset entry = at_level(asset, static_cast<std::size_t>(file.level));
     entry.files = {file};
@@ -143,7 +145,7 @@ ManifestAsset alone(const ManifestAsset& asset, const ManifestFile& file) {
     return entry;
 }
 
-// The asset of a manifest that a file belongs to, reduced to that file.
+// Returns the asset of a manifest that a file belongs to, reduced to that file.
 std::optional<ManifestAsset> claimed_entry(const Manifest& manifest, const fs::path& name) {
     for (const ManifestAsset& asset : manifest.assets) {
         for (const ManifestFile& file : asset.files) {
@@ -154,7 +156,7 @@ std::optional<ManifestAsset> claimed_entry(const Manifest& manifest, const fs::p
     return std::nullopt;
 }
 
-// Adds one file by what it says of itself.
+// Adds one file, described by its own metadata.
 std::vector<Diagnostic> add_unclaimed(const fs::path& path, PreviewAssets& shown) {
     const Outcome<ManifestAsset> entry = entry_of_file(path);
     if (!entry.value) return entry.diagnostics;
@@ -190,7 +192,7 @@ Outcome<PreviewAssets> load_folder(const fs::path& path) {
 Outcome<PreviewAssets> load_files(std::span<const fs::path> files) {
     PreviewAssets shown;
     std::vector<Diagnostic> warnings;
-    std::optional<Manifest> recorded;  // of the folder that all files are in
+    std::optional<Manifest> recorded;  // of the folder of all files
     for (const fs::path& path : files) {
         shown.title += (shown.title.empty() ? "" : ", ") + path.filename().string();
         const fs::path folder = path.parent_path();

@@ -1,4 +1,4 @@
-// Baked files from the disk, as a preview looks at them.
+// Loads baked files, and the plots of reports, for a preview.
 #pragma once
 
 #include <filesystem>
@@ -11,26 +11,25 @@
 
 namespace skybake {
 
-// All assets of a folder of a bake, the recipe that its manifest recorded and the plots of a report
-// that lies there; `path` is the folder or the manifest. E0300, E0304 as the readers of manifests
-// and files; E0304 where the manifest has no assets. Warnings W0304, which are notes, too: a shown
-// file is not that of which the manifest speaks.
+// Loads all assets of a baked folder, the recipe that its manifest recorded, and the plots of a
+// report in the folder. `path` is the folder or the manifest. E0300 and E0304 are those of the
+// readers of manifests and files; also E0304 if the manifest has no assets. Warning W0304, which
+// also becomes a note: a shown file is not the one that the manifest describes.
 config::Outcome<PreviewAssets> load_folder(const std::filesystem::path& path);
 
-// Single files of every format, each with what the manifest of its folder says of it; where none
-// claims it, with what it says of itself. The recipe is that of the first file's folder, or what
-// a single file says of it. E0300; E0304, too, where a file says nothing of itself, or other things
-// than it holds. Warnings as of load_folder.
+// Loads single files of any format. Each file is described by the manifest of its folder or, if no
+// manifest claims it, by its own metadata. The recipe is that of the first file's folder, or the
+// one that a single file states. E0300; E0304 also if a file does not describe itself, or describes
+// itself wrongly. Warnings are those of load_folder.
 config::Outcome<PreviewAssets> load_files(std::span<const std::filesystem::path> files);
 
-// Plots of speed against error that `report` draws. Adds the plots of the assets that an earlier
-// `report` left in the folder, or in `report` below it. Files of these names that are none of its
-// drawings are passed over.
+// Adds the plots of speed against error that an earlier `report` left in the folder, or in its
+// subfolder `report`. Files with these names that `report` has not drawn are ignored.
 void find_plots(const std::filesystem::path& folder, PreviewAssets& assets);
 
-// Measures each asset of the recipe by a quick report and adds its plot; assets that have nothing
-// to plot get none. Errors as of report_asset; none and assets without plots: the user has
-// interrupted.
+// Measures each asset of the recipe by a quick report and adds its plot, if there is anything to
+// plot. Errors are those of report_asset. If the user interrupts, there are no errors, and assets
+// lack plots.
 [[nodiscard]] std::vector<config::Diagnostic> measure_plots(PreviewAssets& assets, int threads,
                                                             Progress* progress);
 

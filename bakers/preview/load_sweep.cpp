@@ -31,13 +31,13 @@ SweptValue swept_value(const Json& json) {
     return value;
 }
 
-// A variant's folder lies in the sweep's own.
+// Whether the name is a plain one, so that a variant's folder is inside the sweep's folder.
 bool is_plain_name(const std::string& name) {
     return !name.empty() && name != "." && name != ".." &&
            name.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
 }
 
-// Throws nlohmann's exceptions where a field is missing or of another type.
+// Reads a variant. Throws nlohmann's exceptions if a field is missing or has another type.
 SweepVariant read_variant(const Json& json, const std::vector<std::string>& paths,
                           PreviewSweep& sweep) {
     SweepVariant variant;

@@ -1,4 +1,4 @@
-// The index of a sweep's folder, as a preview looks at it.
+// Reads the index of a sweep's folder for a preview.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace skybake {
 
-// A value that varies: as it is written, and as a number to sort by where it is one, in base units
-// ("8 km" is 8000).
+// A value that varies: its text and, if it is a number, the number in base units for sorting ("8
+// km" is 8000).
 struct SweptValue {
     std::string text;
     std::optional<double> number;
@@ -22,22 +22,22 @@ struct SweptValue {
 struct SweepVariant {
     std::string name;                                   // of its folder
     std::string status;                                 // "done", "failed", "missing"
-    std::vector<SweptValue> values;                     // as PreviewSweep::names
+    std::vector<SweptValue> values;                     // in the order of PreviewSweep::names
     std::map<std::string, ErrorFigures> lookup_errors;  // by the asset's name
 };
 
 struct PreviewSweep {
     std::string title;
-    std::vector<std::string> names;   // of what varies: "ground_albedo"
-    std::vector<std::string> assets;  // those with a measured error, in the order of the bake
+    std::vector<std::string> names;   // names of what varies: "ground_albedo"
+    std::vector<std::string> assets;  // assets with a measured error, in the order of the bake
     std::vector<SweepVariant> variants;
 };
 
-// Whether the folder is one of a sweep.
+// Whether the folder is that of a sweep.
 bool is_sweep_folder(const std::filesystem::path& folder);
 
-// E0300, E0304 where sweep.json cannot be read or is damaged, of another tool, or names folders
-// outside of its own.
+// Loads a sweep's index. E0300 if sweep.json cannot be read; E0304 if it is damaged, is of another
+// tool, or names folders outside of its own.
 config::Outcome<PreviewSweep> load_sweep(const std::filesystem::path& folder);
 
 }  // namespace skybake

@@ -18,7 +18,7 @@ namespace {
 
 using config::Outcome;
 
-// Everything that pictures of an asset alone depend on.
+// Returns a key of everything that the pictures of a single asset depend on.
 std::string key_of(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
     return fmt::format("{}\n{}\n{}\n{}\n", entry.name, entry.kind, entry.content_hash,
@@ -69,7 +69,8 @@ class Preview {
         return sky;
     }
 
-    // The sky takes both tables, and how the layers scatter, which neither table says.
+    // Adds the pictures of the sky. They need both tables, and the recipe for how the layers
+    // scatter, which neither table says.
     void add_sky() {
         const PreviewAsset* transmittance = assets_.of_kind("transmittance");
         const PreviewAsset* scattering = assets_.of_kind("multiple_scattering");
@@ -184,7 +185,8 @@ void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
     input.exposure_stops = options.exposure_stops;
 }
 
-// A draft has half of the size, which is at most 768 along its longer edge.
+// Chooses the camera and the size of pictures. For a draft, the size is at most 768 along its
+// longer edge; the draft then has half of it.
 void choose_frame(const PreviewOptions& options, CloudPreviewInput& input) {
     constexpr int longest_of_draft = 768;
     if (options.camera) input.camera = *options.camera;

@@ -1,4 +1,4 @@
-// From assets to the page that shows them.
+// Makes the page that shows assets: chooses and draws all pictures.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace skybake {
 
-// Which pictures of light there will be.
+// The pictures of light that a preview will have.
 struct LitPictures {
     bool sky = false;     // of a transmittance and a multiple_scattering table
     bool clouds = false;  // of a cloud volume
@@ -24,33 +24,34 @@ struct LitPictures {
 };
 
 struct PreviewOptions {
-    std::vector<double> sun_elevations_deg;  // of skies and lit clouds; empty: a few telling ones
+    std::vector<double> sun_elevations_deg;  // of skies and lit clouds; empty: a chosen few
     std::optional<double> exposure_stops;    // 0: an exposure of 1; none: chosen for each picture
     std::optional<double> altitude_m;        // of the camera that looks at the sky
     std::optional<double> sun_azimuth_deg;   // of lit clouds, from +x towards +y
     std::optional<CameraRequest> camera;     // of lit clouds
     std::optional<std::array<int, 2>> picture_size;  // width, height of lit clouds
-    bool single = false;  // one tile of a cloud stands alone, and all of it is in the picture
-    bool draft = false;   // few pictures, small and quick
+    bool single = false;  // shows one tile of a cloud alone, completely in the picture
+    bool draft = false;   // few pictures, small and fast
     int threads = 0;      // 0: as many as the machine has
     StageProgress* progress = nullptr;
-    int stages_before = 0;          // that progress was told of, of the same preview
-    PictureMemo* memory = nullptr;  // of previews with the same options
+    int stages_before = 0;          // stages already reported, of the same preview
+    PictureMemo* memory = nullptr;  // of earlier previews with the same options
 };
 
-// Stages of the pictures of such assets: one for each, and one for the sky.
+// Returns the number of stages for the pictures of such assets: one for each asset and one for the
+// sky.
 int picture_stages(std::size_t assets, const LitPictures& lit);
 
-// All pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
-// preset "earth". Diagnostics of unused_options, of camera_above_air (check_options.h) and of
-// png_bytes. No value and no diagnostics: the user has interrupted.
+// Makes all pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
+// the preset "earth". Diagnostics are those of unused_options and camera_above_air
+// (check_options.h) and of png_bytes. If the user interrupts, there is neither a value nor a
+// diagnostic.
 config::Outcome<PreviewPage> make_preview(const PreviewAssets& assets,
                                           const PreviewOptions& options);
 
-// What the pictures of a cloud take, gathered from the assets of a preview.
-
-// Of a cloud volume: with the first occupancy grid of it, and the sky. Of an occupancy grid: by
-// itself. `cloud` is null where the recipe is not known or does not say what the asset is of.
+// Gathers the input for the pictures of a cloud from the assets of a preview. For a cloud volume,
+// it includes the volume's first occupancy grid and the sky; for an occupancy grid, it is the grid
+// alone. `cloud` is null if the recipe is not known or does not say which cloud the asset shows.
 CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& asset,
                               const PreviewOptions& options);
 

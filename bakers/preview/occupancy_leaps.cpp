@@ -13,7 +13,7 @@ namespace {
 
 using config::OccupancyContent;
 
-// Channel `content`, as it was before it was stored.
+// Returns the values of the channel `content` as they were before storing.
 std::optional<std::vector<float>> values_of(const PreviewAsset& grid,
                                             const config::OccupancyBake& bake,
                                             OccupancyContent content) {
@@ -48,7 +48,7 @@ std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid,
     const std::array<int, 3> size = size_of(grid.entry);
     if (grid.voxels.size() != occupancy::count_of(size) * bake.contents.size()) return std::nullopt;
     if (auto leaps = values_of(grid, bake, OccupancyContent::leap)) {
-        for (float& leap : *leaps) leap = std::round(leap);  // of unorm, a quotient by 255
+        for (float& leap : *leaps) leap = std::round(leap);  // a unorm value is a quotient by 255
         return leaps;
     }
     std::vector<std::uint8_t> occupied;

@@ -1,4 +1,4 @@
-// What a baked occupancy grid tells a march.
+// Leaps (empty-space skip distances) for a march, from a baked occupancy grid.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,14 @@
 
 namespace skybake {
 
-// Leaps in cells, one per cell of the grid, from the first of its channels `leap`, `occupied` and
-// `maximum` that is there. None without such a channel, or with other than a value per cell and
-// channel.
+// Returns leaps in cells, one per cell of the grid, from the first of the channels `leap`,
+// `occupied` and `maximum` that the grid has. Returns nothing if it has no such channel, or if it
+// does not have one value per cell and channel.
 std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid,
                                                 const config::OccupancyBake& bake, float threshold);
 
-// Leaps of a march through `volume`, where they are sure to lose nothing (cloud_pictures.h).
+// Returns leaps for a march through `volume`, if they are certain to lose nothing
+// (cloud_pictures.h).
 std::optional<LeapGrid> leap_grid_of(const PreviewAsset& volume, const PreviewAsset& grid,
                                      const config::OccupancyBake& bake, float threshold);
 

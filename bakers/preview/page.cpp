@@ -27,7 +27,8 @@ std::string_view kind_name(PictureKind kind) {
     return "image";
 }
 
-// Its image stands in the HTML, found by the name of the file.
+// Describes a picture for the scripts. The image itself is in the HTML; scripts find it by the file
+// name.
 Json to_json(const PagePicture& picture) {
     return {{"name", picture.name},           {"file", picture.name + ".png"},
             {"title", picture.title},         {"caption", picture.caption},
@@ -41,7 +42,7 @@ Json to_json(const std::vector<PagePicture>& pictures) {
     return json;
 }
 
-// The width or height that a drawing of `report` states.
+// Returns the width or height that a drawing of `report` states.
 int svg_extent(std::string_view svg, std::string_view attribute) {
     const std::size_t at = svg.find(fmt::format(" {}=\"", attribute), svg.find("<svg"));
     if (at == std::string_view::npos) return 0;
@@ -82,7 +83,7 @@ Json error_json(const std::optional<Certificate>& error) {
             {"advice", error->advice}};
 }
 
-// Names and values in words, in their order.
+// Returns names and values as texts, in their order.
 Json details_json(const Facts& details) {
     Json json = Json::array();
     for (const auto& [name, value] : details) json.push_back({name, fact_text(value)});
@@ -179,8 +180,8 @@ Json array_of(const std::vector<T>& elements) {
 
 std::string generator() { return fmt::format("{} {} preview", tool_name(), release()); }
 
-// JSON within a script element ends at "</script", whatever JSON thinks of it, and "<!--" changes
-// how its end is found: no "<" is written as itself.
+// Returns JSON for a script element. "</script" would end the element even within a JSON string,
+// and "<!--" would change how its end is found, so every "<" is escaped.
 std::string script_text(const Json& json) {
     const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     std::string safe;
@@ -241,7 +242,7 @@ std::string figures_html(const std::vector<PagePicture>& pictures) {
     return html;
 }
 
-// All pictures of the page, in the order in which its scripts show them.
+// Returns the HTML of all pictures of the page, in the order in which its scripts show them.
 std::string pictures_html(const PreviewPage& page) {
     std::string html;
     if (page.sweep) {
@@ -260,7 +261,7 @@ std::string pictures_html(const PreviewPage& page) {
     return html;
 }
 
-// The template with each {{name}} replaced, once: what stands in the values stays as it is.
+// Returns the template with each {{name}} replaced. Replacement is not repeated within the values.
 std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values) {
     std::string text;
     for (std::size_t at = 0;;) {
@@ -292,7 +293,7 @@ std::string base64(std::string_view bytes) {
         for (std::size_t i = 0; i < 3; ++i) {
             bits = bits << 8 | (i < group.size() ? static_cast<std::uint8_t>(group[i]) : 0U);
         }
-        // n bytes make n + 1 digits; the rest is padding.
+        // A group of n bytes makes n + 1 digits; the rest is padding.
         for (std::size_t i = 0; i < 4; ++i) {
             text += i <= group.size() ? digits[bits >> (18 - 6 * i) & 63] : '=';
         }
@@ -336,8 +337,8 @@ std::optional<std::vector<std::string>> files_of_page(std::string_view html) {
     const std::string sign =
         fmt::format("<meta name=\"generator\" content=\"{} ", html_text(tool_name()));
     if (html.substr(0, 1024).find(sign) == std::string_view::npos) return std::nullopt;
-    // Within JSON's strings quotes are escaped, so this stands only where a key begins; the names
-    // are those of file_stem, which nothing is escaped in.
+    // Quotes within JSON strings are escaped, so this text occurs only at keys. The names are made
+    // by file_stem, so they contain no escaped characters.
     constexpr std::string_view key = "\"file\":\"";
     std::vector<std::string> names;
     for (std::size_t at = html.find(key); at != std::string_view::npos; at = html.find(key, at)) {

@@ -1,4 +1,4 @@
-// The page of a preview: one HTML file that holds everything it shows.
+// The page of a preview: one HTML file that contains everything it shows.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace skybake {
 
-// A picture as its file.
+// A picture as a file.
 struct PagePicture {
     std::string name;  // of the file, without ".png"
     std::string title;
@@ -26,24 +26,23 @@ struct PagePicture {
 struct PageAsset {
     ManifestAsset entry;
     std::vector<PagePicture> pictures;
-    std::string plot_svg;  // speed against error, as `report` draws it, or empty
+    std::string plot_svg;  // speed against error, as drawn by `report`; or empty
 };
 
-// Pictures of several assets together: the sky.
+// A scene of several assets together, such as the sky.
 struct PageScene {
     std::string title;
-    std::string content;  // what is shown, in a sentence
+    std::string content;  // a sentence on what is shown
     std::vector<PagePicture> pictures;
 };
 
-// One variant of a sweep. A cell sorts by its number, if it has one, and shows its text, if it has
-// one.
+// One variant of a sweep. A cell is sorted by its number and shows its text, if it has one.
 struct PageVariant {
     struct Cell {
         std::optional<double> number;
         std::string text;
     };
-    std::vector<Cell> cells;  // as the columns
+    std::vector<Cell> cells;  // in the order of the columns
     std::optional<PagePicture> picture;
 };
 
@@ -65,26 +64,26 @@ struct PreviewPage {
     std::vector<PageAsset> assets;
     std::vector<PageScene> scenes;
     std::optional<PageSweep> sweep;
-    // Pictures of earlier previews that still lie beside the page, by file name: they stay
+    // File names of pictures of earlier previews that are still beside the page. They stay
     // skybake's.
     std::vector<std::string> retired;
-    int watch_revision = 0;  // of pages that follow a recipe: counts from 1; 0 for all others
+    int watch_revision = 0;  // counts from 1 for pages that follow a recipe; 0 for others
 };
 
-// Bytes as text, for data: URIs: RFC 4648, section 4, with padding.
+// Encodes bytes as text for data: URIs, as in RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
-// The page's text. It needs no other file and no network, but for pages that watch, which look at
-// page_state_name beside them. Its pictures stand in the HTML: a browser without scripts shows them
-// one below the other.
+// Returns the page's text. It needs no other file and no network, except that a watching page reads
+// the file page_state_name beside it. The pictures are in the HTML, so a browser without scripts
+// shows them one below the other.
 std::string page_html(const PreviewPage& page);
 
-// What a watched page is told. Its file is page_state_name.
+// The state that a watching page reads from the file page_state_name.
 struct PageState {
-    int revision = 0;    // of the page that belongs to it
+    int revision = 0;    // of the page that belongs to this state
     double seconds = 0;  // from the change to the files
-    bool full = false;   // the page has full quality; else a draft's, while the full one is made
-    bool ended = false;  // nobody watches any longer
+    bool full = false;   // true: full quality; false: a draft, while the full page is made
+    bool ended = false;  // the program has stopped watching the recipe
     std::vector<config::Diagnostic> diagnostics;
 };
 inline constexpr const char* page_state_name = "preview_state.js";
@@ -92,11 +91,11 @@ std::string page_state_text(const PageState& state);
 
 inline constexpr const char* page_name = "index.html";
 
-// The names of the files that a page says lie beside it, those of earlier previews among them; none
-// where the text was not written by page_html.
+// Returns the names of the files that a page lists as beside it, including those of earlier
+// previews. Returns nothing if page_html has not written the text.
 std::optional<std::vector<std::string>> files_of_page(std::string_view html);
 
-// page.html, page.css, page.js and page_watch.js as they travel inside the program.
+// The texts of page.html, page.css, page.js and page_watch.js, which the program contains.
 std::string_view page_html_template();
 std::string_view page_style();
 std::string_view page_script();

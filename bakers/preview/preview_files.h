@@ -1,5 +1,5 @@
-// The files of a preview: pictures as PNG with names that are free, the page, and the signs by
-// which it knows its own.
+// The files of a preview: pictures as PNG files with unique names, and the page. The header also
+// recognises files that an earlier preview wrote.
 #pragma once
 
 #include <filesystem>
@@ -16,26 +16,28 @@
 
 namespace skybake {
 
-// A name that stays within its folder, whatever a manifest calls its assets ("../../.profile"): of
-// letters, digits and `_-.`, no hidden file, no longer than file systems take.
+// Returns a safe file name for a name from a manifest, which may be anything ("../../.profile").
+// The result consists of letters, digits and `_-.`, does not name a hidden file, and is not too
+// long for file systems.
 std::string file_stem(std::string_view name);
 
-// Pictures that were made before, by what they were made of.
+// A memo of pictures that were made before, by a key of what they depend on.
 struct PictureMemo {
     std::map<std::string, std::vector<PagePicture>> pictures;
 };
 
 class PictureEncoder {
   public:
-    // `memory` may be null; else it is asked first, and left with what was shown this time.
+    // `memory` may be null. Otherwise its pictures are used first, and afterwards it holds exactly
+    // the pictures shown this time.
     PictureEncoder(int threads, PictureMemo* memory) : threads_(threads), memory_(memory) {}
 
-    // The pictures that `make` makes, or those that the memory has of `key`. Names that are taken
-    // get a number behind them.
+    // Returns the pictures in the memo for `key`, or those that `make` makes. A name that is
+    // already taken gets a number at its end.
     std::vector<PagePicture> encode(const std::string& key,
                                     const std::function<std::vector<PreviewPicture>()>& make);
 
-    // Ends the round: what png_bytes could not do.
+    // Finishes the preview and returns the diagnostics of png_bytes.
     [[nodiscard]] std::vector<config::Diagnostic> finish();
 
   private:
@@ -54,16 +56,17 @@ struct PreviewFile {
     std::string bytes;
 };
 
-// NAME.png of each picture, and the page last.
+// Returns NAME.png for each picture, and the page as the last file.
 std::vector<PreviewFile> preview_files(const PreviewPage& page);
 
-// Their names alone.
+// Returns the names of these files.
 std::vector<std::string> preview_file_names(const PreviewPage& page);
 
-// The files that earlier previews left in the folder, as its page says; none without such a page.
+// Returns the files that earlier previews left in the folder, as its page lists them; none without
+// such a page.
 std::vector<std::string> earlier_preview_files(const std::filesystem::path& folder);
 
-// E0303 for each of these files that is in the folder and not among `earlier`.
+// Returns E0303 for each file of `names` that is in the folder and not among `earlier`.
 [[nodiscard]] std::vector<config::Diagnostic> foreign_preview_files(
     const std::filesystem::path& folder, const std::vector<std::string>& names,
     const std::vector<std::string>& earlier);

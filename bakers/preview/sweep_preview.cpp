@@ -28,7 +28,7 @@ namespace {
 
 struct Thumbnail {
     Picture picture;
-    std::string light;  // exposure, tone curve and sun of a picture of light; else empty
+    std::string light;  // exposure, tone curve and sun of a picture of light, else empty
 };
 
 constexpr std::array<int, 2> telling_size = {384, 216};
@@ -37,7 +37,7 @@ std::array<int, 2> size_of(const PreviewOptions& options) {
     return options.picture_size.value_or(telling_size);
 }
 
-// The first picture's exposure becomes that of all.
+// Returns the exposure. The one chosen for the first picture is used for all.
 double exposure_of(const Image2<float>& radiance, PreviewOptions& options) {
     if (!options.exposure_stops) options.exposure_stops = std::log2(exposure_for(radiance));
     return std::exp2(*options.exposure_stops);
@@ -62,7 +62,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     view.width = size_of(options)[0];
     view.height = size_of(options)[1];
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
-    // The altitude that is not asked for may be above a thin shell's top.
+    // The default altitude may be above the top of a thin shell.
     const double thickness_km =
         (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000;
     view.camera_altitude_km = std::min(options.altitude_m.value_or(200) / 1000, thickness_km);
@@ -75,7 +75,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
                      light_words(exposure, view.sun_elevation_degrees)};
 }
 
-// The first channel of the middle plane, 0 black and 1 white.
+// Draws the first channel of the middle plane, with 0 as black and 1 as white.
 Picture slice_picture(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
     const VoxelView volume{entry.levels[0].size, static_cast<int>(entry.channels.size()),
@@ -94,7 +94,7 @@ Picture slice_picture(const PreviewAsset& asset) {
     return picture;
 }
 
-// Half of what is asked for, as a draft is.
+// Draws a lit cloud as a draft. A draft halves the size, so twice the size is asked for.
 std::optional<Thumbnail> cloud_picture(const PreviewAssets& assets, PreviewOptions& options) {
     for (const PreviewAsset& asset : assets.assets) {
         CloudPreviewInput input = cloud_input(assets, asset, options);
@@ -114,9 +114,9 @@ std::optional<Thumbnail> cloud_picture(const PreviewAssets& assets, PreviewOptio
     return std::nullopt;
 }
 
-// A lit cloud where there is one, else a panorama of the sky, else a slice, else a table. Without
-// exposure_stops the exposure is chosen for the picture and written there, so that the next ones
-// have the same. None where there is nothing to show.
+// Returns a lit cloud if there is one, else a panorama of the sky, else a slice, else a table, or
+// nothing. Without options.exposure_stops, the exposure is chosen for this picture and stored
+// there, so that the next pictures have the same.
 std::optional<Thumbnail> telling_picture(const PreviewAssets& assets, PreviewOptions& options) {
     if (auto cloud = cloud_picture(assets, options)) return cloud;
     if (auto sky = sky_picture(assets, options)) return sky;
@@ -177,7 +177,7 @@ class SweepPreview {
         options_.progress->begin_stage(++stage_, static_cast<int>(sweep_.variants.size()), what);
     }
 
-    // ", 2 failed, 1 missing"; empty where all are done.
+    // Returns ", 2 failed, 1 missing", or an empty text if all variants are done.
     std::string without_assets() const {
         std::map<std::string, int> counts;
         for (const SweepVariant& variant : sweep_.variants) {
@@ -234,7 +234,8 @@ class SweepPreview {
         }
         LitPictures lit = lit_pictures_of(*assets.value);
         lit.sweep = true;
-        // The exposure that the first picture has got is no option.
+        // Options are checked only before the first picture, because the exposure stored afterwards
+        // is not an option of the user.
         if (pictures_.empty()) unused_ = unused_options(lit, options_);
         if (!unused_.empty()) return std::nullopt;
         if (const auto problem = camera_above_air(*assets.value, options_)) {
@@ -252,7 +253,8 @@ class SweepPreview {
         return std::move(encoded.front());
     }
 
-    // As many columns as make the sheet about as wide as it is high, twice over: screens are wide.
+    // Chooses the number of columns so that the sheet is about twice as wide as it is high, because
+    // screens are wide.
     void add_sheet() {
         if (pictures_.empty()) return;
         const double shape = 1.0 * pictures_.front().width / pictures_.front().height;
@@ -281,9 +283,9 @@ class SweepPreview {
     PageSweep shown_;
     std::vector<Picture> pictures_;
     std::vector<std::string> captions_;
-    std::string light_;  // of the first picture of light, and so of all
+    std::string light_;  // of the first picture of light, valid for all
     std::vector<config::Diagnostic> warnings_;
-    std::vector<config::Diagnostic> unused_;  // options: what ends the preview
+    std::vector<config::Diagnostic> unused_;  // unused options, which end the preview
     int stage_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The page of a sweep: one picture of each variant beside the others.
+// The page of a sweep, which shows one thumbnail of each variant side by side.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace skybake {
 
-// The most variants that get a picture; the table has all of them.
+// The most variants that get a thumbnail. The table lists all variants.
 inline constexpr std::size_t most_pictured_variants = 144;
 
-// A contact sheet with the varied values as captions, and the table of all variants. Diagnostics of
-// load_sweep and png_bytes; a variant whose folder cannot be read has no picture, and a note says
-// why. Warnings of
-// load_folder. No value and no diagnostics: the user has interrupted.
+// Makes a contact sheet with the varied values as captions, and the table of all variants. A
+// variant whose folder cannot be read has no thumbnail, and a note says why. Diagnostics are those
+// of load_sweep and png_bytes, warnings those of load_folder. If the user interrupts, there is
+// neither a value nor a diagnostic.
 config::Outcome<PreviewPage> make_sweep_preview(const std::filesystem::path& folder,
                                                 const PreviewOptions& options);
 

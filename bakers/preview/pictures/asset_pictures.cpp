@@ -12,7 +12,8 @@
 namespace skybake {
 namespace {
 
-// The pictures of assets that have some of their own. Clouds have theirs with what lights them.
+// The kinds of assets that have their own pictures. Clouds are not among them, because their
+// pictures also depend on the light.
 struct AssetPictures {
     std::string_view kind;
     std::vector<PreviewPicture> (*pictures)(const PreviewAsset& asset);
@@ -35,7 +36,7 @@ std::vector<PreviewPicture> asset_pictures(const PreviewAsset& asset) {
     return {};
 }
 
-// Without an exponent of ten.
+// The factor is written without an exponent of ten.
 std::string exposure_text(double exposure) {
     const std::string factor =
         exposure < 100 ? fmt::format("{:.3g}", exposure) : fmt::format("{:.0f}", exposure);

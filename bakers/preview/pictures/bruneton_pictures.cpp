@@ -45,7 +45,7 @@ class BrunetonPictures {
     }
 
   private:
-    // Channels first ... first + count - 1, row 0 at the top.
+    // Returns channels first ... first + count - 1 of slice z, with row 0 at the top.
     Image2<float> colours(int z, int first, int count) const {
         Image2<float> result(entry_.size[0], entry_.size[1], count);
         for (int c = 0; c < count; ++c) {
@@ -59,7 +59,8 @@ class BrunetonPictures {
         return result;
     }
 
-    // x_r = rho / H, so that altitudes go about as its square.
+    // The caption states the altitude of slice z. Because x_r = rho / H, altitudes are roughly
+    // proportional to the square of x_r.
     std::string caption(int z) const {
         if (slices_.size() == 1)
             return fmt::format("{} x {} texels", entry_.size[0], entry_.size[1]);

@@ -23,13 +23,14 @@ namespace skybake {
 
 namespace {
 
-// What a cloud without an atmosphere of its own is lit by.
+// The recipe of the light for a cloud without an atmosphere of its own.
 constexpr const char* kEarth =
     "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
     "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
 
-// Clouds are the brightest that there is to see, and their shades are to be seen: of the exposure
-// for pictures as a whole (tone_curve.h), so that the 99th percentile is at 0.78 of white.
+// The factor on the exposure that tone_curve.h chooses for whole pictures. It brings the 99th
+// percentile to 0.78 of white, because clouds are the brightest part and their shades must be
+// visible.
 constexpr double kExposureShare = 0.8;
 
 struct Lighting {
@@ -67,7 +68,7 @@ std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads)
                        "the recipe's atmosphere");
 }
 
-// A march that leaps, and what it leaps by.
+// The leaps of a march, and where they come from.
 struct Leaps {
     LeapGrid grid;
     std::string name;  // as captions say it
@@ -92,12 +93,12 @@ CloudViewSettings settings_of(const CloudPreviewInput& input, const CloudMedium&
     return settings;
 }
 
-// Two samples along each edge of a pixel, else one.
+// Returns two samples along each edge of a pixel for small pictures, else one.
 int samples_along_edge(const CloudViewSettings& settings) {
     return std::int64_t{settings.width} * settings.height <= kSmallPixels ? 2 : 1;
 }
 
-// Means of squares of edge x edge.
+// Returns the means of squares of edge x edge pixels.
 Image2<float> means_of_squares(const Image2<float>& image, int edge) {
     Image2<float> result(image.width / edge, image.height / edge, image.channels);
     const auto count = static_cast<float>(edge * edge);
@@ -122,8 +123,8 @@ CloudView render_samples(const CloudMedium& medium, const Lighting& lighting,
     return view;
 }
 
-// Where the sun stands for somebody who looks along the camera's heading; azimuths go from +x
-// towards +y, to the left.
+// Says where the sun is for somebody who looks along the camera's heading. Azimuths grow from +x
+// towards +y, which is to the left.
 std::string beside_view(const SunDirection& sun, const CloudCamera& camera) {
     const double turn = std::remainder(sun.azimuth_degrees - camera.azimuth_degrees, 360.0);
     if (turn == 0) return "straight ahead";
@@ -203,7 +204,7 @@ bool holds_voxels(const PreviewAsset& asset) {
                entry.channels.size();
 }
 
-// With the extent that its volume has.
+// Returns the cloud with the extent of its volume.
 std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input) {
     if (input.cloud == nullptr) return std::nullopt;
     if (input.volume_bake == nullptr) return *input.cloud;

@@ -22,9 +22,9 @@ constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
 constexpr int kSliceEdge = 768;
 
 using Rgb = std::array<std::uint8_t, 3>;
-constexpr Rgb kFrame = {0xe8, 0x8a, 0x1a};  // of occupied cells
+constexpr Rgb kFrame = {0xe8, 0x8a, 0x1a};  // around occupied cells
 constexpr Rgb kNear = {0xd6, 0xe6, 0xf2};   // an empty cell beside an occupied one
-constexpr Rgb kFar = {0x1c, 0x4f, 0x8c};    // and one at the greatest distance
+constexpr Rgb kFar = {0x1c, 0x4f, 0x8c};    // an empty cell at the greatest distance
 
 struct Bounds {
     double first = 0;
@@ -36,7 +36,7 @@ ChartAxis linear_axis(std::string title, Bounds bounds) {
             [bounds](double t) { return bounds.first + t * (bounds.last - bounds.first); }};
 }
 
-// Which axes a slice has: across and up.
+// Returns the axes of a slice: across and up.
 std::array<std::size_t, 2> axes_of_slice(int axis) {
     if (axis == 0) return {1, 2};
     if (axis == 1) return {0, 2};
@@ -69,7 +69,7 @@ ColourScale scale_of(const Image2<float>& field, std::string title) {
     return {low, high, false, false, std::move(title)};
 }
 
-// What stored values are, for the colour bar.
+// Returns what stored values mean, for the colour bar.
 std::string value_title(const CloudMedium& medium) {
     return medium.optics.has_edge ? "value before its threshold" : "density";
 }
@@ -95,7 +95,7 @@ void frame(Picture& picture, int x0, int x1, int y0, int y1) {
     fill(picture, x0, std::min(x0 + 1, x1), y0, y1, kFrame, 0.7);
 }
 
-// Grey by value, enlarged `scale` times, row 0 at the top.
+// Returns a grey picture of the values, enlarged `scale` times, with row 0 at the top.
 Picture grey_picture(const Image2<float>& field, double white, int scale) {
     Picture picture(field.width * scale, field.height * scale);
     for (int y = 0; y < field.height; ++y) {
@@ -109,7 +109,8 @@ Picture grey_picture(const Image2<float>& field, double white, int scale) {
     return picture;
 }
 
-// The colour of an empty cell, by its leap: logarithmic, as most are near.
+// Returns the colour of an empty cell. It depends on the logarithm of the leap, because most leaps
+// are short.
 Rgb leap_colour(float leap, float greatest) {
     const double t =
         greatest > 1 ? std::clamp(std::log2(double{leap}) / std::log2(double{greatest}), 0.0, 1.0)
@@ -121,10 +122,10 @@ Rgb leap_colour(float leap, float greatest) {
     return colour;
 }
 
-// What a channel of a grid holds.
+// The meaning of a grid's channel.
 struct GridChannel {
     std::string name;
-    float scale = 1;  // from what is stored
+    float scale = 1;  // factor on stored values
     bool is_leap = false;
 };
 
@@ -143,7 +144,7 @@ GridChannel grid_channel(const PreviewAsset& grid, const config::OccupancyBake* 
             is_leap};
 }
 
-// The plane in which the first channel is greatest, as a sum; of leaps, least.
+// Returns the plane in which the sum of the first channel is greatest; for leaps, least.
 int telling_plane(const VoxelView& view, bool is_leap, int axis) {
     int best = 0;
     double most = 0;
@@ -219,7 +220,8 @@ PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::strin
         double{*std::max_element(optical_depth.texels.begin(), optical_depth.texels.end())};
     std::int64_t clear = 0;
     Image2<float> shown = optical_depth;
-    // Three decades: below a thousandth of the greatest nothing is seen beside it.
+    // The scale spans three decades, because values below a thousandth of the greatest are
+    // invisible beside it.
     ColourScale scale{greatest / 1000, greatest, true, false, "optical depth"};
     if (greatest == 0) scale = {0, 1, false, false, "optical depth"};
     for (float& depth : shown.texels) {

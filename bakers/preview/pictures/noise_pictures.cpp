@@ -19,13 +19,13 @@ constexpr int smallest_tile = 256;  // pixels along the longer edge of a slice
 constexpr int largest_tile = 512;
 constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
 
-// What black and white stand for.
+// The values that are shown as black and white.
 struct GreyScale {
     double black = 0;
     double white = 1;
 };
 
-// As a screen shows data: in proportion to sRGB's numbers, row 0 at the bottom.
+// Draws a field in grey, with sRGB numbers in proportion to the values and row 0 at the bottom.
 Picture grey(const Image2<float>& field, const GreyScale& scale) {
     Picture picture(field.width, field.height);
     auto pixel = picture.rgb.begin();
@@ -70,7 +70,8 @@ class NoisePictures {
     }
 
   private:
-    // [0, 1] where all voxels are in it, as most noises are; else from the least to the greatest.
+    // Returns [0, 1] if it contains all voxels, as for most noises, else the range from the least
+    // to the greatest value.
     static GreyScale scale_of(const std::vector<float>& voxels) {
         const auto [least, most] = std::minmax_element(voxels.begin(), voxels.end());
         if (*least >= 0 && *most <= 1) return {};
@@ -88,7 +89,7 @@ class NoisePictures {
                              std::move(caption), std::move(picture)});
     }
 
-    // "R, x = 64": a channel and the plane of a slice.
+    // Names a channel and the plane of a slice: "R, x = 64".
     std::string plane_words(int channel, int axis, int at) const {
         return fmt::format("{}, {} = {}", entry_.channels[static_cast<std::size_t>(channel)],
                            axis_names[static_cast<std::size_t>(axis)], at);
@@ -115,7 +116,7 @@ class NoisePictures {
             contact_sheet(slices, captions, is_flat ? 2 : 3));
     }
 
-    // Of a table with one axis, by its texture coordinate.
+    // Adds the curves of a table with one axis, over its texture coordinate.
     void add_curves() {
         std::vector<ChartLine> lines;
         for (int channel = 0; channel < volume_.channels; ++channel) {
@@ -166,7 +167,7 @@ class NoisePictures {
         pictures_.back().kind = PictureKind::plot;
     }
 
-    // A step a bin, down to 0 at both ends.
+    // Returns a line with one step per bin, which goes down to 0 at both ends.
     ChartLine histogram_line(const ValueStatistics& statistics, const std::string& channel) const {
         ChartLine line{fmt::format("{}, mean {:.3f}", channel, statistics.mean),
                        noise_line_colour(channel),
@@ -204,7 +205,7 @@ class NoisePictures {
         return varying;
     }
 
-    // Why there is no spectrum; empty where there is one.
+    // Says why there is no spectrum. The text is empty if there is one.
     std::string without_spectrum() const {
         if (*std::min_element(volume_.size.begin(), volume_.size.end()) < 2) {
             return " There is no spectrum: it needs two voxels along each axis.";

@@ -21,7 +21,8 @@ int smallest_factor(int n) {
     return n;
 }
 
-// std::complex's own product looks for infinities.
+// Multiplies complex numbers. The product of std::complex is slower, because it checks for
+// infinities.
 Complex product(Complex a, Complex b) {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -41,8 +42,8 @@ void FourierTransform::operator()(std::vector<Complex>& line) {
     line.swap(result_);
 }
 
-// The transform of from[0], from[stride], ... is made of those of its `factor` subsequences:
-// F(k) = sum_j exp(-2 pi i j k / count) F_j(k mod (count / factor)).
+// The transform of from[0], from[stride], ... is a sum over the transforms of its `factor`
+// subsequences: F(k) = sum_j exp(-2 pi i j k / count) F_j(k mod (count / factor)).
 void FourierTransform::transform(const Complex* from, int stride, int count, Complex* to) const {
     if (count == 1) {
         *to = *from;
@@ -74,7 +75,7 @@ namespace {
 
 using Line = std::vector<std::complex<float>>;
 
-// The plane's two-dimensional transform, rows first.
+// Returns the plane's two-dimensional transform, made along rows first.
 std::vector<Line> transformed(const Image2<float>& plane) {
     const auto width = static_cast<std::size_t>(plane.width);
     const auto height = static_cast<std::size_t>(plane.height);
@@ -91,13 +92,14 @@ std::vector<Line> transformed(const Image2<float>& plane) {
     return columns;
 }
 
-// The frequency, in cycles per tile, that coefficient `i` of `count` stands for.
+// Returns the frequency, in cycles per tile, of coefficient `i` of `count`.
 int cycles(std::size_t i, int count) {
     const int k = static_cast<int>(i);
     return std::min(k, count - k);
 }
 
-// Parseval: the coefficients' squares over the square of their number add up to the mean square.
+// By Parseval's theorem, the sum of the coefficients' squares divided by the square of their number
+// is the mean square.
 std::vector<double> spectrum_of(const Image2<float>& plane, std::size_t size) {
     const std::vector<Line> columns = transformed(plane);
     const double count = double{1} * plane.width * plane.height;
@@ -119,7 +121,8 @@ struct Plane {
     int at = 0;
 };
 
-// Evenly spread; the fewer, the larger they are: a preview's time is about that of 12 of 128 x 128.
+// Returns evenly spaced planes. The larger they are, the fewer are taken, so that the time is about
+// that of 12 planes of 128 x 128.
 std::vector<Plane> planes_of(const std::array<int, 3>& size) {
     const int largest = *std::max_element(size.begin(), size.end());
     const int per_axis = std::clamp(512 / largest, 1, 4);

@@ -1,4 +1,4 @@
-// How a volume's variation is shared among frequencies.
+// The spectrum of a volume: how its variance is distributed over frequencies.
 #pragma once
 
 #include <array>
@@ -10,15 +10,16 @@
 
 namespace skybake {
 
-// The discrete Fourier transform:
+// The discrete Fourier transform
 //
-// F(k) = sum_n f(n) exp(-2 pi i k n / N) of lines of N numbers, N of any size >= 1, by Cooley and
-// Tukey's recursion over the prime factors of N: N times their sum operations.
+// F(k) = sum_n f(n) exp(-2 pi i k n / N) of lines of N numbers, for any N >= 1. It uses the
+// recursion of Cooley and Tukey over the prime factors of N, which takes N times the sum of these
+// factors operations.
 class FourierTransform {
   public:
     explicit FourierTransform(int size);
 
-    // Replaces the line, of `size` numbers.
+    // Replaces a line of `size` numbers by its transform.
     void operator()(std::vector<std::complex<float>>& line);
 
   private:
@@ -29,14 +30,17 @@ class FourierTransform {
     std::vector<std::complex<float>> result_;
 };
 
-// The variance of a channel in waves of each frequency: element k is that of the waves whose
-// wavenumber, in cycles per tile, rounds to k, so that together they are the variance of the slices
-// but for the corners beyond the smallest axis' Nyquist frequency, which ends the spectrum. Element
-// 0, the mean, is 0. The mean over some slices across each axis: slices of an isotropic noise show
-// its frequencies a little smeared to lower ones. Empty where an axis has fewer than 2 voxels.
+// Returns the variance of a channel in waves of each frequency. Element k is the variance of waves
+// whose wavenumber, in cycles per tile, rounds to k; element 0, the mean, is 0. The spectrum ends
+// at the Nyquist frequency of the smallest axis. Its sum is the variance of the slices, without the
+// waves beyond that frequency.
+//
+// The result is the mean over some slices across each axis. In slices, the frequencies of an
+// isotropic noise are smeared a little to lower ones. The result is empty if an axis has fewer than
+// 2 voxels.
 std::vector<double> slice_spectrum(const VoxelView& volume, int channel);
 
-// How many slices of a volume of this size that is the mean of.
+// Returns the number of slices that slice_spectrum averages for a volume of this size.
 std::size_t spectrum_slices(const std::array<int, 3>& size);
 
 }  // namespace skybake

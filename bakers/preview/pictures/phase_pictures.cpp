@@ -14,9 +14,10 @@
 namespace skybake {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;  // of a radian
+constexpr double degrees = 180 / std::numbers::pi;  // degrees per radian
 
-// The forward peak of rain is some thousandths of a degree wide.
+// The smallest angle, in degrees, on the logarithmic axis. The forward peak of rain is some
+// thousandths of a degree wide.
 constexpr double smallest_shown_angle = 1e-3;
 
 std::array<std::uint8_t, 3> line_colour(const std::string& channel) {

@@ -23,8 +23,8 @@ constexpr int view_width = 512;
 constexpr int slice_width = 240;
 constexpr int shown_slices = 4;
 
-// Of a manifest's parameters, which are themselves a recipe; none where they are those of another
-// asset, or of another release.
+// Returns the bake from an asset's parameters, which are themselves a recipe. Returns nothing if
+// they are those of another kind of asset or of another release.
 template <class Asset>
 std::optional<Asset> bake_of(const ManifestAsset& entry) {
     const auto recipe = config::parse_recipe(entry.parameters, entry.name);
@@ -33,7 +33,7 @@ std::optional<Asset> bake_of(const ManifestAsset& entry) {
     return asset ? std::optional(*asset) : std::nullopt;
 }
 
-// Rows of a table as a picture, the first at the bottom.
+// Returns rows of a table as an image, with the first row at the bottom.
 Image2<float> upwards(const Image2<float>& table, int first_row, int rows) {
     Image2<float> part(table.width, rows, table.channels);
     const auto row_values =
@@ -44,7 +44,8 @@ Image2<float> upwards(const Image2<float>& table, int first_row, int rows) {
     return part;
 }
 
-// The angle above the horizon at a place between the first and the last row (sky_view_mapping.h).
+// Returns the angle above the horizon at a place between the first and the last row
+// (sky_view_mapping.h).
 double angle_above_horizon(const AxisMapping& axis, double y) {
     const double centred = 2 * y - 1;
     return (centred < 0 ? axis.first : axis.last) * centred * centred;
@@ -58,7 +59,7 @@ bool has_all_texels(const PreviewAsset& asset) {
     return asset.entry.size.size() == 3 && values > 0 && asset.voxels.size() == values;
 }
 
-// Channels first ... first + count - 1 of slice z; row 0 at the top, as the volume has it.
+// Returns channels first ... first + count - 1 of slice z, with row 0 at the top, as in the volume.
 Image2<float> slice_of(const PreviewAsset& asset, int z, int first, int count) {
     const std::vector<int>& size = asset.entry.size;
     const auto channels = asset.entry.channels.size();
@@ -73,7 +74,7 @@ Image2<float> slice_of(const PreviewAsset& asset, int z, int first, int count) {
     return slice;
 }
 
-// A share as a screen shows it, by the sRGB curve.
+// Draws shares in [0, 1] as a screen shows light, with the sRGB curve.
 Picture as_shares(const Image2<float>& shares) {
     Picture picture(shares.width, shares.height);
     for (std::size_t i = 0; i < picture.rgb.size(); ++i) {

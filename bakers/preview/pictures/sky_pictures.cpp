@@ -25,10 +25,10 @@ namespace {
 
 constexpr double kLowestDegrees = -20;
 constexpr double kHighestDegrees = 70;
-// What is around a dome: dark, so that the horizon's brightness shows.
+// The colour around a dome. It is dark, so that the brightness of the horizon is visible.
 constexpr std::array<std::uint8_t, 3> kSurround = {22, 24, 28};
 
-// What all pictures of a preview share.
+// The data that all pictures of a preview share.
 struct SkyScene {
     SkyMedium medium;
     SkyTables tables;
@@ -36,7 +36,7 @@ struct SkyScene {
     const SkyPreviewOptions& options;
     int threads;
     std::unique_ptr<const SkyLight> solved;  // the reference; null: none is shown
-    std::string why_unsolved;                // a sentence, where it was asked for and there is none
+    std::string why_unsolved;                // a sentence, if it was asked for but is missing
 };
 
 SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
@@ -63,7 +63,7 @@ double exposure_of(const SkyPreviewOptions& options, const Image2<float>& radian
     return options.exposure_stops ? std::exp2(*options.exposure_stops) : exposure_for(radiance);
 }
 
-// Each pixel by bilinear lookup, for a picture that is larger.
+// Enlarges an image; each pixel is a bilinear lookup.
 Image2<float> enlarged(const Image2<float>& image, int pixels) {
     Image2<float> result(pixels, pixels, image.channels);
     std::array<double, kMaxChannels> value{};
@@ -78,7 +78,7 @@ Image2<float> enlarged(const Image2<float>& image, int pixels) {
     return result;
 }
 
-// Tone-mapped, with the circle's edge smoothed against its surround.
+// Draws a dome, tone-mapped, with the circle's edge smoothed against its surround.
 Picture dome_picture(const Image2<float>& radiance, const SkyView& view, double exposure) {
     Picture picture = tone_mapped(radiance, exposure);
     for (int y = 0; y < view.height; ++y) {
@@ -107,8 +107,9 @@ Picture framed_dome(const Picture& dome, const std::string& title) {
                   dome_axis("towards the sun (deg from the zenith)"));
 }
 
-// The least of 1, 2, 5, 10 ... percent that 99 of 100 pixels lie within, but 100 at most: a table
-// that fails is to be seen where it does, and what is off by more is nothing but wrong.
+// Returns the range of the difference's colours: the smallest of 1, 2, 5, 10 ... percent that
+// contains 99 of 100 pixels, but at most 100. So pictures show where a table fails, and errors
+// above 100 % need not be distinguished.
 double percent_shown(const Image2<float>& relative) {
     std::vector<float> sizes;
     for (const float value : relative.texels) sizes.push_back(std::fabs(value));
@@ -137,13 +138,13 @@ Picture difference_chart(const SkyDifference& difference, int pixels) {
 
 std::string degrees_text(double degrees) { return fmt::format("{:g} deg", degrees); }
 
-// Three digits, never an exponent of ten.
+// Writes a number with three digits and without an exponent of ten.
 std::string number_text(double value) {
     return value < 100 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
 std::string percent_text(double share) { return number_text(100 * share) + " %"; }
 
-// What every caption of a sky says of light and camera.
+// Returns what every caption of a sky says about light and camera.
 std::string how_shown(const SkyScene& scene) {
     return fmt::format(
         "The camera is at {:g} km; each ray is marched in {} steps. Radiance is for a solar "
@@ -156,7 +157,7 @@ std::string figures_text(const ErrorFigures& figures) {
     return fmt::format("at most {}, RMS {}", percent_text(figures.max), percent_text(figures.rms));
 }
 
-// Adds the solved sky and the difference to it to a dome from the tables.
+// Adds the solved sky, and the difference from it, to a dome from the tables.
 void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_elevation_degrees,
                          double exposure, PreviewPicture& result) {
     const int pixels = scene.options.dome_pixels;
@@ -232,7 +233,7 @@ PreviewPicture panoramas(const SkyScene& scene) {
     return result;
 }
 
-// Solves for the reference.
+// Solves the light for the reference.
 void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
     const BakeOptions options{scene.threads, Certification::off, scene.options.progress};
     auto light = std::make_unique<SkyLight>(atmosphere, config::SkyOrders::all,
@@ -246,7 +247,7 @@ void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
     }
 }
 
-// Tells of the picture that comes next; false once the user has interrupted.
+// Reports the next picture. Returns false once the user has interrupted.
 bool goes_on(const SkyScene& scene, double sun_elevation_degrees, std::size_t done) {
     Progress* progress = scene.options.progress;
     if (progress == nullptr) return true;
@@ -280,9 +281,9 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     SkyScene scene = {
         std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, ""};
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
-    // After an interruption the solution is not to be used.
+    // After an interruption the solution must not be used.
     if (is_cancelled(options.progress)) return pictures;
-    // What is to be looked at comes first, what is to be measured after it.
+    // Pictures to look at come first, comparisons after them.
     if (options.panorama_pixels > 0 && !options.sun_elevations_degrees.empty()) {
         pictures.push_back(panoramas(scene));
     }

@@ -1,5 +1,5 @@
-// The sky of a recipe as pictures: from its tables as a runtime shows it, as solved, and what lies
-// between (sky_reference.h).
+// Pictures of a recipe's sky: rendered from its tables as a runtime does, as solved, and the
+// difference between the two (sky_reference.h).
 #pragma once
 
 #include <optional>
@@ -14,23 +14,25 @@ namespace skybake {
 
 struct SkyPreviewOptions {
     std::vector<double> sun_elevations_degrees = {60, 10, 0, -4};
-    // The exposure is 2 to this; none: chosen for each picture (tone_curve.h).
+    // The exposure is 2 to this power; none: it is chosen for each picture (tone_curve.h).
     std::optional<double> exposure_stops;
-    // In a shell that is thinner: at its top.
+    // If the shell is thinner than this, the camera is at its top.
     double camera_altitude_km = 0.2;
     int dome_pixels = 512;
-    int solved_pixels = 128;     // of the dome of the solved sky; 0: none, and no difference
-    int panorama_pixels = 1080;  // its width; 0: none
+    int solved_pixels = 128;     // of the solved dome; 0: no solved sky and no difference
+    int panorama_pixels = 1080;  // width of the panorama; 0: none
     Progress* progress = nullptr;
 };
 
-// Small pictures and no solved sky: a tenth of a second for all.
+// Returns the options of a draft: small pictures and no solved sky, which takes a tenth of a second
+// for all.
 SkyPreviewOptions draft_sky_preview();
 
-// One picture with the panoramas of all elevations; then for each elevation one with the dome from
-// the tables and, where it is asked for, that of the solved sky and the relative difference.
-// Captions state what was chosen. `transmittance` and `multiple_scattering` are of this
-// atmosphere. No pictures where make_sky_tables (sky_tables.h) refuses them.
+// Makes one picture with the panoramas for all elevations of the sun, then one picture for each
+// elevation: the dome from the tables and, if asked for, the dome of the solved sky and the
+// relative difference. Captions state what was chosen. `transmittance` and `multiple_scattering`
+// must be of this atmosphere. There are no pictures if make_sky_tables (sky_tables.h) refuses the
+// tables.
 std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
                                          const PreviewAsset& transmittance,
                                          const PreviewAsset& multiple_scattering,

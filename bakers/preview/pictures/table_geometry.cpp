@@ -15,14 +15,16 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
-// Rounding may bring a cosine a little beyond its bounds.
+// Returns the angle in degrees. The cosine is clamped, because rounding may bring it slightly
+// beyond its bounds.
 double angle_of(double cosine) {
     return std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees_per_radian;
 }
 
 double cosine_of_angle(double angle) { return std::cos(angle / degrees_per_radian); }
 
-// A function of [0, 1] beyond its ends, by odd reflection, so that what is monotonic stays so.
+// Continues a function of [0, 1] beyond its ends by odd reflection, so that a monotonic function
+// stays monotonic.
 template <class Function>
 double continued(double x, Function&& function) {
     if (x < 0) return 2 * function(0.0) - function(-x);

@@ -1,4 +1,4 @@
-// What the coordinates of a baked table mean: altitudes and zenith angles.
+// Converts the coordinates of a baked table to altitudes and zenith angles, and back.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 
 namespace skybake {
 
-// Zenith angles are those of the ray in a table of transmittance, of the sun in one of multiple
-// scattering. x and y are a mapping's own coordinates, in [0, 1].
+// Zenith angles are those of the ray in a table of transmittance, and of the sun in a table of
+// multiple scattering. x and y are a mapping's own coordinates, in [0, 1].
 class TableGeometry {
   public:
-    // From what a manifest says of a table; none where its mapping or its parameters are unknown
-    // to this release.
+    // Makes the geometry from a table's manifest entry. Returns nothing if this release does not
+    // know its mapping or its parameters.
     static std::optional<TableGeometry> of(const ManifestAsset& asset);
 
     bool is_transmittance() const { return is_transmittance_; }
@@ -25,21 +25,22 @@ class TableGeometry {
     // One per channel.
     const std::vector<double>& wavelengths_nm() const { return wavelengths_nm_; }
 
-    // The largest zenith angle of a ray at an altitude that does not hit the ground; 180 for suns,
-    // which the table has below the horizon, too.
+    // Returns the largest zenith angle, in degrees, of a ray from an altitude that does not hit the
+    // ground. It is 180 for suns, which the table also has below the horizon.
     double largest_zenith_angle(double altitude_km) const;
 
-    // The texture coordinates of a place; zenith angles up to the largest at its altitude.
+    // Returns the texture coordinates of a place. The zenith angle must not exceed the largest at
+    // its altitude.
     std::array<double, 2> texture_coordinates(double altitude_km, double zenith_angle) const;
 
-    // The inverse: what lies at texture coordinates in [0, 1]. Beyond a mapping's end points, which
-    // may lie half a texel inside of the texture, it goes on as it came, mirrored. The zenith angle
-    // of transmittance depends on the altitude.
+    // Return the inverse: the altitude and the zenith angle at texture coordinates in [0, 1]. A
+    // mapping's end points may be half a texel inside of the texture; beyond them, the function is
+    // continued by odd reflection. The zenith angle of transmittance depends on the altitude.
     double altitude_km(double v) const;
     double zenith_angle(double u, double altitude_km) const;
 
   private:
-    // The mapping's coordinate, in [0, 1] and half a texel beyond.
+    // Returns the mapping's coordinate, in [0, 1] or up to half a texel beyond.
     double coordinate(double texture_coordinate, int count) const;
     double altitude_at(double y) const;
 

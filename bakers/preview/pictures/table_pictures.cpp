@@ -76,20 +76,22 @@ ColourScale scale_of(const Image2<float>& table, int channel, const Quantity& qu
         high = std::max(high, value);
     }
     if (!(high > 0)) return {0, 1, false, false, quantity.axis};
-    // Six decades: from full daylight to a night that no exposure shows beside it.
+    // The scale spans at most six decades: from full daylight to a night that no exposure can show
+    // beside it.
     low = std::max(low, high * 1e-6);
     return {low == high ? low / 2 : low, high, true, false, quantity.axis};
 }
 
 // --- Lookups over physical axes -----------------------------------------------------------------
 
-// Zenith angles up to the horizon seen from the top, rounded up to 5 degrees.
+// Returns the zenith angle of the horizon seen from the top, rounded up to a multiple of 5 degrees.
 double widest_angle(const TableGeometry& geometry) {
     return std::min(180.0,
                     5 * std::ceil(geometry.largest_zenith_angle(geometry.thickness_km()) / 5));
 }
 
-// What lookups return, NaN where the ray hits the ground. Row 0 is the ground.
+// Returns lookups over zenith angle and altitude; NaN if the ray hits the ground. Row 0 is the
+// ground.
 Image2<float> physical_view(const Image2<float>& table, const TableGeometry& geometry) {
     Image2<float> view(drawn_width, drawn_height, table.channels);
     std::vector<double> value(static_cast<std::size_t>(table.channels));
@@ -123,7 +125,7 @@ Image2<float> one_channel(const Image2<float>& image, int channel) {
     return field;
 }
 
-// The other way up: views have row 0 at the top.
+// Turns an image upside down, because views have row 0 at the top.
 Image2<float> upside_down(const Image2<float>& image) {
     Image2<float> turned(image.width, image.height, image.channels);
     for (int y = 0; y < image.height; ++y) {
@@ -135,7 +137,7 @@ Image2<float> upside_down(const Image2<float>& image) {
     return turned;
 }
 
-// What a table's texels let through or scatter: optical depths as transmittances.
+// Returns a table's texels as light: optical depths become transmittances.
 Image2<float> light_of(const Image2<float>& table, const ManifestAsset& entry) {
     Image2<float> light = table;
     if (!holds_optical_depth(entry)) return light;
@@ -143,7 +145,7 @@ Image2<float> light_of(const Image2<float>& table, const ManifestAsset& entry) {
     return light;
 }
 
-// Tone-mapped, row 0 of the picture at the top; grey where there is no ray.
+// Tone-maps a field. The picture's row 0 is at the top; places without a ray are grey.
 Picture shown(const Image2<float>& field, double exposure) {
     Image2<float> view = upside_down(field);
     std::vector<std::size_t> missing;
@@ -243,7 +245,7 @@ class TablePictures {
         pictures_.back().kind = PictureKind::plot;
     }
 
-    // What is below the scale of the false colours is left out, or it would fill the chart.
+    // Leaves out values below the scale of the false colours, which would otherwise fill the chart.
     void hide_night(std::vector<ChartLine>& lines) const {
         for (std::size_t channel = 0; channel < lines.size(); ++channel) {
             const ColourScale scale = scale_of(table_, static_cast<int>(channel), quantity_);
@@ -253,7 +255,7 @@ class TablePictures {
         }
     }
 
-    // Lookups along a line of places, as one curve a channel.
+    // Returns lookups along a line of places, as one curve per channel.
     std::vector<ChartLine> curves(
         const std::function<std::array<double, 3>(double)>& x_altitude_angle) const {
         std::vector<ChartLine> lines;
