@@ -55,8 +55,8 @@ struct ErrorFigures {
     double rms = 0;
 };
 
-// The error of a sky that is rendered with a table which holds an approximation: |radiance /
-// reference - 1| over sky directions.
+// The error of a sky that is rendered with a table which holds an approximation:
+// |radiance / reference - 1| over sky directions.
 struct SkyError {
     double median = 0;
     double ninth_decile = 0;  // nine in ten errors are below this

@@ -27,7 +27,7 @@ struct PixelRange {
 };
 PixelRange range_of(config::PixelType type);
 
-// The same in words: "[0, 1]".
+// Returns the range in words: "[0, 1]".
 const char* range_text(config::PixelType type);
 
 // The number of bytes per value.

@@ -37,8 +37,9 @@ struct Picture {
 // program).
 config::Outcome<std::string> png_bytes(const Picture& picture);
 
-// image colours or greys that are values, not light scene what an eye would see; shown as large as
-// the page has room for plot lines or false colours on paper, which may be dark like the page
+// image  colours or greys that are values, not light
+// scene  what an eye would see; shown as large as the page has room for
+// plot   lines or false colours on paper, which may be dark like the page
 enum class PictureKind { image, scene, plot };
 
 // A picture and what a page says about it.

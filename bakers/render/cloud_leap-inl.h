@@ -48,8 +48,8 @@ HWY_INLINE Interval interval_about(IntLanes cell, int shift, int size, FloatLane
     return {(tile + first) - reach, (tile + last) + reach};
 }
 
-// Returns, up to rounding, the distance at which a coordinate leaves an interval. `pace` is 1 /
-// direction.
+// Returns, up to rounding, the distance at which a coordinate leaves an interval.
+// `pace` is 1 / direction.
 HWY_INLINE FloatLanes exit_distance(FloatLanes origin, FloatLanes pace, const Interval& within) {
     const FloatLanes face = select(FloatLanes(0.0F) < pace, within.high, within.low);
     return (face - origin) * pace;

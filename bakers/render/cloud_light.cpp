@@ -14,8 +14,8 @@ namespace {
 
 using Plane = std::vector<double>;
 
-// The grid of blocks. Block k of an axis has the voxels floor(k N / n) ... floor((k + 1) N / n) -
-// 1.
+// The grid of blocks. Block k of an axis has the voxels
+// floor(k N / n) ... floor((k + 1) N / n) - 1.
 struct Blocks {
     std::array<int, 3> voxels{};
     std::array<int, 3> size{};

@@ -9,9 +9,9 @@
 // mix.
 //
 // All lookups are trilinear in float. The extinction sigma is constant over a step, the
-// transmittance falls by the factor exp(-sigma step), and the step scatters J (1 - exp(-sigma
-// step)) towards the eye (Hillaire 2016, section 5.6.2; exact for constant sigma and J and albedo
-// 1). A ray ends when its transmittance is below kOpaque.
+// transmittance falls by the factor exp(-sigma step), and the step scatters
+// J (1 - exp(-sigma step)) towards the eye (Hillaire 2016, section 5.6.2; exact for constant sigma
+// and J and albedo 1). A ray ends when its transmittance is below kOpaque.
 #pragma once
 
 #include <array>

@@ -12,8 +12,8 @@
 // The ground is Lambertian: its radiance is albedo (E_sun + E_sky) / pi with E_sun = mu_s T_sun and
 // E_sky from the table of multiple scattering. That table's Psi is the mean radiance over all
 // directions. At the ground, half of the directions are sky, with the mean J_sky, and half are
-// ground, with albedo (E_sun / pi + J_sky) if the sky is taken as uniformly bright. Therefore J_sky
-// = (2 Psi - albedo E_sun / pi) / (1 + albedo) = E_sky / pi.
+// ground, with albedo (E_sun / pi + J_sky) if the sky is taken as uniformly bright. Therefore
+// J_sky = (2 Psi - albedo E_sun / pi) / (1 + albedo) = E_sky / pi.
 //
 // Hard cases: the sun on the horizon and below (rays that graze the shadow), the zenith and the
 // sun itself as a direction, the camera on the ground (every ray below the horizontal has length 0)

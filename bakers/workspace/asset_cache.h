@@ -2,7 +2,7 @@
 //
 //   FOLDER/CACHEDIR.TAG                 so that backup programs leave it out
 //   FOLDER/assets/ab/ab12.../           one asset: its files and a manifest.json of it alone
-//   FOLDER/assets/ab/ab12.../manifest.json its time stamp is the time of the last use
+//   FOLDER/assets/ab/ab12.../manifest.json   its time stamp is the time of the last use
 //   FOLDER/pending/                     entries on their way in and out
 //
 // An entry appears and disappears as a whole, by a rename, so any number of processes may use a

@@ -10,10 +10,11 @@
 
 namespace skybake {
 
-// The discrete Fourier transform
+// The discrete Fourier transform of lines of N numbers, for any N >= 1:
 //
-// F(k) = sum_n f(n) exp(-2 pi i k n / N) of lines of N numbers, for any N >= 1. It uses the
-// recursion of Cooley and Tukey over the prime factors of N, which takes N times the sum of these
+//   F(k) = sum_n f(n) exp(-2 pi i k n / N)
+//
+// The recursion of Cooley and Tukey over the prime factors of N takes N times the sum of these
 // factors operations.
 class FourierTransform {
   public:

@@ -33,7 +33,7 @@ std::optional<BrunetonSweep> bruneton_flat_sweep(const config::Atmosphere& atmos
 // the size asked for, a half and a quarter of it along each axis except nu; pixel types are float
 // and half; methods are:
 //
-//   solved, fitted as `bake` makes it
+//   solved, fitted   as `bake` makes it
 //   solved, exact    texels before they are moved for lookups (bruneton/lookup_fit.h)
 //   iterated         2, 3 and 4 orders as Bruneton iterates them, at the smallest size alone: it
 //                    takes seconds there, minutes at the size of the published tables

@@ -21,10 +21,9 @@ inline constexpr int largest_map_edge = 16384;
 // 61966-2-1.
 //
 // E0300: the file cannot be opened, or the module that reads pictures is missing.
-//
-//  E0304: damaged, of another kind, deep or volumetric, of more than 16384 pixels along an edge, of
-//  other integers, stored upside down or cropped in a way that readers disagree about, without the
-//  channel, or with a value that is not in [0, 1]; the message says which.
+// E0304: the file is damaged, of another kind, deep or volumetric, has more than 16384 pixels along
+// an edge or integers of another size, is stored upside down or cropped in a way that readers
+// disagree about, lacks the channel, or has a value that is not in [0, 1]; the message says which.
 config::Outcome<MapImage> read_map_image(const config::CloudMap& map);
 
 // The codec of the module skybake_images.so, or null with the reason. The module is loaded once and
