@@ -48,9 +48,9 @@ struct Chart {
 // Charts side by side under one title, with one legend for their points.
 struct Figure {
     std::string title;
-    std::vector<std::string> subtitles;  // one a line
+    std::vector<std::string> subtitles;  // one per line
     std::vector<std::string> families;   // of points
-    std::string front_name;              // of the line that joins points
+    std::string front_name;              // name of the line that joins points
     std::vector<Chart> charts;
 };
 

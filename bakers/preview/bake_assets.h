@@ -21,7 +21,7 @@ namespace skybake {
 struct PreviewAssets {
     std::string title;  // "earth.toml", "out"
     std::vector<PreviewAsset> assets;
-    std::optional<config::Recipe> recipe;      // that made them; without it no sky is shown
+    std::optional<config::Recipe> recipe;      // the assets' recipe; without it no sky is shown
     std::map<std::string, std::string> plots;  // speed against error as SVG, by the asset's name
     std::vector<std::string> notes;            // on what is not shown, and why
 

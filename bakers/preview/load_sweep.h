@@ -20,7 +20,7 @@ struct SweptValue {
 };
 
 struct SweepVariant {
-    std::string name;                                   // of its folder
+    std::string name;                                   // name of its folder
     std::string status;                                 // "done", "failed", "missing"
     std::vector<SweptValue> values;                     // in the order of PreviewSweep::names
     std::map<std::string, ErrorFigures> lookup_errors;  // by the asset's name

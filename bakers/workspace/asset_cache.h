@@ -45,7 +45,7 @@ class AssetCache : public AssetSource {
 struct CacheEntry {
     std::filesystem::path folder;
     std::string key;
-    std::string kind;  // of its asset; empty if its manifest cannot be read
+    std::string kind;  // kind of its asset; empty if its manifest cannot be read
     std::uint64_t bytes = 0;
     std::int64_t last_use_s = 0;  // since 1970
 };

@@ -37,7 +37,7 @@ struct FileShape {
     std::size_t channels = 0;
     config::PixelType pixel_type = config::PixelType::float32;
     SheetGrid grid;  // of images
-    int levels = 1;  // in this file
+    int levels = 1;  // number of levels in this file
 };
 
 // What a file says of itself. A member is empty if files of the format do not say it.

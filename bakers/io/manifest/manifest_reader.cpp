@@ -350,7 +350,7 @@ void check_tool(const Node& node) {
     }
 }
 
-// Refuses manifests of another format. They are not damaged, but another release must read them.
+// Refuses manifests of another format. They are not damaged, but this release cannot read them.
 void check_format(const Node& node) {
     const int format = node["format"].integer<int>(0);
     if (format == manifest_format) return;
@@ -466,7 +466,8 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
 
 config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name) {
     try {
-        // The entry in a file has no times and no hashes, so these are filled in.
+        // The entry in a file does not contain times, hashes or the file's own name, length and
+        // level, so these are filled in.
         Json json = parse_json(text);
         json["timing"] = {{"bake_s", 0.0}, {"write_s", 0.0}, {"threads", 0U}};
         json["hash"] = "";

@@ -28,8 +28,8 @@ namespace {
 
 constexpr int kTransmittancePoints = 16384;
 constexpr int kQuickTransmittancePoints = 1024;
-// There are few points, because the reference sums over 12 times as many directions as a texel
-// does.
+// The number of points is small, because the reference sums over 12 times as many directions as a
+// texel does.
 constexpr int kIrradiancePoints = 256;
 constexpr int kQuickIrradiancePoints = 32;
 constexpr std::int64_t kMostFlatTexels = std::int64_t{1} << 20;
@@ -74,8 +74,8 @@ std::shared_ptr<const FlatSubject> subject_of(const config::Atmosphere& atmosphe
     return subject;
 }
 
-// Returns the sizes: from a quarter to twice as many texels per axis. If the size asked for is too
-// large, it is reduced first.
+// Returns sizes from a quarter to twice as many texels along each axis, without those of too many
+// texels. If all have too many, the size asked for is halved until it is small enough.
 std::vector<std::array<int, 3>> flat_sizes(const BrunetonBake& asked, bool quick) {
     const std::int64_t irradiance = quick ? kQuickMostIrradianceTexels : kMostIrradianceTexels;
     const std::int64_t most =

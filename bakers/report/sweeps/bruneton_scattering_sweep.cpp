@@ -35,7 +35,7 @@ using Size = std::array<int, 3>;
 
 namespace {
 
-constexpr int kScatteringPoints = 4096;  // as of --certify=full
+constexpr int kScatteringPoints = 4096;  // as for --certify=full
 constexpr int kQuickScatteringPoints = 512;
 // This excludes the published size, 256x128x32; half of that along each axis except nu is 2^17.
 constexpr std::int64_t kQuickMostTexels = std::int64_t{1} << 18;

@@ -66,7 +66,7 @@ FolderBake variant_bake(const SweepJob& job, const config::Recipe& recipe, const
 // An asset, by name, that several of the variants to be made need in the same form.
 struct SharedAsset {
     std::string name;
-    int variants = 0;  // that need it
+    int variants = 0;  // number of variants that need it
     int bakes = 0;     // the number of different assets of this name among them
 };
 std::vector<SharedAsset> shared_assets(const std::vector<PlannedVariant>& variants);

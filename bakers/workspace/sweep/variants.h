@@ -76,7 +76,7 @@ std::string_view to_string(VariantStatus status);
 
 struct VariantResult {
     int index = 0;
-    std::string name;  // of its folder
+    std::string name;  // name of its folder
     VariantStatus status = VariantStatus::missing;
     std::vector<VariantAsset> assets;             // if it is done
     std::vector<config::Diagnostic> diagnostics;  // errors if it failed, else warnings
