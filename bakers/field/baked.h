@@ -38,8 +38,8 @@ struct AxisMapping {
     Facts constants = {};  // the formula's numbers, with units in their names
 };
 
-// What the numbers of an asset mean. A member is empty where it does not apply: a noise has no
-// lengths, a transmittance is the same whatever the sun's irradiance.
+// The meaning of an asset's numbers. A member is empty if it does not apply: a noise has no
+// lengths, and a transmittance does not depend on the sun's irradiance.
 struct Conventions {
     std::string length_unit;       // of lengths along the axes: "km", "m"
     std::string coefficient_unit;  // of scattering and extinction coefficients: "1/km", "1/m"

@@ -83,8 +83,8 @@ Chart scatter_chart(std::vector<ChartPoint> points, const std::string& title,
 // Returns the index of a family among those of a figure. A new family is appended.
 int family_index(std::vector<std::string>& families, const std::string& family);
 
-// Arranges pictures in a grid of `columns` columns, each with its caption below. For contact sheets
-// and comparisons.
+// Arranges pictures in a grid of `columns` columns, each with its caption below. Contact sheets and
+// comparisons are made so.
 Picture contact_sheet(const std::vector<Picture>& pictures,
                       const std::vector<std::string>& captions, int columns);
 

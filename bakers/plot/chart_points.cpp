@@ -61,7 +61,7 @@ constexpr double label_gap = 1.5;  // between a label and anything else
 constexpr std::array<double, 7> label_distances = {9, 14, 22, 32, 46, 64, 86};
 constexpr int label_directions = 16;
 constexpr double price_of_crossing = 14;  // equals this many pixels of distance
-constexpr double price_of_leaning = 5;    // for a place above or below; its leader reads worse
+constexpr double price_of_leaning = 5;    // for a place above or below, where leaders read worse
 
 bool overlap(const Box& a, const Box& b) {
     return a.left < b.right + label_gap && b.left < a.right + label_gap &&

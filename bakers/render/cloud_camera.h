@@ -44,8 +44,8 @@ class CameraRays {
     int height_ = 0;
 };
 
-// Returns noise in [0, 1] that depends on the pixel alone. Neighbouring pixels differ much. Each
-// `layer` 0, 1 ... is another pattern.
+// Returns noise in [0, 1] that depends only on the pixel and the layer. Neighbouring pixels differ
+// much. Each `layer` 0, 1 ... is another pattern.
 float gradient_noise(int x, int y, int layer);
 
 // The distances at which a ray enters and leaves the layer, or its only tile if the volume does not

@@ -1,4 +1,4 @@
-// Marches from many points in a cloud towards the sun at once, to get the optical depths.
+// Marches from many points in a cloud towards the sun at once, to measure their optical depths.
 //
 // The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
 // include guard.

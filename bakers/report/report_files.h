@@ -14,7 +14,7 @@
 
 namespace skybake {
 
-// Returns CSV as of RFC 4180 except for its line ends, with one row per variant. The first line
+// Returns CSV as in RFC 4180 except for its line ends, with one row per variant. The first line
 // names the columns with their units.
 std::string report_csv(const std::vector<AssetReport>& assets);
 

@@ -1,5 +1,5 @@
-// Sources of ready-made assets, which need not be baked again, and copying of their files into
-// another folder.
+// Sources of ready-made assets, which need not be baked again, and a function that copies their
+// files into another folder.
 #pragma once
 
 #include <filesystem>

@@ -49,7 +49,7 @@ inline config::Diagnostic file_error(std::string code, const std::string& file,
 // Returns the system's message for an errno: "No space left on device".
 inline std::string system_reason(int error) { return std::generic_category().message(error); }
 
-// A file that is read in pieces, at any position. For files that may be larger than memory.
+// A file that is read in pieces, at any position, because it may be larger than memory.
 class FileInput {
   public:
     // E0300 if the file is missing, a folder, a device or a pipe, or if reading is not permitted;

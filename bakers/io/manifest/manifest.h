@@ -152,8 +152,8 @@ struct ManifestPlace {
 };
 ManifestPlace manifest_place(const std::filesystem::path& path);
 
-// Adds to `fresh` the assets of `previous` that it does not name, in the order of `previous`. For
-// bakes of a part of a recipe.
+// Adds to `fresh` the assets of `previous` that it does not name, in the order of `previous`. A
+// bake of a part of a recipe needs this.
 Manifest merge_manifests(const Manifest& previous, Manifest fresh);
 
 // Returns the files that `previous` lists, as files of assets or as retired files, and `fresh` does

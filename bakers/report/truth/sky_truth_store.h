@@ -35,8 +35,8 @@ std::optional<std::vector<SkyTruth>> trace_sky_truth_within(
 
 // --- Storing ------------------------------------------------------------------------------------
 //
-// A stored truth is a CSV as of light/path_tracer/sky_truth.h. Its first line holds the truth's key
-// and a fingerprint of the lines below.
+// A stored truth is a CSV file as described in light/path_tracer/sky_truth.h. Its first line holds
+// the truth's key and a fingerprint of the lines below.
 
 // Returns the key of a truth: the xxh3_hex of air, ground, directions, paths and kSkyTruthVersion.
 // Truths with equal keys have equal values.

@@ -1,5 +1,5 @@
-// Reads a channel of a picture by OpenImageIO, and checks PNG files before. This is a part of the
-// module skybake_images.
+// Reads a channel of a picture by OpenImageIO, and checks a PNG file before it is decoded. This is
+// a part of the module skybake_images.
 #pragma once
 
 #include <istream>
