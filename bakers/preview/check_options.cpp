@@ -25,7 +25,7 @@ struct OptionUse {
     std::string_view name;
     bool given = false;
     bool used = false;
-    std::string_view what;  // uses it
+    std::string_view what;  // names the pictures that use it
 };
 
 }  // namespace

@@ -38,8 +38,8 @@ struct MeasuredSweep {
     std::vector<ReportRow> rows;
     std::vector<std::string> notes;
 };
-// Measures a sweep. `baked` is the recipe's own table, whose metadata the variants' files carry too.
-// Returns nothing if the user has interrupted.
+// Measures a sweep. `baked` is the recipe's own table, whose metadata the variants' files also
+// carry. Returns nothing if the user has interrupted.
 std::optional<MeasuredSweep> measure_sweep(const Sweep& sweep, const Baked& baked, int repetitions,
                                            const ReportOptions& options);
 
