@@ -1,5 +1,6 @@
-// The air of a planet as the kernels want it: lengths in km, coefficients per km, layers sorted
-// into the two forms that have their own integrals.
+// The air of a planet in the form that the kernels need: lengths in km, coefficients per km, and
+// layers sorted into the two forms that have integrals of their own; with and without phase
+// functions.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace skybake {
 
-// Density exp(-h / scale_height), h the altitude.
+// The density is exp(-h / scale_height) at altitude h.
 struct ExponentialLayer {
     double scale_height_km = 0;
     Spectrum scattering_per_km{};
@@ -19,7 +20,7 @@ struct ExponentialLayer {
     bool operator==(const ExponentialLayer&) const = default;
 };
 
-// Density that is linear between two altitudes.
+// A density that is linear between two altitudes.
 struct LinearPiece {
     double bottom_km = 0;
     double top_km = 0;
@@ -29,8 +30,8 @@ struct LinearPiece {
     bool operator==(const LinearPiece&) const = default;
 };
 
-// The density at an altitude within the piece, measured from the end where it is smaller: a sum of
-// terms that are not negative.
+// Returns the density at an altitude within the piece. It is measured from the end where the
+// density is smaller, so that it is a sum of terms that are not negative.
 inline double density_at(const LinearPiece& piece, double altitude_km) {
     if (piece.density_per_km < 0) {
         return piece.density_at_top - piece.density_per_km * (piece.top_km - altitude_km);
@@ -38,7 +39,7 @@ inline double density_at(const LinearPiece& piece, double altitude_km) {
     return piece.density_at_bottom + piece.density_per_km * (altitude_km - piece.bottom_km);
 }
 
-// Density given piece by piece, zero elsewhere: slabs, tents, tables.
+// A density given piece by piece, and zero elsewhere: slabs, tents and tables.
 struct PiecewiseLayer {
     std::vector<LinearPiece> pieces;  // ascending, within the shell
     Spectrum scattering_per_km{};
@@ -46,7 +47,7 @@ struct PiecewiseLayer {
     bool operator==(const PiecewiseLayer&) const = default;
 };
 
-// Layers without extinction have no effect and are left out, so they cost nothing.
+// Layers without extinction have no effect, so they are left out and cost nothing.
 struct Medium {
     int channels = 0;
     double ground_radius_km = 0;
@@ -59,7 +60,7 @@ struct Medium {
     bool operator==(const Medium&) const = default;
 };
 
-// Coefficients of layers of particles are found on the way.
+// Makes the medium and computes the coefficients of layers of particles.
 Medium make_medium(const config::Atmosphere& atmosphere);
 
 struct Coefficients {
@@ -67,37 +68,38 @@ struct Coefficients {
     Spectrum extinction_per_km{};
 };
 
-// At altitudes in [0, thickness], many at once.
+// Return the coefficients at altitudes in [0, thickness], many altitudes at once or one.
 std::vector<Coefficients> coefficients_at(const Medium& medium,
                                           const std::vector<double>& altitudes_km);
 Coefficients coefficients_at(const Medium& medium, double altitude_km);
 Spectrum extinction_at(const Medium& medium, double altitude_km);
 Spectrum scattering_at(const Medium& medium, double altitude_km);
 
-// Altitudes inside the shell where the density or its slope jumps, ascending, without duplicates.
+// Returns the altitudes inside the shell where the density or its slope jumps, ascending, without
+// duplicates.
 std::vector<double> kink_altitudes_km(const Medium& medium);
 
 // --- Layers with their phase functions -----------------------------------------------------------
 
-// The air with its phase functions, layer by layer: what sky radiance needs and optical depths do
-// not.
+// One layer with its phase function. Sky radiance needs phase functions; optical depths do not.
 
 struct SkyLayer {
     std::string name;
     Medium alone;  // the planet with this layer only
     LayerPhase phase;
     bool scatters = false;
-    // Of light scattered for the first time, where that is another one than `phase`: times
-    // first_factor (forward_peak.h).
+    // The phase function for light that is scattered for the first time, where it differs from
+    // `phase`. It is multiplied by first_factor (forward_peak.h).
     LayerPhase first_phase;
     Spectrum first_factor = Spectrum(1.0);
     bool operator==(const SkyLayer&) const = default;
 };
 
-// How the layer scatters light for the first time, per channel.
+// Returns the phase function's values for light that is scattered for the first time, per channel,
+// in 1/sr.
 Spectrum first_phase_values(const SkyLayer& layer, double one_minus_cosine, double one_plus_cosine);
 
-// Layers without extinction are left out.
+// The air with its layers. Layers without extinction are left out.
 struct SkyMedium {
     Medium air;  // all layers together
     std::vector<SkyLayer> layers;

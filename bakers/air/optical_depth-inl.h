@@ -2,21 +2,21 @@
 //
 //   tau = sum over layers of extinction * column,   column = integral of density ds
 //
-// Notation (Bruneton & Neyret 2008, section 2): r distance from the planet's centre, s = r mu the
-// signed distance from the ray's point nearest to the centre (mu the cosine of the zenith angle),
-// p^2 = r^2 - s^2, dr / ds = s / r. Every ray is one or two *climbs*: paths along which r grows,
-// from a lower end (r, s >= 0) through a gain of altitude c.
+// Notation (Bruneton & Neyret 2008, section 2): r is the distance from the planet's centre, mu the
+// cosine of the zenith angle, s = r mu the signed distance from the ray's point nearest to the
+// centre, p^2 = r^2 - s^2, and dr / ds = s / r. Every ray consists of one or two *climbs*: paths
+// along which r grows, from a lower end (r, s >= 0) through a gain of altitude c.
 //
-// With z = s + r = z_a (1 + e), where z_a belongs to the lower end and y = r_a - s_a = p^2 / z_a:
+// Let z = s + r = z_a (1 + e), where z_a belongs to the lower end, and y = r_a - s_a = p^2 / z_a:
 //
 //   ds = r dz / z = 1/2 (z_a + y / (1 + e)^2) de
 //   r - r_a = 1/2 e (2 s_a + z_a e) / (1 + e)
 //
 // Both are rational in e, hold for vertical rays (p = 0) and for horizontal ones (s_a = 0) alike,
-// and lose no digits however thin the layer and however large the planet: r - r_a is never a
-// difference of radii. The only singularity, e = -1, is far from e >= 0.
+// and lose no digits however thin the layer and however large the planet, since r - r_a is never
+// computed as a difference of radii. The only singularity, e = -1, is far from e >= 0.
 //
-// Real is double or Lanes: one formula, the same bits.
+// Real is double or Lanes: the same formulas give the same bits for both.
 #if defined(SKYBAKE_BAKERS_ATMOSPHERE_OPTICAL_DEPTH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_ATMOSPHERE_OPTICAL_DEPTH_INL_H_
 #undef SKYBAKE_BAKERS_ATMOSPHERE_OPTICAL_DEPTH_INL_H_
@@ -40,7 +40,8 @@ struct ClimbStart {
     Real s_km;  // in [0, r_km]
 };
 
-// Length of the climb through `gain_km`: the positive root x of x (x + 2 s) = c (c + 2 r).
+// Returns the length of the climb through `gain_km`: the positive root x of x (x + 2 s) = c (c + 2
+// r).
 template <class Real>
 HWY_INLINE Real climb_length(Real r_km, Real s_km, Real gain_km) {
     const Real q = gain_km * (r_km + r_km + gain_km);
@@ -48,9 +49,10 @@ HWY_INLINE Real climb_length(Real r_km, Real s_km, Real gain_km) {
     return select(q > Real(0.0), length, Real(0.0));  // 0 / 0 for no gain from the nearest point
 }
 
-// Column of exp(-h / H): Gauss-Legendre panels in e, which end where the density has fallen by
-// kClimbPanelEnds scale heights and grow at most fourfold in 1 + e. Relative error about 1e-14 for
-// planets like Earth, below 2e-11 where the air is as deep as the planet is large and more.
+// Returns the column of exp(-h / H) by Gauss-Legendre panels in e. The panels end where the density
+// has fallen by kClimbPanelEnds scale heights, and 1 + e grows at most fourfold in each. The
+// relative error is about 1e-14 for planets like Earth, and below 2e-11 where the air is at least
+// as deep as the planet is large.
 template <class Real>
 HWY_INLINE Real exponential_column(const ClimbStart<Real>& start, Real gain_km,
                                    double scale_height_km) {
@@ -82,12 +84,12 @@ HWY_INLINE Real exponential_column(const ClimbStart<Real>& start, Real gain_km,
     return sum * exponential(-start.altitude_km * per_scale_height);
 }
 
-// sinh(theta) - theta for theta = ln(1 + e), e >= 0, given sinh(theta).
+// Returns sinh(theta) - theta for theta = ln(1 + e), e >= 0, given sinh(theta).
 template <class Real>
 HWY_INLINE Real sinh_minus_argument(Real e, Real sinh_theta) {
-    // With w = tanh(theta / 2) = e / (2 + e) it is 2 w / (1 - w^2) - 2 artanh(w)
-    // = 4 w^3 sum_k k / (2 k + 1) w^(2 k - 2), all terms positive; beyond w = 1/4 the difference
-    // itself loses less than five bits.
+    // With w = tanh(theta / 2) = e / (2 + e) the result is 2 w / (1 - w^2) - 2 artanh(w)
+    // = 4 w^3 sum_k k / (2 k + 1) w^(2 k - 2), a sum of positive terms. Beyond w = 1/4 the
+    // difference itself loses less than five bits.
     const Real w = e / (Real(2.0) + e);
     const Real z = w * w;
     Real p(0.0);
@@ -98,14 +100,15 @@ HWY_INLINE Real sinh_minus_argument(Real e, Real sinh_theta) {
     return select(large, sinh_theta - logarithm(Real(1.0) + e), series);
 }
 
-// Column of a linear piece of density, in closed form. With theta = ln(1 + e) and x the length,
+// Returns the column of a linear piece of density, in closed form. With theta = ln(1 + e) and x the
+// length,
 //
 //   integral of (r - r_a) ds = r^2 f1 + r s f2 + s^2 f3,
 //   f1 = integral of (cosh - 1) cosh = (S C - d) / 2,   f2 = (C^2 + S^2) / 2,   f3 = (S C + d) / 2,
 //   S = sinh theta, C = cosh theta - 1, d = sinh theta - theta,
 //
-// which is 1/2 [s r + p^2 arsinh(s / p)] - r_a s without its cancellation. Relative error below
-// 1e-14.
+// which is 1/2 [s r + p^2 arsinh(s / p)] - r_a s without its cancellation. The relative error is
+// below 1e-14.
 template <class Real>
 HWY_INLINE Real linear_piece_column(const ClimbStart<Real>& start, Real gain_km,
                                     const LinearPiece& piece) {
@@ -128,7 +131,7 @@ HWY_INLINE Real linear_piece_column(const ClimbStart<Real>& start, Real gain_km,
     const Real climbed =
         Real(0.5) *
         (r * r * (product - d) + r * s * (big_c * big_c + big_s * big_s) + s * s * (product + d));
-    // From the end where the density is smaller, so that no term is negative.
+    // The density is measured from the end where it is smaller, so that no term is negative.
     const Real rising = Real(piece.density_at_bottom) +
                         slope * maximum(start.altitude_km - Real(piece.bottom_km), zero);
     const Real falling = Real(piece.density_at_top) +
@@ -137,7 +140,7 @@ HWY_INLINE Real linear_piece_column(const ClimbStart<Real>& start, Real gain_km,
                                     : falling * x + slope * (c * x - climbed);
 }
 
-// Adds the optical depth of a climb to tau[0 .. channels).
+// Adds the optical depth of a climb to tau[0] to tau[channels - 1].
 template <class Real>
 HWY_INLINE void add_climb(const Medium& medium, const ClimbStart<Real>& start, Real gain_km,
                           Real* tau) {
@@ -158,8 +161,9 @@ HWY_INLINE void add_climb(const Medium& medium, const ClimbStart<Real>& start, R
     }
 }
 
-// Optical depth from (altitude, s = r mu) to the top of the shell; the ray must not hit the ground.
-// Downward rays are the climb from their lowest point to the altitude, twice, and the one onwards.
+// Computes the optical depth from (altitude, s = r mu) to the top of the shell. The ray must not
+// hit the ground. A downward ray is twice the climb from its lowest point to its start, plus the
+// climb from there to the top.
 template <class Real>
 HWY_INLINE void optical_depth_to_top(const Medium& medium, Real altitude_km, Real s_km, Real* tau) {
     const Real zero(0.0);

@@ -7,7 +7,7 @@
 
 namespace skybake {
 
-// Quadratures over the azimuth between view and sun, whose light is symmetric about 0.
+// A quadrature over the azimuth between view and sun. The light is symmetric about azimuth 0.
 
 struct AzimuthRule {
     int count = 0;
@@ -15,11 +15,12 @@ struct AzimuthRule {
     double weights[8] = {};  // their sum is 1
 };
 
-// For the whole circle: nodes are cosines of the azimuths (i + 1/2) pi / n, n = 1, 2, 4 or 8, which
-// integrate trigonometric polynomials up to degree 2 n - 1 exactly.
+// Returns the rule for the whole circle. Its nodes are the cosines of the azimuths (i + 1/2) pi / n
+// with n = 1, 2, 4 or 8, which integrate trigonometric polynomials up to degree 2 n - 1 exactly.
 const AzimuthRule& full_circle_rule(int count);
 
-// For azimuths from 0 to a bound: nodes are fractions of it. Gauss-Legendre with at least 4 nodes.
+// Returns the rule for azimuths from 0 to a bound: the nodes are fractions of that bound. The rule
+// is Gauss-Legendre's with at least 4 nodes.
 const AzimuthRule& lit_part_rule(int count);
 
 // --- Climbs --------------------------------------------------------------------------------------
@@ -27,9 +28,9 @@ const AzimuthRule& lit_part_rule(int count);
 // The fixed panels by which the column of an exponential density is integrated
 // (optical_depth-inl.h).
 //
-// On a panel of l scale heights n nodes leave about (l / 4)^(2n) / (2n)! of the density where it
-// begins, so panels may grow as the density falls: 6, 12 and 22 scale heights with 12 nodes each
-// leave less than 1e-14, and beyond 40 there is 4e-18 of the whole.
+// On a panel of l scale heights n nodes leave an error of about (l / 4)^(2n) / (2n)! of the density
+// at the panel's beginning, so panels may grow as the density falls: 6, 12 and 22 scale heights
+// with 12 nodes each leave less than 1e-14, and 4e-18 of the whole lies beyond 40 scale heights.
 
 inline constexpr std::array<double, 3> kClimbPanelEnds = {6, 18, 40};
 inline constexpr int kClimbNodes = 12;
@@ -43,8 +44,8 @@ const ClimbRule& climb_rule();
 
 // --- Cells ---------------------------------------------------------------------------------------
 
-// The quadrature of one cell of a ray: Gauss' three nodes on [0, 1], their weights, and the weights
-// of the integral from 0 to each node.
+// The quadrature of one cell of a ray: Gauss's three nodes on [0, 1], their weights, and the
+// weights of the integral from 0 to each node.
 
 namespace cell_rule {
 
@@ -62,7 +63,7 @@ inline constexpr std::array<std::array<double, kGauss>, kGauss> kUpTo = {{
 
 // --- Zenith angles -------------------------------------------------------------------------------
 
-// How directions at a point are divided for quadratures over them.
+// The division of the directions at a point for quadratures over them.
 
 // A range of mu, integrated with nodes that are densest at `from`.
 struct ZenithPart {
@@ -72,11 +73,11 @@ struct ZenithPart {
     int nodes;
 };
 
-// Below the horizon, the limb (between the horizon and the horizontal) and above; about 2
-// `zenith_nodes` in all. `horizon` is its mu, `height` the altitude over the shell's thickness.
-// Seen from higher up the limb is wider and brighter and the sky above it darker. The shares are
-// those that gave Earth's table the least error for its cost among the ones tried
-// (tests/benchmarks/README.md).
+// Returns three parts: below the horizon, the limb (between the horizon and the horizontal), and
+// above, with about 2 `zenith_nodes` nodes in all. `horizon` is the horizon's mu, `height` the
+// altitude divided by the shell's thickness. Seen from higher up the limb is wider and brighter and
+// the sky above it darker. The shares of nodes are those that, among the ones tried, gave Earth's
+// table the least error for its cost (tests/benchmarks/README.md).
 std::vector<ZenithPart> zenith_parts(double horizon, double height, int zenith_nodes);
 
 }  // namespace skybake

@@ -1,4 +1,5 @@
-// The transmittance from any point towards the sun, for quadratures that need it a million times.
+// A table of the transmittance from any point towards the sun, for quadratures that need it a
+// million times.
 #pragma once
 
 #include <vector>
@@ -9,24 +10,24 @@
 namespace skybake {
 
 // A table in Bruneton's coordinates (transmittance_mapping.h), in double. Altitude is divided into
-// blocks at which the density may change its course, so that no interpolation reaches across the
-// edge of a layer, however thin; within a block rows are evenly spaced in x_r and read by monotone
-// cubics (Fritsch & Carlson 1980), a whole row at a time. Along x_mu the reader interpolates
-// linearly.
+// blocks at whose ends the density may change abruptly, so that no interpolation crosses the edge
+// of a layer, however thin. Within a block rows are evenly spaced in x_r and interpolated by
+// monotone cubics (Fritsch & Carlson 1980), a whole row at a time. Along x_mu the reader
+// interpolates linearly.
 class TransmittanceField {
   public:
     struct Size {
         int columns = 0;  // a multiple of 8
-        int rows = 0;     // of a field in one block; each block has at least kLeastRows
+        int rows = 0;     // of a field with one block; every block has at least kLeastRows
         bool operator==(const Size&) const = default;
     };
     static constexpr int kLeastRows = 13;
 
-    // Blocks lie between neighbours of `altitudes_km`: ascending, from the ground to the top.
+    // Blocks lie between neighbours of `altitudes_km`, which ascend from the ground to the top.
     TransmittanceField(const Medium& medium, const std::vector<double>& altitudes_km, Size size,
                        int threads);
 
-    // The row at an altitude is a combination of four stored ones of row_size() numbers:
+    // The row at an altitude is a combination of four stored rows of row_size() numbers:
     //   row[i] = weights[0] values[i] + weights[1] values[i + n]
     //          + weights[2] slopes[i] + weights[3] slopes[i + n],   n = row_size().
     // Channel c at x_mu = i / (columns() - 1) is row[c * row_stride() + i].
@@ -40,8 +41,8 @@ class TransmittanceField {
     const Shell& shell() const { return shell_; }
     int channels() const { return channels_; }
     int columns() const { return columns_; }
-    // A channel's row has a copy of its last column for lookups at x_mu = 1, and room for whole
-    // vectors.
+    // The numbers per channel of a row: its columns, a copy of the last column for lookups at x_mu
+    // = 1, and room for whole vectors.
     int row_stride() const { return columns_ + 8; }
     int row_size() const { return channels_ * row_stride(); }
 

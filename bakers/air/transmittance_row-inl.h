@@ -1,5 +1,5 @@
-// Rows of a TransmittanceField for kernels: one altitude's transmittances, made once and read for
-// many suns.
+// Rows of a TransmittanceField for kernels: the transmittances at one altitude, combined once and
+// read for many suns.
 #if defined(SKYBAKE_BAKERS_ATMOSPHERE_TRANSMITTANCE_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_ATMOSPHERE_TRANSMITTANCE_ROW_INL_H_
 #undef SKYBAKE_BAKERS_ATMOSPHERE_TRANSMITTANCE_ROW_INL_H_
@@ -39,7 +39,7 @@ HWY_INLINE void read_row(const double* row, int stride, double column, int chann
     }
 }
 
-// The transmittances at one altitude, combined from the field's rows.
+// Combines the transmittances at one altitude from the field's rows.
 template <class Real>
 HWY_INLINE void combine_row(const TransmittanceField& field, double altitude_km, double* row) {
     using Access = LaneAccess<Real>;
@@ -54,7 +54,7 @@ HWY_INLINE void combine_row(const TransmittanceField& field, double altitude_km,
     }
 }
 
-// A row made by combine_row, and what reading it takes at its altitude.
+// A row made by combine_row, with the numbers that are needed to read it at its altitude.
 struct SunlightRow {
     const double* values;
     int stride;
@@ -81,15 +81,16 @@ HWY_INLINE SunlightRow sunlight_row(const TransmittanceField& field, double alti
             last_column};
 }
 
-// Distance to the top where r mu_s = s. ray.h has it without the cancellation of this difference
-// for suns that are up; these kernels keep the difference, whose bits their assets have.
+// Returns the distance to the top where r mu_s = s. The formula of ray.h avoids the cancellation
+// that this difference has for suns above the horizontal; these kernels keep the difference, so
+// that the bits of their assets do not change.
 template <class Real>
 HWY_INLINE Real distance_to_top(const SunlightRow& at, Real s_km) {
     return square_root(s_km * s_km + Real(at.q)) - s_km;
 }
 
-// The transmittances towards a sun in whose direction the top is so far. Suns that are down read
-// the row's nearest end.
+// Reads the transmittances towards a sun in whose direction the top is `distance_km` away. For suns
+// below the horizon it reads the row's nearest end.
 template <class Real>
 HWY_INLINE void sunlight_towards(const SunlightRow& at, Real distance_km, Real* value) {
     const Real column = (distance_km - Real(at.nearest_top_km)) * Real(at.columns_per_km);

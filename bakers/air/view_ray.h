@@ -1,4 +1,5 @@
-// What a view ray contributes to multiple scattering apart from the sun: shared by all sun angles.
+// The part of a view ray's contribution to multiple scattering that does not depend on the sun: it
+// is shared by all sun angles.
 #pragma once
 
 #include <vector>
@@ -20,7 +21,7 @@ struct RayCell {
     Spectrum absorbed{};     // integral of sigma_a T
 };
 
-// A ray from an altitude with s = r mu to the ground or to the top, in cells.
+// A ray from an altitude with s = r mu to the ground or to the top, divided into cells.
 struct ViewRay {
     double altitude_km = 0;
     double s_km = 0;
@@ -29,17 +30,19 @@ struct ViewRay {
     std::vector<RayCell> cells;  // one after the other; none if the ray has no length
 };
 
-// Cut where the ray crosses the break altitudes and at its lowest point, and further until no cell
-// that light still reaches is opaque, so that its three nodes see what it scatters.
+// Cuts the ray where it crosses the break altitudes and at its lowest point, and then further until
+// no cell that light still reaches is opaque, so that the cell's three nodes sample what it
+// scatters.
 ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
                        double altitude_km, double s_km, bool hits_ground);
 
-// Halves cells until in each (share of the scattering) * variation^2 <= tolerance, which bounds the
-// error of taking sunlight as linear over a cell. `whole` is what shares are of.
+// Halves cells until (share of the scattering) * variation^2 <= tolerance in each, which bounds the
+// error of taking sunlight as linear over a cell. `whole` is the scattering of which shares are
+// taken.
 void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray);
 
-// A point on the ray and the weights that multiply the sunlight there: the integral of
-// sigma_s T(start, x) f(x) dx is the sum of weight * f over the nodes, exact where f is linear over
+// A point on the ray and the weights that multiply the sunlight there. The integral of sigma_s
+// T(start, x) f(x) dx is the sum of weight * f over the nodes; it is exact where f is linear over
 // each cell. All weights are >= 0.
 struct RayNode {
     double altitude_km = 0;

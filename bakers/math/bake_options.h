@@ -1,22 +1,24 @@
-// How, not what, to bake, and how a bake tells how far it is: none of it changes a texel.
+// Options that say how a bake runs and how it reports progress. None of them changes a texel.
 #pragma once
 
 #include <string_view>
 
 namespace skybake {
 
-// How a long bake tells how far it is, and learns that it should stop.
+// Receives the progress of a long bake and tells the bake when it should stop.
 
 class Progress {
   public:
     virtual ~Progress() = default;
-    // fraction of the named step that is done, in [0, 1]. May be called from any thread.
+    // Reports the fraction of the named step that is done, in [0, 1]. May be called from any
+    // thread.
     virtual void advance(std::string_view step, double fraction) = 0;
-    // True once the user has interrupted: the bake returns early and its result is thrown away.
+    // True once the user has interrupted the bake. The bake then returns early and its result is
+    // discarded.
     virtual bool cancelled() const = 0;
 };
 
-// Whether a bake that may report to nobody (null) has been interrupted.
+// True if a bake has been interrupted. `progress` may be null: such a bake never is.
 inline bool is_cancelled(const Progress* progress) {
     return progress != nullptr && progress->cancelled();
 }
@@ -29,7 +31,8 @@ struct BakeOptions {
     Certification certification = Certification::quick;
     Progress* progress = nullptr;
 
-    // Once true a bake returns early, with a result that is not to be used.
+    // True once the bake has been interrupted. It then returns early and its result must not be
+    // used.
     bool cancelled() const { return progress != nullptr && progress->cancelled(); }
 };
 

@@ -1,8 +1,9 @@
-// The four channels of a Spectrum in vectors of any width, with the operations that
-// transcendental-inl.h asks of a Real. Kernels that Highway dispatches include this; what is
-// compiled for all processors alike includes channels.h.
+// The four channels of a Spectrum, held in vectors of any width, with the operations that
+// transcendental-inl.h requires of a Real. Kernels that Highway dispatches include this file; code
+// that is compiled once for all processors includes channels.h.
 //
-// Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
+// Highway includes this file once per target (see its foreach_target.h), so it has no ordinary
+// include guard.
 #if defined(SKYBAKE_BAKERS_MATH_CHANNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_MATH_CHANNELS_INL_H_
 #undef SKYBAKE_BAKERS_MATH_CHANNELS_INL_H_
@@ -49,7 +50,7 @@ struct Channels {
         store(data(x));
         return x;
     }
-    // By copies: vectors have no subscript.
+    // Reads by a copy, since vectors have no subscript.
     double operator[](std::size_t c) const {
         double x;
         std::memcpy(&x, reinterpret_cast<const char*>(this) + c * sizeof x, sizeof x);
@@ -60,7 +61,7 @@ struct Channels {
     }
 };
 
-// For which channels a comparison holds.
+// The channels for which a comparison holds.
 struct ChannelMask {
     hn::Mask<Channels::Tag> parts[Channels::kParts];
 };

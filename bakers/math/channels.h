@@ -1,5 +1,6 @@
-// The channels of channels-inl.h as every processor has them, for code that is compiled once.
-// Sources that Highway compiles for each target include channels-inl.h in its place.
+// The channels of channels-inl.h, compiled for the instruction set that every processor has, for
+// code that is compiled once. Sources that Highway compiles for each target include channels-inl.h
+// instead.
 #pragma once
 
 #include "bakers/math/channels-inl.h"
@@ -8,7 +9,7 @@ namespace skybake {
 
 using HWY_NAMESPACE::Channels;
 
-// e^x of each, the same bits as exponential(double).
+// Returns e^x of each channel, with the same bits as exponential(double).
 Channels exponential(const Channels& x);
 
 }  // namespace skybake

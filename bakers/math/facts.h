@@ -1,4 +1,4 @@
-// Facts for programs: values under names, as files and manifests carry them.
+// Facts are named values that output files and manifests state for other programs to read.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@ namespace skybake {
 
 using FactValue = std::variant<std::string, double, std::vector<double>>;
 
-// In the order in which they are shown.
+// The facts in the order in which they are shown.
 using Facts = std::vector<std::pair<std::string, FactValue>>;
 
-// The value in words: a number in its shortest form that reads back equal, a list with commas.
+// Formats the value as text: a number in its shortest form that reads back equal, a list separated
+// by commas.
 std::string fact_text(const FactValue& value);
 
-// The value of that name in words, or an empty text.
+// Returns the value of that name as text, or an empty text if there is none.
 std::string fact_named(const Facts& facts, const std::string& name);
 
-// The number of at most so many significant decimal digits that is nearest: files state figures
-// to the digits that mean something.
+// Rounds to the nearest number of at most `digits` significant decimal digits. Files state figures
+// to the digits that are meaningful.
 double to_digits(double value, int digits);
 std::vector<double> to_digits(std::vector<double> values, int digits);
 
-// The number whose shortest form is that of the float: 0.3 of 0.3f.
+// Returns the double whose shortest decimal form is that of the float: 0.3 for 0.3f.
 double to_shortest(float value);
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-// Fingerprints of bytes. hash.cpp alone knows xxHash.
+// Hashes of bytes. Only hash.cpp includes xxHash.
 #pragma once
 
 #include <memory>
@@ -7,10 +7,11 @@
 
 namespace skybake {
 
-// XXH3 with 128 bits as 32 hexadecimal digits, most significant first (what `xxhsum -H2` prints).
+// Returns the 128-bit XXH3 hash as 32 hexadecimal digits, most significant first, as `xxhsum -H2`
+// prints it.
 std::string xxh3_hex(std::string_view bytes);
 
-// The same of bytes that come piece by piece.
+// Computes the same hash of bytes that arrive piece by piece.
 class Hasher {
   public:
     Hasher();
@@ -19,7 +20,7 @@ class Hasher {
     Hasher& operator=(const Hasher&) = delete;
 
     void update(std::string_view bytes);
-    // xxh3_hex of all bytes so far, joined.
+    // Returns xxh3_hex of all bytes so far, joined.
     std::string hex() const;
 
   private:

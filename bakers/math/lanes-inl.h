@@ -1,12 +1,14 @@
-// Vectors of doubles, floats and integers with the operators of a number, for every instruction set
-// that Highway dispatches to, and the same operations on a plain double or float: a kernel written
-// once as a template over `Real` is its own scalar specification, and equals it bit for bit, since
-// each operation here is one correctly rounded IEEE operation, or exact, and none of them crosses
-// lanes: a lane's result does not depend on how many there are.
+// Vectors of doubles, floats and integers with arithmetic operators, for every instruction set that
+// Highway dispatches to, and the same operations on a plain double or float. A kernel that is
+// written once as a template over `Real` is its own scalar specification and equals it bit for bit:
+// each operation here is exact or one correctly rounded IEEE operation, and none crosses lanes, so
+// that a lane's result does not depend on the number of lanes.
 //
-// This is for wide loops over many items; channels-inl.h has the four channels of one spectrum.
+// These vectors serve wide loops over many items; channels-inl.h holds the four channels of one
+// spectrum.
 //
-// Included once per target (see Highway's foreach_target.h), so no ordinary include guard.
+// Highway includes this file once per target (see its foreach_target.h), so it has no ordinary
+// include guard.
 #if defined(SKYBAKE_BAKERS_MATH_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_MATH_LANES_INL_H_
 #undef SKYBAKE_BAKERS_MATH_LANES_INL_H_
@@ -28,7 +30,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Which lanes a comparison holds for.
+// The lanes for which a comparison holds.
 template <class T>
 struct MaskOf {
     using Tag = hn::ScalableTag<T>;
@@ -37,7 +39,7 @@ struct MaskOf {
 
     friend HWY_INLINE MaskOf operator&(MaskOf a, MaskOf b) { return {hn::And(a.m, b.m)}; }
     friend HWY_INLINE MaskOf operator|(MaskOf a, MaskOf b) { return {hn::Or(a.m, b.m)}; }
-    // Lanes of `mask` that are not in `without`.
+    // Returns the lanes of `mask` that are not in `without`.
     friend HWY_INLINE MaskOf and_not(MaskOf mask, MaskOf without) {
         return {hn::AndNot(without.m, mask.m)};
     }
@@ -48,8 +50,8 @@ struct MaskOf {
     }
 };
 
-// As many numbers of type T as a vector holds. Division, roots and the like are of floating-point
-// types alone; of minima and maxima no operand is NaN.
+// As many numbers of type T as one vector holds. Division, square root and rounding exist for
+// floating-point types only. No operand of minimum or maximum may be NaN.
 template <class T>
 struct LanesOf {
     using Tag = hn::ScalableTag<T>;
@@ -93,7 +95,7 @@ using FloatLanes = LanesOf<float>;
 using FloatMask = MaskOf<float>;
 using IntLanes = LanesOf<std::int32_t>;  // as many as there are floats
 
-// The same for one number.
+// The same operations on one number.
 template <std::floating_point T>
 HWY_INLINE T square_root(T x) {
     return std::sqrt(x);
@@ -120,7 +122,7 @@ HWY_INLINE bool all(bool mask) { return mask; }
 // --- Integers
 // ---------------------------------------------------------------------------------------
 
-// Rounded towards zero; of magnitudes below 2^31.
+// Rounds towards zero. The magnitude must be below 2^31.
 HWY_INLINE IntLanes to_int(FloatLanes x) { return IntLanes(hn::ConvertTo(IntLanes::Tag(), x.v)); }
 HWY_INLINE std::int32_t to_int(float x) { return static_cast<std::int32_t>(x); }
 HWY_INLINE FloatLanes to_float(IntLanes x) {
@@ -184,7 +186,7 @@ HWY_INLINE float power_of_two(float shifted) {
     return std::bit_cast<float>((std::bit_cast<std::uint32_t>(shifted) + 127U) << 23);
 }
 
-// How a template over Real walks an array, kCount elements at a time.
+// How a template over Real walks through an array, kCount elements at a time.
 template <class Real>
 struct LaneAccess {
     using Number = Real;

@@ -1,4 +1,4 @@
-// Memory as vector loads and repeated bakes like it.
+// Memory allocation for vector loads and for repeated bakes.
 #pragma once
 
 #include <malloc.h>
@@ -9,7 +9,7 @@
 
 namespace skybake {
 
-// Floats at the start of a cache line, as vector loads like them.
+// Allocates memory that starts at a cache line, which makes vector loads fastest.
 
 template <class T>
 struct CacheLineAllocator {
@@ -30,14 +30,13 @@ struct CacheLineAllocator {
 
 using AlignedFloats = std::vector<float, CacheLineAllocator<float>>;
 
-// For programs, at their start.
-
-// Has the process keep the memory that it frees rather than give it back: bakes free and ask for
-// the same buffers over and over, and faulting in fresh pages costs as much as octaves of noise do.
-// Nothing else depends on it; a no-op where the C library is not glibc.
+// Makes the process keep the memory that it frees instead of returning it to the system. Programs
+// call this at their start: bakes free and request the same buffers repeatedly, and faulting in
+// fresh pages costs as much as octaves of noise do. No result depends on it. It does nothing where
+// the C library is not glibc.
 inline void keep_freed_memory() {
 #ifdef __GLIBC__
-    // The most that glibc takes: half of what it maps for a thread's heap.
+    // The largest value that glibc accepts: half of what it maps for a thread's heap.
     constexpr int kLargestHeapBlock = 32 << 20;
     constexpr int kKeptAtTheTop = 512 << 20;
     mallopt(M_MMAP_THRESHOLD, kLargestHeapBlock);

@@ -1,5 +1,5 @@
-// Loops over fixed tiles, each of which writes its own memory: the number of threads never changes
-// a result.
+// Parallel loops over fixed tiles. Each tile writes its own memory, so that the number of threads
+// never changes a result.
 #pragma once
 
 #include <atomic>
@@ -10,24 +10,25 @@
 
 namespace skybake {
 
-// Calls tile(0) ... tile(count - 1), each once, in any order, on up to `threads` threads; returns
-// when all are done. 0 threads means as many as the machine has. A tile must not throw.
+// Calls tile(0) to tile(count - 1) once each, in any order, on up to `threads` threads, and returns
+// when all are done. 0 threads stands for as many as the machine has processors. A tile must not
+// throw.
 void parallel_for(int count, int threads, const std::function<void(int)>& tile);
 
-// Calls produce(i, slot) for i = 0 ... count - 1 on up to `threads` threads and consume(i, slot)
-// one at a time in the order of i, on any thread, while later ones are being produced. `slot`,
-// below `slots`, names the buffer that carries item i from one to the other: no two items that are
-// alive have the same. Stops early, having returned from all calls, once consume returns false.
-// Neither may throw.
+// Calls produce(i, slot) for i = 0 to count - 1 on up to `threads` threads, and consume(i, slot)
+// one at a time in the order of i, on any thread, while later items are being produced. `slot`,
+// below `slots`, identifies the buffer that carries item i from one to the other: no two items that
+// are in progress share a slot. Stops early once consume returns false, after all running calls
+// have returned. Neither function may throw.
 void ordered_pipeline(int count, int threads, int slots,
                       const std::function<void(int index, int slot)>& produce,
                       const std::function<bool(int index, int slot)>& consume);
 
-// What `threads` stands for: itself, or the machine's number of processors for 0.
+// Returns `threads` itself, or the machine's number of processors for 0.
 int thread_count(int threads);
 
-// parallel_for over `count` tiles that tells options.progress of each. After an interruption the
-// remaining tiles are skipped: what was made is thrown away by whoever asked for it.
+// Runs parallel_for over `count` tiles and reports each finished tile to options.progress. After an
+// interruption the remaining tiles are skipped: the caller discards what was made.
 inline void for_each_tile(int count, const BakeOptions& options, std::string_view step,
                           const std::function<void(int)>& tile) {
     std::atomic<int> done = 0;

@@ -1,4 +1,5 @@
-// Where functions are sampled: by Gauss-Legendre rules, adaptively, and at points spread evenly.
+// Points at which functions are sampled: Gauss-Legendre rules, adaptive quadrature, and
+// low-discrepancy points.
 #pragma once
 
 #include <array>
@@ -15,21 +16,21 @@ struct QuadratureRule {
     std::vector<double> weights;  // positive, their sum is 1
 };
 
-// The rule with `count` >= 1 nodes: exact for polynomials up to degree 2 count - 1. Nodes and
-// weights within 1e-15, the same bits everywhere.
+// Returns the rule with `count` >= 1 nodes, which is exact for polynomials up to degree 2 count -
+// 1. Nodes and weights are within 1e-15 and have the same bits on every machine.
 QuadratureRule gauss_legendre(int count);
 
-// Adaptive Gauss-Kronrod quadrature: slow, and right wherever its caller splits at the kinks. What
-// the fast kernels are measured against.
+// Adaptive Gauss-Kronrod quadrature. It is slow, and accurate where its caller splits the interval
+// at the kinks. The fast kernels are measured against it.
 
-// The integral of a vector-valued function from a to b. Intervals are halved until Kronrod's 15
-// points and Gauss' 7 agree within `relative` of the interval's own integral of |f| plus
-// `absolute`, or `depth` halvings have been made. T holds doubles and is subscripted: an array or a
-// vector of GLM; f(x) returns T.
+// Returns the integral of a vector-valued function from a to b. Intervals are halved until
+// Kronrod's 15 points and Gauss's 7 agree within `relative` times the interval's own integral of
+// |f| plus `absolute`, or until `depth` halvings have been made. f(x) returns a T, which holds
+// nothing but doubles and has a subscript: an array or a vector of GLM.
 template <class T, class Function>
 T adaptive_integral(const Function& f, double a, double b, double relative, double absolute,
                     int depth = 30) {
-    // Kronrod 1965; QUADPACK's qk15.
+    // The nodes and weights are those of Kronrod 1965, as in QUADPACK's qk15.
     constexpr std::array<double, 8> kNodes = {
         0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
         0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
@@ -76,20 +77,22 @@ T adaptive_integral(const Function& f, double a, double b, double relative, doub
     return sum;
 }
 
-// The fixed points at which errors are measured: the same on every run and machine.
+// The fixed points at which errors are measured. They are the same in every run and on every
+// machine.
 
-// Points of the unit square that share their y.
+// Points of the unit square that have the same y.
 struct PointRow {
     double y = 0;
     std::vector<double> x;
 };
 
-// rows * per_row points, spread evenly in [0, 1)^2 for any first so many rows: the additive
-// recurrence with the plastic number (M. Roberts, "The unreasonable effectiveness of quasirandom
-// sequences", 2018), each coordinate counted on by itself. With one point a row it is his sequence.
+// Returns rows * per_row points. The first rows, however many of them, are spread evenly in
+// [0, 1)^2. The points are the additive recurrence with the plastic number (M. Roberts, "The
+// unreasonable effectiveness of quasirandom sequences", 2018), with a counter of its own for each
+// coordinate. With one point per row it is his sequence.
 std::vector<PointRow> low_discrepancy_points(int rows, int per_row);
 
-// Roberts' sequence in three dimensions: point `index`, from 0 on, of the unit cube [0, 1)^3.
+// Returns point `index` >= 0 of Roberts' sequence in three dimensions, in the unit cube [0, 1)^3.
 std::array<double, 3> low_discrepancy_point(int index);
 
 }  // namespace skybake

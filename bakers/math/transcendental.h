@@ -1,5 +1,5 @@
-// The project's transcendental functions for plain doubles; see transcendental-inl.h for what they
-// promise and why the C library's do not serve.
+// The project's transcendental functions for plain doubles. transcendental-inl.h states their
+// guarantees and why the C library's functions are not used.
 #pragma once
 
 #include "bakers/math/vectors.h"
@@ -13,15 +13,15 @@ double arc_cosine(double x);              // x in [-1, 1]
 double cosine_of_pi(double x);            // cos(pi x), x in [0, 1]
 double cosine_of_turns(double n);         // cos(2 pi n), any finite n
 
-// sin x and cos x within 3e-16 absolute, |x| <= 1e6.
+// sin x and cos x for |x| <= 1e6, each with an absolute error below 3e-16.
 struct SineCosine {
     double sine = 0;
     double cosine = 1;
 };
 SineCosine sine_and_cosine(double x);
 
-// Replaces each of `count` values by its exponential, vector by vector: the same bits as one by
-// one.
+// Replaces each of `count` values by its exponential, a vector at a time, with the same bits as
+// exponential(double).
 void exponentials(double* values, int count);
 
 }  // namespace skybake

@@ -1,5 +1,5 @@
-// How a layer of the atmosphere scatters by angle: closed forms alike in all colour channels,
-// spheres in each by its wavelength.
+// The phase functions of a layer of the atmosphere: closed forms are the same in all colour
+// channels; those of spheres depend on each channel's wavelength.
 #pragma once
 
 #include <cstddef>
@@ -25,22 +25,23 @@ struct LayerPhase {
 
 LayerPhase layer_phase(const config::Layer& layer);
 
-// p in each channel at nu = cosine, told by 1 - nu and 1 + nu.
+// Returns p in each channel for the cosine nu, given as 1 - nu and 1 + nu.
 Spectrum phase_values(const LayerPhase& phase, double one_minus_cosine, double one_plus_cosine);
 
-// chi_0 .. chi_degree, in each channel.
+// Returns chi_0 to chi_degree of each channel.
 std::vector<Spectrum> legendre_moments(const LayerPhase& phase, int degree);
 
-// The layer with the coefficients that follow from its particles; any other as it is.
+// Returns the layer with the coefficients that follow from its particles; a layer of another kind
+// is returned as it is.
 config::Layer with_coefficients(config::Layer layer);
 
 // --- Checks --------------------------------------------------------------------------------------
 
-// Whether particles are such that their scattering is known to be right, and layers of them such as
-// bakers can take.
+// Checks that the scattering of particles can be computed correctly, and that layers of them are
+// within the limits of the bakers.
 
-// E0144 of each kind of particles whose largest spheres are beyond kLargestSizeParameter, and of
-// each layer whose extinction is beyond what coefficients may be.
+// Returns E0144 for each kind of particles whose largest spheres exceed kLargestSizeParameter, and
+// for each layer whose extinction exceeds the limit of coefficients.
 [[nodiscard]] std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters);
 
 }  // namespace skybake

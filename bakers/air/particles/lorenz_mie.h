@@ -1,5 +1,6 @@
-// Scattering of a plane wave by a homogeneous sphere: Lorenz 1890, Mie 1908, in the notation and
-// with the signs of Bohren & Huffman 1983, chapter 4 (time as e^(-i w t), so that k >= 0 absorbs).
+// Scattering of a plane wave by a homogeneous sphere, and sums over many spheres: Lorenz 1890, Mie
+// 1908, in the notation and with the signs of Bohren & Huffman 1983, chapter 4 (time as e^(-i w t),
+// so that k >= 0 absorbs).
 //
 //   x = 2 pi r / lambda   size parameter
 //   m = n + i k           refractive index of the sphere relative to what surrounds it
@@ -7,10 +8,10 @@
 //   a_n = ((D_n / m + n/x) psi_n - psi_(n-1)) / ((D_n / m + n/x) xi_n - xi_(n-1))
 //   b_n = ((m D_n   + n/x) psi_n - psi_(n-1)) / ((m D_n   + n/x) xi_n - xi_(n-1))
 //
-// with the Riccati-Bessel functions psi, chi of x, xi = psi - i chi, and D_n = psi_n'(m x) /
-// psi_n(m x).
+// with the Riccati-Bessel functions psi and chi of x, xi = psi - i chi, and
+// D_n = psi_n'(m x) / psi_n(m x).
 //
-// The hard cases, each with a test of its name in lorenz_mie_test.cpp, and what is done about it:
+// The hard cases and how each is handled; each has a test of its name in lorenz_mie_test.cpp:
 //
 //   tiny spheres        Upwards, psi_n comes from differences of almost equal numbers. Beyond n = x
 //                       its ratios come from downwards instead; a_n and b_n then are accurate at
@@ -57,7 +58,7 @@ inline ComplexNumber conjugate(ComplexNumber a) { return {a.real, -a.imaginary};
 inline double squared_modulus(ComplexNumber a) {
     return a.real * a.real + a.imaginary * a.imaginary;
 }
-// 1 / a, where |a|^2 neither overflows nor underflows.
+// Returns 1 / a. |a|^2 must neither overflow nor underflow.
 inline ComplexNumber inverse(ComplexNumber a) { return (1 / squared_modulus(a)) * conjugate(a); }
 
 // --- One sphere ----------------------------------------------------------------------------------
@@ -68,10 +69,11 @@ struct MieCoefficients {
     double absorption_efficiency = 0;  // Q_abs
 };
 
-// How many terms the series of a sphere has.
+// Returns the number of terms in the series of a sphere.
 int mie_term_count(double size_parameter);
 
-// For 1e-8 <= x <= 3e5, 0.01 <= |m| <= 150. Time and memory grow as max(1, |m|) x.
+// Computes the coefficients for 1e-8 <= x <= 3e5 and 0.01 <= |m| <= 150. Time and memory grow as
+// max(1, |m|) x.
 MieCoefficients mie_coefficients(double size_parameter, ComplexNumber refractive_index);
 
 // Cross-sections per area pi r^2 of the sphere.
@@ -92,36 +94,39 @@ MieEfficiencies mie_efficiencies(const MieCoefficients& coefficients);
 //   S_1 = sum c_n (a_n pi_n + b_n tau_n),  S_2 = sum c_n (a_n tau_n + b_n pi_n),
 //   c_n = (2 n + 1) / (n (n + 1)),   pi_n = P_n^1 / sin theta,   tau_n = dP_n^1 / d theta
 //
-// (Bohren & Huffman 1983, 4.74). |S_1|^2 is of light polarised perpendicular to the plane of
-// scattering, |S_2|^2 parallel to it; dC_sca/dOmega = (|S_1|^2 + |S_2|^2) / (2 k^2), k = 2 pi /
-// lambda.
+// (Bohren & Huffman 1983, 4.74). |S_1|^2 belongs to light polarised perpendicular to the plane of
+// scattering, |S_2|^2 to light polarised parallel to it; dC_sca/dOmega = (|S_1|^2 + |S_2|^2) /
+// (2 k^2) with k = 2 pi / lambda.
 //
 // S_1 +- S_2 = sum c_n (a_n +- b_n) (pi_n +- tau_n), and since pi_n +- tau_n at 180 degrees - theta
 // are (-1)^(n+1) (pi_n -+ tau_n) at theta, two sums give two angles.
 //
-// pi_n comes from its differences, with 1 - cos theta in place of the cosine, so that no digits are
-// lost about 0 and 180 degrees (Reinsch's way with Clenshaw's recurrence). The sums run in the
-// order of n and without fused operations: the same bits for every instruction set.
+// pi_n is computed from its differences, with 1 - cos theta in place of the cosine, so that no
+// digits are lost near 0 and 180 degrees (Reinsch's modification of Clenshaw's recurrence). The
+// sums run in the order of n and without fused operations, which gives the same bits for every
+// instruction set.
 
-// c_n (a_n + b_n) and c_n (a_n - b_n), real and imaginary, n = 1 ...
+// The terms of one sphere: the real and imaginary parts of c_n (a_n + b_n) and of c_n (a_n - b_n),
+// for n = 1 and on.
 using MieTerms = std::vector<std::array<double, 4>>;
 
 MieTerms mie_terms(const MieCoefficients& coefficients);
 
-// What adds up over spheres, at the angles theta and at 180 degrees - theta.
+// The quantities that add up over spheres, at the angles theta and at 180 degrees - theta.
 struct MieIntensities {
     std::vector<double> perpendicular, parallel;            // |S_1|^2, |S_2|^2 at theta
     std::vector<double> back_perpendicular, back_parallel;  // at 180 degrees - theta
 };
 
-// Adds the intensities of all spheres, times their weights, in their order.
+// Adds the intensities of all spheres, multiplied by their weights, in the order of the spheres.
 //
-// one_minus_cosines, 1 - cos theta in [0, 1], and the four arrays of `sums` have one length.
+// one_minus_cosines holds 1 - cos theta in [0, 1]. It and the four arrays of `sums` have the same
+// length; `spheres` and `weights` have the same length.
 void add_mie_intensities(std::span<const MieTerms> spheres, std::span<const double> weights,
                          const std::vector<double>& one_minus_cosines, int threads,
                          MieIntensities& sums);
 
-// Zeros for so many angles.
+// Returns intensities of zero at `angles` angles.
 MieIntensities no_intensities(std::size_t angles);
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-// phase_function.h for vectors of angles, of doubles or of floats.
+// The functions of phase_function.h for vectors of angles, of doubles or of floats.
 #if defined(SKYBAKE_BAKERS_AIR_PHASE_FUNCTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_AIR_PHASE_FUNCTION_INL_H_
 #undef SKYBAKE_BAKERS_AIR_PHASE_FUNCTION_INL_H_
@@ -12,8 +12,8 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// (1 + g^2 - 2 g nu)^(3/2), without its cancellation where g is near 1 and the light goes on almost
-// straight.
+// Returns (1 + g^2 - 2 g nu)^(3/2) without the cancellation that this formula has where g is near 1
+// and the light goes on almost straight.
 template <class Real>
 HWY_INLINE Real henyey_greenstein_denominator(typename LaneAccess<Real>::Number g, Real one_minus,
                                               Real one_plus) {
@@ -23,7 +23,7 @@ HWY_INLINE Real henyey_greenstein_denominator(typename LaneAccess<Real>::Number 
     return base * square_root(base);
 }
 
-// p = (a + b nu^2) / (1 + g^2 - 2 g nu)^(3/2).
+// Returns p = (a + b nu^2) / (1 + g^2 - 2 g nu)^(3/2).
 template <class Real>
 HWY_INLINE Real closed_phase_value(typename LaneAccess<Real>::Number a,
                                    typename LaneAccess<Real>::Number b,

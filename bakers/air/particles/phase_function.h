@@ -1,16 +1,17 @@
-// How layers scatter by angle, in one form that all of the recipe's closed phase functions have:
+// Phase functions and their Legendre moments. All of the recipe's closed phase functions have one
+// form:
 //
 //   p(nu) = (a + b nu^2) / (1 + g^2 - 2 g nu)^(3/2)     [1/sr], the integral over directions is 1
 //
-// nu is the cosine between the light's way before and after.
+// nu is the cosine of the angle between the incoming and outgoing direction.
 //
 //   isotropic            a = 1 / 4 pi
 //   Rayleigh             a = b = 3 / 16 pi
 //   Henyey-Greenstein    a = (1 - g^2) / 4 pi                              Henyey & Greenstein 1941
 //   Cornette-Shanks      a = b = 3 (1 - g^2) / (8 pi (2 + g^2))            Cornette & Shanks 1992
 //
-// The denominator is (1 - |g|)^2 + 2 |g| (1 -+ nu): the sum 1 + g^2 - 2 g nu loses all digits where
-// g is near 1 and the light goes on almost straight. Spheres have a table in its place.
+// The denominator is computed as (1 - |g|)^2 + 2 |g| (1 -+ nu): the sum 1 + g^2 - 2 g nu loses all
+// digits where g is near 1 and the light goes on almost straight. Spheres have a table instead.
 #pragma once
 
 #include <memory>
@@ -29,20 +30,20 @@ struct PhaseFunction {
     bool operator==(const PhaseFunction&) const = default;
 };
 
-// Of a closed form: not of mie.
+// Makes a phase function of a closed form: `phase` must not be mie.
 PhaseFunction make_phase_function(config::Phase phase, double g);
 
-// p at nu = cosine, told by 1 - nu and 1 + nu.
+// Returns p in 1/sr for the cosine nu, given as 1 - nu and 1 + nu.
 double phase_value(const PhaseFunction& phase, double one_minus_cosine, double one_plus_cosine);
 
-// Forms that are fitted to a phase function, in 1/sr; alpha 0 of Draine's is Henyey-Greenstein's, 1
-// Cornette-Shanks' (Draine 2003). They are not phase_value of make_phase_function's numbers, since
-// these round differently, and fits would change in their last digits.
+// Forms that are fitted to a phase function, in 1/sr. Draine's (Draine 2003) is Henyey-Greenstein's
+// for alpha = 0 and Cornette-Shanks's for alpha = 1. They do not use phase_value and
+// make_phase_function, which round differently: fits would change in their last digits.
 double henyey_greenstein(double g, double one_minus_cosine, double one_plus_cosine);
 double draine(double g, double alpha, double one_minus_cosine, double one_plus_cosine);
 
-// Rayleigh's of nu, in 1/sr, in the words of the lookups by which runtimes multiply. It rounds
-// otherwise than a + b nu^2.
+// Returns Rayleigh's phase function of nu in 1/sr, written as in the lookups that runtimes multiply
+// by it. It rounds differently from a + b nu^2.
 double rayleigh_phase(double nu);
 
 // --- Legendre moments ----------------------------------------------------------------------------
@@ -51,8 +52,11 @@ double rayleigh_phase(double nu);
 //
 //   chi_l = integral over directions of p(nu) P_l(nu),   p(nu) = 1/4pi sum (2 l + 1) chi_l P_l(nu)
 //
-// chi_0 = 1 and chi_1 is the mean cosine, which for Cornette-Shanks is not its parameter g but
-// 3 g (4 + g^2) / (5 (2 + g^2)).
+// chi_0 = 1, and chi_1 is the mean cosine. For Cornette-Shanks the mean cosine is not the parameter
+// g but 3 g (4 + g^2) / (5 (2 + g^2)).
+//
+// Henyey-Greenstein's moments are g^l. Every closed form is Henyey-Greenstein's times (a + b nu^2),
+// up to a constant factor, and nu^2 P_l is a sum of P_(l+2), P_l and P_(l-2).
 
 // chi_0 .. chi_degree, in closed form or of a table.
 //

@@ -1,4 +1,5 @@
-// The phase functions that an asset asks for, one per channel, known exactly and as fine tables.
+// The phase functions that an asset asks for, one per channel: the functions themselves and fine
+// tables of them.
 #pragma once
 
 #include <memory>
@@ -16,12 +17,12 @@ namespace skybake {
 struct PhaseSource {
     std::vector<PhaseFunction> functions;                       // one per wavelength
     std::vector<std::shared_ptr<const TabulatedPhase>> tables;  // to be inverted
-    Facts facts;                                                // of particles: cross-sections
+    Facts facts;                                                // cross-sections, for particles
     std::string text;                                           // "particles fog", "layer mie"
-    double error = 0;  // of the functions themselves, relative: what averages over sizes leave
+    double error = 0;  // relative, of the functions themselves: error of the averages over sizes
 };
 
-// Of particles, or of a layer of the atmosphere.
+// Returns the phase functions of particles, or of a layer of the atmosphere.
 PhaseSource phase_source(const config::Parameters& parameters, const config::PhaseBake& bake,
                          int threads);
 

@@ -1,4 +1,5 @@
-// How many spheres have which radius: n(r) of config::Particles, with an integral over r of 1.
+// Size distributions n(r) of config::Particles, each with an integral over r of 1, and weighted
+// sums over spheres of many sizes.
 //
 //   log_normal      s = ln(geometric_deviation)
 //   gamma           Hansen & Travis 1974, 2.56; a modified gamma of alpha = (1 - 3 v) / v,
@@ -8,8 +9,8 @@
 //                   (1948) is alpha = 0, gamma = 1 and the radius 1 / (2 Lambda), where Lambda is
 //                   4.1 / mm times (rain rate in mm/h)^-0.21
 //
-// Over u = ln r all of them are of one kind: r^c n is the exponential of a concave function of u.
-// It has one maximum and falls ever faster on both sides of it.
+// With u = ln r all of them have one property: r^c n is the exponential of a concave function of u.
+// It therefore has one maximum and falls ever faster on both sides of it.
 #pragma once
 
 #include <cstddef>
@@ -23,20 +24,21 @@ namespace skybake {
 
 class RadiusDistribution {
   public:
-    // Not of monodisperse particles, which have no n(r).
+    // The particles must not be monodisperse, since those have no n(r).
     explicit RadiusDistribution(const config::Particles& particles);
 
-    // r n(r), the share of particles per interval of u = ln(r / metre).
+    // Returns r n(r), the share of particles per unit of u = ln(r / metre).
     double per_log_radius(double log_radius) const;
 
-    // From where to where, in ln(r / metre), particles count. A sphere scatters as r^2 min(1, x^4),
-    // about, x = 2 pi r / wavelength, and absorbs as r^2 min(1, x): what is left out above is below
-    // 1e-9 of the sum with the first weight, what is left out below with r^2, the larger there.
+    // The range of ln(r / metre) within which particles count. A sphere scatters about as
+    // r^2 min(1, x^4), with x = 2 pi r / wavelength, and absorbs as r^2 min(1, x). The part above
+    // the range is below 1e-9 of the sum weighted by r^2 min(1, x^4); the part below it is below
+    // 1e-9 of the sum weighted by r^2, which is the larger weight there.
     struct LogRange {
         double first = 0;
         double last = 0;
-        double center = 0;  // where particles scatter most, by the first weight
-        double width = 0;   // from where they scatter 1 / e of it to there
+        double center = 0;  // where r^2 min(1, x^4) n is largest
+        double width = 0;   // of the interval in which it exceeds 1 / e of its maximum
     };
     LogRange scattering_range(config::Length wavelength) const;
 
@@ -53,10 +55,11 @@ class RadiusDistribution {
 
 // --- Spheres of all sizes ------------------------------------------------------------------------
 
-// Spheres of one material and many sizes, each with a weight: their cross-sections and what they
-// scatter by angle, summed in the order in which they were added.
+// Spheres of one material and many sizes, each with a weight. Their cross-sections and the light
+// that they scatter by angle are summed in the order in which the spheres were added.
 
-// Sums over spheres of their weights times k^2 / pi cross-section, and times cosine.
+// Sums over spheres of weight * k^2 / pi * cross-section; `cosine` is the sum of the scattering
+// terms times the mean cosine.
 struct CrossSectionSums {
     double extinction = 0;
     double scattering = 0;
@@ -73,12 +76,12 @@ class WeightedSpheres {
         terms_ += mie_term_count(size_parameter);
     }
     std::size_t count() const { return spheres_.size(); }
-    double terms() const { return terms_; }  // of all series: the work per angle
+    double terms() const { return terms_; }  // of all series together: the work per angle
 
-    // Adds what the spheres from the first-th on scatter at the angles.
+    // Adds the light that the spheres from number `first` on scatter at the angles.
     void add_intensities(std::size_t first, const std::vector<double>& one_minus_cosines,
                          MieIntensities& intensities);
-    // Of spheres whose intensities have been added once.
+    // Returns the sums over all spheres. Their intensities must have been added once.
     CrossSectionSums cross_sections() const;
 
   private:
@@ -95,7 +98,8 @@ class WeightedSpheres {
     int threads_;
     std::vector<Sphere> spheres_;
     double terms_ = 0;
-    // The series of all spheres from the kept_begin_-th on if they fit, else of one batch.
+    // The series of all spheres from number kept_begin_ on if they fit into memory, else those of
+    // one batch.
     std::vector<MieTerms> kept_;
     std::size_t kept_begin_ = 0;
 };

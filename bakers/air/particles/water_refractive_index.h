@@ -6,8 +6,8 @@
 //       (Appl. Opt. 12, 555; 25 C)
 //   k   Hale & Querry 1973; ln k is linear in wavelength between its entries
 //
-// Relative to vacuum: relative to air at sea level n is 3e-4 less, which moves a rainbow by 0.05
-// degrees.
+// The index is relative to vacuum. Relative to air at sea level n is 3e-4 less, which moves a
+// rainbow by 0.05 degrees.
 #pragma once
 
 #include "bakers/air/particles/lorenz_mie.h"
@@ -18,7 +18,7 @@ namespace skybake {
 constexpr config::Length kShortestWaterWavelength{0.2e-6};
 constexpr config::Length kLongestWaterWavelength{4e-6};
 
-// For wavelengths (in vacuum) between those two.
+// The wavelength (in vacuum) must be between those two.
 ComplexNumber water_refractive_index(config::Length wavelength);
 
 }  // namespace skybake
