@@ -1,5 +1,6 @@
-// Light that has been scattered or reflected before, as a sky integrator asks for it: the table of
-// a runtime, or the solution that the table stands for.
+// Light that has been scattered or reflected before, as a sky integrator asks for it: from the
+// texture that runtimes use, from the solution that the texture approximates, from a stored table,
+// or from the solution for one point under many suns.
 #pragma once
 
 #include <functional>
@@ -24,28 +25,31 @@ class HigherOrders {
   public:
     virtual ~HigherOrders() = default;
 
-    // Sum over layers of sigma_s integral of p L over directions, L the light that is no sunlight
-    // straight from the sun: what a km of air sends towards the eye, in 1/sr/km for a solar
-    // irradiance of 1. `scattering_per_km` has one entry per layer of the medium.
+    // Returns the sum over layers of sigma_s times the integral over directions of p L, where L is
+    // all light except sunlight that comes straight from the sun. This is what one km of air sends
+    // towards the eye, in 1/sr/km for a solar irradiance of 1. `scattering_per_km` has one entry
+    // per layer of the medium.
     virtual Spectrum scattered(const ScatteringPoint& point,
                                const std::vector<Spectrum>& scattering_per_km) const = 0;
 
-    // Irradiance of level ground by the sky, without sunlight straight from the sun.
+    // Returns the irradiance of level ground by the sky, without sunlight that comes straight from
+    // the sun.
     virtual Spectrum sky_irradiance(double sun_cos_zenith) const = 0;
 };
 
 // --- The mean radiance ---------------------------------------------------------------------------
 
-// Higher orders as runtimes with Hillaire's texture have them: the mean radiance Psi, scattered
-// alike in all directions by every layer (Hillaire 2020, section 5.5).
+// Higher orders as runtimes with Hillaire's texture compute them: the mean radiance Psi, which
+// every layer scatters equally in all directions (Hillaire 2020, section 5.5).
 //
-// Psi at the ground is half sky (J_sky) and half ground (albedo (E_sun / pi + J_sky), the sky taken
-// as equally bright all over), E_sun = mu_s T_sun; so J_sky = (2 Psi - albedo E_sun / pi) / (1 +
-// albedo), and the sky's irradiance is pi J_sky.
+// At the ground one half of Psi comes from the sky, of radiance J_sky, and the other half from the
+// ground, of radiance albedo (E_sun / pi + J_sky), where the sky is taken as equally bright all
+// over and E_sun = mu_s T_sun. Hence J_sky = (2 Psi - albedo E_sun / pi) / (1 + albedo), and the
+// sky's irradiance is pi J_sky.
 
 class IsotropicOrders : public HigherOrders {
   public:
-    // Psi (1/sr) at an altitude for a cosine of the sun's zenith angle. `medium` must outlive it.
+    // Returns Psi in 1/sr at an altitude for a cosine of the sun's zenith angle.
     using MeanRadiance = std::function<Spectrum(double altitude_km, double sun_cos_zenith)>;
     IsotropicOrders(const Medium& medium, MeanRadiance mean_radiance);
 
@@ -60,11 +64,13 @@ class IsotropicOrders : public HigherOrders {
 
 // --- The solution --------------------------------------------------------------------------------
 
-// Higher orders as solved: moments of the light, scattered by each layer's own phase function.
+// Higher orders from the solution: moments of the light, scattered by each layer's own phase
+// function.
 
 class SolvedOrders : public HigherOrders {
   public:
-    // Uses moments up to `degree`, at most the solution's. Both must outlive it.
+    // Uses moments up to `degree`, which is at most the solution's. `medium` and `light` must
+    // outlive this object.
     SolvedOrders(const SkyMedium& medium, const SolvedLight& light, int degree);
 
     Spectrum scattered(const ScatteringPoint& point,
@@ -79,10 +85,10 @@ class SolvedOrders : public HigherOrders {
 
 // --- A stored table ------------------------------------------------------------------------------
 
-// Higher orders as a runtime takes them from a stored table of multiple scattering: the mean
+// Higher orders as a runtime reads them from a stored table of multiple scattering: the mean
 // radiance alone, or a stack of moments (solved_scattering_table.h).
 
-// Where a point's moments stand in the table: its coordinates, each in [0, 1], end points on texel
+// The place of a point's moments in the table: coordinates in [0, 1] whose end points are texel
 // centres.
 struct TablePlace {
     double x = 0;
@@ -92,7 +98,8 @@ using PlaceInTable = std::function<TablePlace(double altitude_km, double sun_cos
 
 class TableOrders : public HigherOrders {
   public:
-    // `degree` 0: the mean radiance. All but `place` must outlive it.
+    // With `degree` 0 the table holds the mean radiance. `medium` and `table` must outlive this
+    // object.
     TableOrders(const SkyMedium& medium, const Image2<float>& table, int degree,
                 PlaceInTable place);
     TableOrders(const TableOrders&) = delete;  // its parts refer to one another
@@ -114,18 +121,19 @@ class TableOrders : public HigherOrders {
 
 // --- One point under many suns -------------------------------------------------------------------
 
-// What the solved light sends along a view ray from one point of it, for any sun: SolvedOrders with
-// all contracted that the sun does not change, for those who ask under many suns.
+// The light that the solution sends along a view ray from one point of it, for any sun:
+// SolvedOrders with all sums that do not depend on the sun evaluated beforehand, for callers with
+// many suns.
 
 class SolvedSource {
   public:
-    // `scattering` has one entry per layer, `phase_moments` too: legendre_moments up to the light's
-    // degree. The light must outlive it.
+    // `scattering` and `phase_moments` have one entry per layer; `phase_moments` are the
+    // legendre_moments up to the light's degree. `light` must outlive this object.
     SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
                  const std::vector<Spectrum>& scattering,
                  const std::vector<std::vector<Spectrum>>& phase_moments);
 
-    // As SolvedOrders::scattered, to rounding.
+    // Returns the same as SolvedOrders::scattered, except for rounding.
     Spectrum scattered(double sun_cos_zenith, double azimuth_cosine) const;
 
   private:

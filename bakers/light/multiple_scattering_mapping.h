@@ -1,5 +1,6 @@
-// Where multiple scattering stands in its table: u from the sun's cosine, v from altitude, both
-// with end points on texel centres, u = 1/2N + x (1 - 1/N).
+// The coordinates of the multiple-scattering table: u from the sun's cosine, v from altitude, both
+// with end points on texel centres, u = 1/2N + x (1 - 1/N); and the suns that a table must hold for
+// a scene.
 //
 //   hillaire  x = (mu_s + 1) / 2                      the paper's, linear in the cosine
 //   twilight  x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2   spends its texels about the terminator
@@ -14,38 +15,38 @@
 
 namespace skybake {
 
-// The sun's cosine at a coordinate in [0, 1].
+// Returns the sun's cosine at a coordinate in [0, 1].
 double sun_cos_zenith_at(config::MultipleScatteringMapping mapping, double x);
 
-// The coordinate of a cosine in [-1, 1]; the inverse of the above within 1e-12.
+// Returns the coordinate of a cosine in [-1, 1]. This is the inverse of sun_cos_zenith_at within
+// 1e-12.
 double sun_coordinate(config::MultipleScatteringMapping mapping, double sun_cos_zenith);
 
-// Which suns a table must hold for the cameras and suns of a scene.
-
-// Of the cosine of the sun's zenith angle.
+// A range of the cosine of the sun's zenith angle.
 struct SunRange {
     double lowest = -1;
     double highest = 1;
 };
 
-// Of all points in the air, its top and the ground included, that view rays from the scene's
-// cameras pass under the scene's suns.
+// Returns the range over all points in the air, its top and the ground included, that view rays
+// from the scene's cameras pass under the scene's suns.
 //
-// From the planet's centre no point of such a ray is further from the camera than the one where the
-// ray that grazes the ground leaves the air:
+// Seen from the planet's centre, the point of such a ray that is furthest from the camera is at
+// most as far as the point where the ray that grazes the ground leaves the air:
 //
 //   psi = arccos(R / (R + h)) + arccos(R / R_top)
 //
-// with h the highest camera's altitude, in the air or in space, and the sun's zenith angle at a
-// point differs from that at the camera by no more than psi. Attained by cameras that look along
-// the sun's azimuth.
+// with h the highest camera's altitude, in the air or in space. The sun's zenith angle at a point
+// differs from that at the camera by at most psi. Cameras that look along the sun's azimuth attain
+// this bound.
 SunRange scene_sun_range(const config::Scene& scene, const Shell& shell);
 
-// The sun's axis of a table of multiple scattering: the mapping over the suns of the scene.
+// The sun's axis of a table of multiple scattering: the mapping restricted to the suns of the
+// scene.
 
 struct SunColumns {
     config::MultipleScatteringMapping mapping = config::MultipleScatteringMapping::hillaire;
-    double first = 0;  // of the mapping's coordinate
+    double first = 0;  // the mapping's coordinate where the axis begins
     double last = 1;
 
     double cosine(double x) const { return sun_cos_zenith_at(mapping, first + (last - first) * x); }
@@ -54,7 +55,7 @@ struct SunColumns {
     }
 };
 
-// The whole axis without a scene.
+// Returns the axis for the scene, or the whole axis without a scene.
 SunColumns sun_columns(config::MultipleScatteringMapping mapping,
                        const std::optional<config::Scene>& scene, const Shell& shell);
 

@@ -7,21 +7,21 @@
 
 namespace skybake {
 
-// How finely to integrate. Levels are ordered by cost.
+// The resolution of the integration. Levels are ordered by cost.
 struct QuadratureLevel {
     int zenith_nodes = 0;          // Gauss-Legendre nodes above the horizon, and as many below
     double ray_tolerance = 0;      // see refine_view_ray
-    double azimuth_tolerance = 0;  // error left by the azimuths, as a share of the row's scattering
+    double azimuth_tolerance = 0;  // error of the azimuths, as a share of the row's scattering
 };
 
-// The levels a bake may choose from.
+// Returns the levels that a bake may choose from.
 const std::vector<QuadratureLevel>& quadrature_levels();
 
-// Sunlight lookups that a texel takes at this level, for the cost model: a fixed figure for Earth's
-// air.
+// Returns the number of sunlight lookups per texel at this level, for the cost model: a fixed
+// figure for Earth's air.
 double lookups_per_texel(const QuadratureLevel& level);
 
-// A direction from the row's altitude.
+// A ray from the row's altitude, with its weight.
 struct WeightedRay {
     double mu = 0;
     double weight = 0;  // share of the sphere of directions; they sum to 1
@@ -33,14 +33,15 @@ struct WeightedRay {
     Spectrum end_transmittance{};  // of the whole ray
 };
 
-// All that the sun does not change for the points at one altitude.
+// The parts of the integral at one altitude that do not depend on the sun.
 struct RowQuadrature {
     double altitude_km = 0;
     std::vector<WeightedRay> rays;
     Spectrum escape{};  // 1 - f: mean over directions of end transmittance and absorption
 };
 
-// Altitudes that rays are cut at, for the rows of one table: nodes there share their sunlight.
+// Returns the altitudes at which rays are cut, for the rows of one table. Nodes at these altitudes
+// share their sunlight.
 std::vector<double> quadrature_altitudes_km(const Medium& medium);
 
 RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double>& altitudes_km,

@@ -1,4 +1,5 @@
-// The light that an asset of the sky is to show: which orders, scattered by which layers.
+// The light that an asset of the sky shows: its orders of scattering and the layers that scatter
+// it.
 #pragma once
 
 #include <memory>
@@ -16,41 +17,42 @@
 
 namespace skybake {
 
-// Of the moments by which light is scattered once more: what haze scatters forward and again is
-// within 0.15 % of path tracing in the median of Earth's sky.
+// The degree of the moments by which light is scattered once more. With it, light that haze
+// scatters forward repeatedly is within 0.15 % of path tracing in the median of Earth's sky.
 inline constexpr int kSkyDegree = 8;
 
 class SkyLight {
   public:
-    // Solves for all orders unless `orders` is single. `layers` are those that scatter, all if it
-    // is empty; the others dim the light all the same. After an interruption the light is not to be
-    // used.
+    // Solves for all orders unless `orders` is single. `layers` names the layers that scatter; if
+    // it is empty, all do. The other layers still dim the light. After an interruption the light
+    // must not be used.
     SkyLight(const config::Atmosphere& atmosphere, config::SkyOrders orders,
              const std::vector<std::string>& layers, const BakeOptions& options);
 
-    // With other higher orders than the solution: null for none.
+    // Uses the given higher orders instead of the solution; null stands for none.
     SkyLight(SkyMedium medium, config::SkyOrders orders,
              std::unique_ptr<const HigherOrders> higher_orders);
 
     SkyLight(const SkyLight&) = delete;
     SkyLight& operator=(const SkyLight&) = delete;
 
-    // Why there is no light, if it was solved for and is none (energy_balance.h).
+    // Returns an error if the light was solved for and the solution is invalid (energy_balance.h).
     [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
 
-    // Forward peaks of spheres count as light that goes on (forward_peak.h), but for light
-    // scattered once.
+    // The medium, in which light scattered into the forward peaks of spheres counts as not
+    // scattered (forward_peak.h), except for light scattered once.
     const SkyMedium& medium() const { return medium_; }
     bool has_peaks() const;
-    // Transmittance to the sun through the whole air, peaks and all, as SkyIntegrator::sunlight.
+    // Returns the transmittance to the sun through the whole air, forward peaks included, as
+    // SkyIntegrator::sunlight does.
     Spectrum sun_transmittance(double altitude_km, double s_km) const;
     const Shell& shell() const { return shell_; }
     const SkyIntegrator& integrator() const { return integrator_; }
     const HigherOrders* higher_orders() const { return higher_orders_.get(); }
     config::SkyOrders orders() const { return orders_; }
 
-    // What is wanted of a radiance: with `single` the light scattered once in the air, with
-    // `multiple` the rest, the ground's among it.
+    // Returns the part of a radiance that `orders` asks for: with `single` the light scattered once
+    // in the air, with `multiple` the rest, including light from the ground.
     Spectrum wanted(const SkyRadiance& radiance) const;
 
   private:
@@ -58,22 +60,21 @@ class SkyLight {
     Medium whole_air_;
     Shell shell_;
     config::SkyOrders orders_;
-    std::shared_ptr<const SolvedLight> solved_;  // null: not solved for
+    std::shared_ptr<const SolvedLight> solved_;  // null if it was not solved for
     std::unique_ptr<const HigherOrders> higher_orders_;
     SkyIntegrator integrator_;
 };
 
-// Light of higher orders without what is below 0: moments that end at a degree, and interpolation
-// between azimuths, leave a little less than nothing at night and in deep twilight, where there is
-// next to nothing.
+// Replaces negative values by 0. Moments that end at a degree, and interpolation between azimuths,
+// leave slightly negative values at night and in deep twilight, where there is hardly any light.
 Spectrum not_negative(const Spectrum& higher_orders);
 
-// The atmosphere with all layers' extinction, and the scattering of those of these names alone; the
-// atmosphere itself if there are no names.
+// Returns the atmosphere with the extinction of all layers but only the scattering of the named
+// ones; with no names, returns the atmosphere unchanged.
 config::Atmosphere scattering_only(config::Atmosphere atmosphere,
                                    const std::vector<std::string>& layers);
 
-// "all orders", "single scattering by mie": for what files say of themselves.
+// Returns a description for output files, for instance "all orders" or "single scattering by mie".
 std::string light_text(config::SkyOrders orders, const std::vector<std::string>& layers);
 
 }  // namespace skybake

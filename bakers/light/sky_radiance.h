@@ -6,14 +6,15 @@
 //
 // T and T_sun are exact optical depths (optical_depth.h).
 //
-// Rays are cut at the altitudes where a density changes its course, at their lowest point, at the
-// planet's shadow and where the sun's own ray grazes one of those altitudes, then halved until no
-// piece that light still reaches has an optical depth above 1; Gauss' rule with five nodes in each.
+// Rays are cut at the altitudes where the course of a density changes abruptly, at their lowest
+// point, at the planet's shadow, and where the sun's own ray grazes one of those altitudes. The
+// pieces are halved until no piece that light still reaches has an optical depth above 1, and each
+// is integrated by Gauss's rule with five nodes.
 //
-// Hard cases: the sun on the horizon and below (rays that graze the shadow), at the zenith, as the
-// direction itself; the camera on the ground (rays below the horizontal have length 0), at the top
-// and in space (rays that miss the air are black); a horizon 40 degrees down; 50 times the air; no
-// air at all.
+// Hard cases: the sun on the horizon and below (rays that graze the shadow), at the zenith, and in
+// the view direction itself; the camera on the ground (rays below the horizontal have length 0), at
+// the top and in space (rays that miss the air are black); a horizon 40 degrees below the
+// horizontal; 50 times the Earth's air; no air at all.
 #pragma once
 
 #include <vector>
@@ -31,33 +32,37 @@ struct SkyRadiance {
     Spectrum multiple{};
     Spectrum ground{};
     Spectrum transmittance{};  // along the whole ray
-    Spectrum total() const;    // of the light
+    Spectrum total() const;    // sum of the three lights
 };
 
 class SkyIntegrator {
   public:
-    // Both must outlive it. Without higher orders only single scattering and ground in sunlight.
+    // `medium` and `higher_orders` must outlive this object. If `higher_orders` is null, the result
+    // has only single scattering and ground in sunlight.
     SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders);
 
-    // From an altitude in [0, thickness]. Single scattering within 2e-4 of adaptive quadrature.
+    // Returns the radiance at an altitude in [0, thickness]. Single scattering is within 2e-4 of
+    // adaptive quadrature.
     SkyRadiance radiance(double altitude_km, const SunZenith& sun,
                          const SkyDirection& direction) const;
 
-    // The same along any ray.
+    // Returns the same along any ray.
     SkyRadiance radiance(const SkyRay& ray) const;
 
-    // What has come along the ray from its beginning up to each of `distances_km`, which ascend
-    // in [0, length]: without the ground.
+    // Returns the light that arrives at the ray's beginning from the stretch up to each of
+    // `distances_km`, without the ground. `distances_km` ascend and lie in [0, length].
     std::vector<SkyRadiance> up_to(const SkyRay& ray,
                                    const std::vector<double>& distances_km) const;
 
-    // Light scattered between two distances as it leaves the ray's beginning, without the ground.
+    // Returns the light scattered between two distances as it arrives at the ray's beginning,
+    // without the ground.
     SkyRadiance between(const SkyRay& ray, double from_km, double to_km) const;
 
-    // What the ground sends up, in 1/sr, where r mu_s = `sun_s_km`.
+    // Returns the radiance of the ground in 1/sr where r mu_s = `sun_s_km`.
     Spectrum ground_radiance(double sun_s_km) const;
 
-    // Transmittance to the sun at a point where r mu_s = `s_km`; 0 in the planet's shadow.
+    // Returns the transmittance to the sun at a point where r mu_s = `s_km`. It is 0 in the
+    // planet's shadow.
     Spectrum sunlight(double altitude_km, double s_km) const;
 
   private:
@@ -74,7 +79,7 @@ class SkyIntegrator {
     std::vector<double> break_altitudes_km_;
 };
 
-// A point of a ray after `distance_km`, at an altitude where r mu_s = `sun_s_km`.
+// Returns the point of a ray after `distance_km`, at an altitude where r mu_s = `sun_s_km`.
 ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double altitude_km,
                                  double sun_s_km, double distance_km);
 

@@ -1,4 +1,5 @@
-// View directions, and straight rays of a camera through the air, with the sun.
+// View directions, straight rays of a camera through the air, and the limits by which integrators
+// divide such rays into pieces.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,8 @@ namespace skybake {
 
 inline constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
-// A direction at a camera, and the angle to the sun by two sums without cancellation.
+// A view direction at a camera. The angle to the sun is held as 1 - cos and 1 + cos, which avoids
+// cancellation.
 struct SkyDirection {
     double mu = 0;  // cosine of the zenith angle
     double cosine_to_sun = 0;
@@ -22,17 +24,18 @@ struct SkyDirection {
     double one_plus_cosine = 0;
 };
 
-// A sun by the cosine and the sine of its zenith angle, both exact at the horizon and the zenith.
+// A sun's zenith angle by its cosine and its sine, both exact at the horizon and at the zenith.
 struct SunZenith {
     double cosine = 0;
     double sine = 0;  // not negative
 };
 
-// From the cosine and sine of the direction's zenith angle and the cosine of its azimuth from the
-// sun.
+// Returns the direction from the cosine and sine of its zenith angle and the cosine of its azimuth
+// from the sun.
 inline SkyDirection sky_direction(const SunZenith& sun, double mu, double sine,
                                   double azimuth_cosine) {
-    // Both vectors in the plane of the sun, z up: 1 -+ cos = |a -+ b|^2 / 2.
+    // Both vectors are expressed with the sun in the plane of z and "forward", z up: 1 -+ cos = |a
+    // -+ b|^2 / 2.
     const double along = sine * azimuth_cosine;
     const double across_squared = sine * sine * (1 - azimuth_cosine) * (1 + azimuth_cosine);
     const auto half_square = [&](double up, double forward) {
@@ -46,8 +49,8 @@ inline SkyDirection sky_direction(const SunZenith& sun, double mu, double sine,
     return direction;
 }
 
-// The part of a view ray that is in the air. Whether it meets the ground is told, not found out:
-// next to the horizon rounding would decide about it.
+// The part of a view ray that is in the air. The caller states whether the ray meets the ground,
+// since rounding would decide about it next to the horizon.
 struct SkyRay {
     double altitude_km = 0;  // where it begins, in [0, thickness]
     double s_km = 0;         // r mu there
@@ -59,14 +62,14 @@ struct SkyRay {
     double one_plus_cosine = 0;
 };
 
-// How far from the beginning a ray goes that is told by altitude and s.
+// Returns the length of the ray that starts at an altitude with s = r mu.
 inline double ray_length_km(const Shell& shell, double altitude_km, double s_km,
                             bool meets_ground) {
     return meets_ground ? distance_to_ground_km(shell, altitude_km, s_km)
                         : distance_to_top_km(shell, altitude_km, s_km);
 }
 
-// From a camera in the air. Rays below the horizon meet the ground.
+// Returns the ray of a camera in the air. Rays below the horizon meet the ground.
 inline SkyRay sky_ray(const Shell& shell, double altitude_km, const SunZenith& sun,
                       const SkyDirection& direction) {
     SkyRay ray;
@@ -82,7 +85,7 @@ inline SkyRay sky_ray(const Shell& shell, double altitude_km, const SunZenith& s
     return ray;
 }
 
-// View rays of a camera anywhere above the ground.
+// A view ray of a camera anywhere above the ground.
 
 struct CameraRay {
     SkyRay in_air;           // of length 0 where it misses the air
@@ -100,7 +103,8 @@ inline CameraRay camera_ray(const Shell& shell, double altitude_km, const SunZen
     const double top = shell.ground_radius_km + shell.thickness_km;
     const double s = r * direction.mu;
     const double gain = altitude_km - shell.thickness_km;
-    // Where (r mu + x)^2 = R_top^2 - p^2 with the centre passed at p: s^2 - (r^2 - R_top^2).
+    // The ray enters the air where (r mu + x)^2 = R_top^2 - p^2, p its nearest distance to the
+    // centre; the right side is s^2 - (r^2 - R_top^2).
     const double square = s * s - square_gain_km2(shell, shell.thickness_km, gain);
     in_air.altitude_km = shell.thickness_km;
     in_air.cosine_to_sun = direction.cosine_to_sun;
@@ -111,7 +115,7 @@ inline CameraRay camera_ray(const Shell& shell, double altitude_km, const SunZen
         return ray;
     }
     in_air.s_km = -std::sqrt(square);
-    ray.distance_km = std::max(in_air.s_km - s, 0.0);  // rounding, at the top itself
+    ray.distance_km = std::max(in_air.s_km - s, 0.0);  // rounding may give less at the top itself
     in_air.sun_s_km = r * sun.cosine + ray.distance_km * direction.cosine_to_sun;
     in_air.meets_ground = in_air.s_km < -horizon_distance_km(shell, shell.thickness_km);
     in_air.length_km = ray_length_km(shell, in_air.altitude_km, in_air.s_km, in_air.meets_ground);
@@ -120,18 +124,19 @@ inline CameraRay camera_ray(const Shell& shell, double altitude_km, const SunZen
 
 // --- Pieces --------------------------------------------------------------------------------------
 
-// What sky_radiance.h and its fast rows (sky_row.h) cut a ray's air into, and integrate by.
+// The limits by which sky_radiance.h and its fast rows (sky_row.h) divide a ray into pieces, and
+// the rule that integrates a piece.
 
 namespace ray_pieces {
 
-inline constexpr double kLargestDepth = 1;  // of a piece, along the ray
-// Light that has passed this optical depth adds e^-25 = 1e-11 to a picture.
+inline constexpr double kLargestDepth = 1;  // optical depth of a piece, along the ray
+// Light that has passed this optical depth contributes e^-25 = 1e-11 of its radiance.
 inline constexpr double kLastLight = 25;
-// Halvings of a piece: 2^-20 of a ray is metres.
+// The largest number of halvings of a piece: 2^-20 of a ray is a few metres.
 inline constexpr int kMostHalvings = 20;
 
-// The greatest depth of a piece, from the depths of its ends, over the channels whose light still
-// reaches it; none where no light does.
+// Returns the greatest optical depth of a piece, from the depths at its ends, over the channels
+// whose light still reaches it; nothing if no light does.
 inline std::optional<double> lit_depth(const Spectrum& from, const Spectrum& to, int channels) {
     std::optional<double> depth;
     for (int c = 0; c < channels; ++c) {
@@ -141,7 +146,7 @@ inline std::optional<double> lit_depth(const Spectrum& from, const Spectrum& to,
     return depth;
 }
 
-// Gauss' five nodes in each piece.
+// Returns Gauss's rule with the five nodes that integrate each piece.
 inline const QuadratureRule& gauss_rule() {
     static const QuadratureRule rule = gauss_legendre(5);
     return rule;

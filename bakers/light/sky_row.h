@@ -1,13 +1,14 @@
-// The radiance of many rays that begin at one altitude with one zenith angle and so pass the same
-// air, whatever their azimuth: sky_radiance.h for a row of a table, many times faster.
+// The radiance of many rays that begin at one altitude with one zenith angle and so pass through
+// the same air, whatever their azimuth. This is sky_radiance.h for one row of a table, many times
+// faster.
 //
-// Nodes, transmittances and densities are found once for the row; sunlight is exact and comes for
-// all rays of a node at once (optical_depth.h). Only pieces through which the edge of the planet's
-// shadow runs are left to SkyIntegrator, ray by ray. What higher orders send is a smooth function
-// of the cosine of the azimuth: with more than kAzimuthNodes rays it is made at that many
-// Chebyshev nodes of it and interpolated (Berrut & Trefethen 2004).
+// Nodes, transmittances and densities are computed once for the row. Sunlight is exact and is
+// computed for all rays of a node at once (optical_depth.h). Only pieces that the edge of the
+// planet's shadow crosses are left to SkyIntegrator, ray by ray. The light of higher orders is a
+// smooth function of the azimuth's cosine: with more than kAzimuthNodes rays it is computed at that
+// many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
 //
-// Against SkyIntegrator: tests/light/sky_row_test.cpp.
+// tests/light/sky_row_test.cpp compares the results with SkyIntegrator's.
 #pragma once
 
 #include <functional>
@@ -17,15 +18,17 @@
 
 namespace skybake {
 
-// The ray of a row whose azimuth from the sun has this cosine. Rays of a row differ in nothing but
-// the sun, and r mu_s and the cosine to it are linear in the azimuth's cosine.
+// Returns the ray of a row whose azimuth from the sun has this cosine. Rays of a row differ only in
+// the sun, and both r mu_s and the cosine of the angle to the sun are linear in the azimuth's
+// cosine.
 using RayOfAzimuth = std::function<SkyRay(double azimuth_cosine)>;
 
 class SkyRow {
   public:
     static constexpr int kAzimuthNodes = 16;
 
-    // All must outlive it. The part of `any` that all rays share makes the row.
+    // The arguments except `any` must outlive this object. `any` may be any ray of the row: only
+    // what all rays share is used.
     SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
            const HigherOrders* higher_orders, const SkyRay& any);
 

@@ -1,18 +1,18 @@
-// Where a view direction stands in a sky-view table: u from its azimuth, v from its angle to the
-// horizon, most texels next to it (Hillaire 2020, section 5.3).
+// The coordinates of the sky-view table: u from the view's azimuth, v from its angle to the
+// horizon, with most texels next to the horizon (Hillaire 2020, section 5.3).
 //
 //   u   azimuth from the sun / 180 degrees; the sky is the same on both sides of the sun
 //   v   1/2 + 1/2 sign(l) sqrt(|l| / range),   l the angle above the horizon, downwards negative
 //
-// The range is that of the half: below, from the horizon to straight down; above, to the zenith for
-// cameras in the air, to the edge of the air for cameras at its top and in space, from where rays
-// above that edge see nothing. The horizon is where the planet's edge is: at altitude h it dips
-// arccos(R / (R + h)) below the horizontal.
+// The range belongs to the half. Below it extends from the horizon to straight down; above it
+// extends to the zenith for cameras in the air, and to the edge of the air for cameras at its top
+// and in space, whose rays above that edge see nothing. The horizon is the planet's edge: at
+// altitude h it lies arccos(R / (R + h)) below the horizontal.
 //
-// End points on texel centres, u = 1/2N + x (1 - 1/N). The horizon itself, x = 1/2, belongs to the
-// sky. It falls between rows N/2 - 1 and N/2, or on row (N - 1) / 2 if N is odd; so that sky and
-// ground do not mix there, rays of the sky look up no lower than the first row of the sky, those of
-// the ground no higher than the last row of the ground.
+// End points are texel centres, u = 1/2N + x (1 - 1/N). The horizon itself, y = 1/2, belongs to the
+// sky. It lies between rows N/2 - 1 and N/2, or on row (N - 1) / 2 if N is odd. Lookups of rays of
+// the sky go no lower than the first row of the sky, and those of the ground no higher than the
+// last row of the ground, so that sky and ground do not mix at the horizon.
 #pragma once
 
 #include "bakers/air/ray.h"
@@ -31,16 +31,16 @@ class SkyViewCamera {
     double range_below() const { return range_below_; }
     bool in_space() const { return altitude_km_ >= shell_.thickness_km; }
 
-    // The angle above the horizon at a coordinate y in [0, 1], and its inverse.
+    // Returns the angle above the horizon at a coordinate y in [0, 1], and its inverse.
     double angle_at(double y) const;
     double coordinate(double angle) const;
     static bool meets_ground(double y) { return y < 0.5; }
 
-    // The nearest coordinate whose view is not nearer to the horizon than kHorizonMargin, nor, from
-    // space, to the edge of the air.
+    // Returns the nearest coordinate whose view is at least kHorizonMargin away from the horizon
+    // and, from space, also from the edge of the air.
     double off_the_edges(double y) const;
 
-    // The view ray at a coordinate y; the azimuth is told by its cosine.
+    // Returns the view ray at a coordinate y and an azimuth from the sun with this cosine.
     SkyRay ray(double y, const SunZenith& sun, double azimuth_cosine) const;
 
   private:
@@ -52,14 +52,14 @@ class SkyViewCamera {
     double range_below_ = 0;
 };
 
-// The v at which a lookup of y is made in a table of `rows` rows; see above.
+// Returns the v at which a lookup of y is made in a table of `rows` rows (see above).
 double sky_view_v(double y, int rows);
 
-// Cosine and sine of any angle in radians, the same on every machine.
+// Return the cosine and sine of any angle in radians, with the same bits on every machine.
 double cosine_of(double angle);
 double sine_of(double angle);
 
-// The sun at an elevation, exact at the horizon and at +-90 degrees.
+// Returns the sun at an elevation in radians, exact at the horizon and at +-90 degrees.
 SunZenith sun_at_elevation(double elevation);
 
 }  // namespace skybake

@@ -1,17 +1,17 @@
-// Optical depths for walks through the air: exact to 2e-7, at the price of a table look-up, and
+// Optical depths for paths through the air, accurate to 2e-7 at the cost of a table lookup, and
 // their inversion.
 //
-// The air is cut into shells in which densities are polynomials in r^2. Along a line with nearest
-// point p to the planet's centre, r^2 = p^2 + s^2, s the distance from that point, and the depth
-// from (h, s >= 0) upwards to space is
+// The air is divided into shells in which densities are polynomials in r^2. Along a line whose
+// nearest point to the planet's centre is at distance p, r^2 = p^2 + s^2, where s is the distance
+// from that point. The depth from (h, s >= 0) upwards to space is
 //
 //   U(h, s) = integral of extinction from h to the shell's upper level  +  A(s at that level),
 //
-// the first by Gauss' rule on the polynomial, the second from a table of the level. A is smooth in
-// s on a scale that is at least the length of a horizontal path through the shell above, and falls
-// as 1 / s beyond: intervals grow with s. Since a level lies on either side of each edge of a
-// layer, nothing is interpolated across one. Depths along any other path are sums and differences
-// of U.
+// The first term is integrated by Gauss's rule on the polynomial; the second is read from a table
+// that belongs to the level. A is smooth in s on a scale that is at least the length of a
+// horizontal path through the shell above, and falls as 1 / s beyond, so intervals grow with s. A
+// level lies on either side of each edge of a layer, so that nothing is interpolated across an
+// edge. Depths along any other path are sums and differences of U.
 #pragma once
 
 #include <cstdint>
@@ -27,32 +27,34 @@ class AirShells {
   public:
     explicit AirShells(const SkyMedium& medium);
 
-    // A point on a line, by its shell and by the distance from the line's point nearest to the
-    // planet's centre, whichever side it lies on.
+    // A point on a line, given by its shell and by its distance from the line's point nearest to
+    // the planet's centre, on either side.
     struct Point {
         double altitude_km = 0;
         double s_km = 0;  // not negative
         int shell = 0;
     };
 
-    // The shell that has an altitude in [0, thickness]; the upper one at a level between two.
+    // Returns the shell that contains an altitude in [0, thickness]; at a level between two shells,
+    // the upper one.
     int shell_at(double altitude_km) const;
 
-    // U above, within 2e-7 of its value or of a millionth of the depth of all air; within 1e-6
-    // where the air is nothing like a planet's.
+    // Returns U (see above), within 2e-7 of its value or of a millionth of the depth of all air,
+    // and within 1e-6 for air very unlike a planet's.
     Channels depth_to_top(const Point& point) const;
 
-    // The point at or above shell `lowest` and at or below shell `highest`, on the line through
-    // `on_line`, where U of one channel is `depth`. Where no point has as much, the line's lowest.
+    // Returns the point, at or above shell `lowest` and at or below shell `highest`, on the line
+    // through `on_line`, where U of one channel is `depth`. If U is below `depth` everywhere on the
+    // line, returns the line's lowest point.
     Point point_at_depth(const Point& on_line, std::size_t channel, double depth, int lowest,
                          int highest) const;
 
-    // Coefficients, in 1/km, at a point of a shell.
+    // Return the extinction in 1/km, and the density of one layer, at a point of a shell.
     Channels extinction(int shell, double altitude_km) const;
     double density(int shell, int layer, double altitude_km) const;  // of SkyMedium::layers
 
-    // Transmittance to the top of the atmosphere at a point where r mu = `s_km` towards the light;
-    // 0 in the planet's shadow, whose edge is exact.
+    // Returns the transmittance to the top of the atmosphere at a point where r mu = `s_km` towards
+    // the light. It is 0 in the planet's shadow, whose edge is exact.
     Channels sunlight(double altitude_km, double s_km, int shell) const;
 
     const Shell& planet() const { return planet_; }
@@ -63,7 +65,8 @@ class AirShells {
     struct Polynomial {
         double coefficients[kDegree + 1];
     };
-    // In t = (r^2 - r_middle^2) / half_width, which is -1 at the bottom and 1 at the top.
+    // Polynomials are in t = (r^2 - r_middle^2) / half_width, which is -1 at the bottom and 1 at
+    // the top.
     struct AirShell {
         double top_km;
         double top_radius_km;

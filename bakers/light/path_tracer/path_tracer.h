@@ -1,9 +1,9 @@
-// The reference of all references: radiance of the sky by tracing paths of light, all orders, each
-// layer with its own phase function.
+// The reference for all other computations of sky radiance: it traces paths of light, with all
+// orders of scattering and each layer's own phase function.
 //
-// Unbiased in all orders that are walked, but for the depths of air_shells.h (2e-7); no radiance is
-// clamped. Orders count every event of a path, in the air or on the ground. The same bits for any
-// number of threads.
+// The result is unbiased in all orders that are walked, except for the error of the depths of
+// air_shells.h (2e-7); no radiance is clamped. An order counts every event of a path, in the air or
+// on the ground. The bits are the same for any number of threads.
 #pragma once
 
 #include <array>
@@ -19,15 +19,16 @@ struct PathTracerSettings {
     std::uint64_t seed = 0;
     std::uint32_t ray = 0;   // rays of one seed have random numbers of their own
     std::int64_t paths = 0;  // at least 2; each serves all channels
-    // The first order from the quadrature of sky_radiance.h (within 2e-4 of its value), of which no
-    // error is counted; not for a sun with a disc.
+    // Takes the first order from the quadrature of sky_radiance.h (within 2e-4 of its value), whose
+    // error is not counted. Not allowed for a sun with a disc.
     bool deterministic_first_order = true;
     double sun_radius = 0;  // in radians
-    // Whether a ray that hits the ground sees it, that is to say light that came from there last.
+    // True if a ray that hits the ground sees it, that is, includes light that came from there
+    // last.
     bool include_seen_ground = true;
 };
 
-// Per channel; in 1/sr for a solar irradiance of 1, or the unit that the function says.
+// Radiance per channel, in 1/sr for a solar irradiance of 1 unless a function states another unit.
 struct PathTracedRadiance {
     Spectrum radiance{};
     Spectrum standard_error{};                   // of the radiance
@@ -44,19 +45,21 @@ class PathTracer {
     PathWalker walker_;
 };
 
-// Radiance along one ray, from an altitude in [0, thickness].
+// Returns the radiance along one ray from an altitude in [0, thickness].
 PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads);
 
-// The same in a sky of radiance 1 all around the planet, without a sun: 1 where nothing absorbs
-// (the white furnace). What is seen of that sky itself is in no order.
+// Returns the same in a sky of radiance 1 all around the planet, without a sun: 1 where nothing
+// absorbs (the white furnace). Light that comes from that sky without any event belongs to no
+// order.
 PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude_km,
                                        double cos_zenith, const PathTracerSettings& settings,
                                        int threads);
 
-// Mean over all directions of the light at a point that has had at least one event:
-// 1/4pi integral of L. Its order n is the light after n events, all of them by paths.
+// Returns the mean over all directions of the light at a point that has had at least one event:
+// 1/4pi times the integral of L. Its order n is the light after n events. All orders are traced by
+// paths.
 PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude_km,
                                        const SunZenith& sun, const PathTracerSettings& settings,
                                        int threads);

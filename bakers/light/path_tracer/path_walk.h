@@ -1,16 +1,18 @@
 // One path of light, walked backwards from the eye.
 //
-// A path is shared by all channels. One of them, the hero, chosen at random, draws distances and
-// directions; the others' contributions are weighed by the balance heuristic over heroes (Wilkie
-// et al. 2014, "Hero wavelength spectral sampling"), which stays unbiased however far the channels'
-// air differs:
+// All channels share a path. One channel, the hero, which is chosen at random, draws distances and
+// directions; the other channels' contributions are weighted by the balance heuristic over heroes
+// (Wilkie et al. 2014, "Hero wavelength spectral sampling"), which stays unbiased however much the
+// air of the channels differs:
 //
-//   estimate_c = f_c(path) / (1/n sum_k p_k(path)),   p_k the density with which hero k walks it.
+//   estimate_c = f_c(path) / (1/n sum_k p_k(path)),
 //
-// Flights never leave the air: the part 1 - e^-tau of the light that is scattered, or what the
-// ground returns of e^-tau, is walked with its weight, and Russian roulette ends paths whose weight
-// has fallen below what second orders usually have. Each vertex sees the sun through an exact
-// transmittance.
+// where p_k is the density with which hero k walks the path.
+//
+// Flights never leave the air: a path follows the part 1 - e^-tau of the light that is scattered,
+// or the part of e^-tau that the ground returns, and carries that part as its weight. Russian
+// roulette ends paths whose weight has fallen below what second orders usually have. Each vertex
+// sees the sun through an exact transmittance.
 #pragma once
 
 #include <array>
@@ -24,21 +26,22 @@
 
 namespace skybake {
 
-// Orders 1 to 5, and 6 and more.
+// The stored orders: 1 to 5, and one for 6 and more.
 inline constexpr std::size_t kPathOrders = 6;
 
-// What a path has gathered: light of `direct` came without any event, which only ambient light can.
+// The light that a path has gathered. `direct` is light that came without any event, which only
+// ambient light can.
 struct PathLight {
     Channels direct{0.0};
     std::array<Channels, kPathOrders> orders;
     PathLight() { orders.fill(Channels(0.0)); }
 };
 
-// Where light comes from: a sun of irradiance 1, or a sky of radiance 1 all around the planet.
+// The source of light: a sun of irradiance 1, or a sky of radiance 1 all around the planet.
 struct PathSource {
     bool ambient = false;
     glm::dvec3 sun{};
-    double sun_radius = 0;  // in radians, of a disc of even radiance
+    double sun_radius = 0;  // in radians; the disc has uniform radiance
 };
 
 struct PathStart {
@@ -49,9 +52,9 @@ struct PathStart {
 
 struct PathRules {
     bool counts_first_order = true;
-    bool sees_ground = true;  // by the first flight
-    // Weight that a path has when it begins its second flight, per channel, by experience: below it
-    // roulette begins. 0 where nothing is known.
+    bool sees_ground = true;  // if the first flight meets it
+    // The weight that a path usually has when it begins its second flight, per channel, found by
+    // experience: Russian roulette begins below it. 0 if it is not known.
     Channels usual_weight{0.0};
 };
 
@@ -66,16 +69,16 @@ class PathWalker {
         bool falls = false;
         bool hits_ground = false;
         int lowest_shell = 0;
-        Channels from;       // depth upwards along the line, from where |s| is the start's
+        Channels from;       // depth to the top, along the line, from |s_km|
         Channels lowest;     // the same from the lowest point, or from the ground
         Channels through;    // its transmittance
         Channels scattered;  // 1 - through
-        Channels returned;   // through times what the ground reflects, where it may
+        Channels returned;   // through times what the ground reflects, if it is seen
     };
     Flight first_flight(const PathStart& start, const PathRules& rules) const;
 
     // `first` is the start's first flight. Returns the weight with which the path began its second
-    // one.
+    // flight.
     Channels walk(const PathSource& source, const PathStart& start, const Flight& first,
                   const PathRules& rules, RandomStream& random, PathLight& light) const;
 

@@ -9,10 +9,11 @@
 
 namespace skybake {
 
-// Counter-based random numbers: a value is a function of its address alone, so that any number of
-// threads draws the same ones.
+// Counter-based random numbers. Each value is a function of its address alone, so that any number
+// of threads draws the same values.
 //
-// Philox-4x32-10 (Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as easy as 1, 2, 3").
+// The generator is Philox-4x32-10 (Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as
+// easy as 1, 2, 3").
 
 using RandomWords = std::array<std::uint32_t, 4>;
 
@@ -39,7 +40,7 @@ class RandomStream {
           counter_{0, static_cast<std::uint32_t>(path), static_cast<std::uint32_t>(path >> 32),
                    ray} {}
 
-    // In (0, 1), symmetric about 1/2: the middles of 2^32 equal intervals.
+    // Returns a number in (0, 1), symmetric about 1/2: the middle of one of 2^32 equal intervals.
     double next() {
         if (used_ == 4) {
             words_ = philox_4x32_10(counter_, key_);
@@ -56,20 +57,20 @@ class RandomStream {
     unsigned used_ = 4;
 };
 
-// Directions distributed as a phase function scatters them.
+// Directions that are distributed as a phase function scatters them.
 
-// nu with density 2 pi p(nu).
+// Draws a scattering angle. Its cosine nu has the density 2 pi p(nu).
 //
 // Henyey-Greenstein's distribution is inverted: with s uniform in (-1, 1) and D = 1 + g^2 - 2 g nu,
 // D = ((1 - g^2) / (1 + g s))^2, hence
 //   1 - nu = (D - (1 - g)^2) / 2 g = (1 - g)^2 (1 - s) (2 + g (1 + s)) / (2 (1 + g s)^2)
 //   1 + nu = ((1 + g)^2 - D) / 2 g = (1 + g)^2 (1 + s) (2 - g (1 - s)) / (2 (1 + g s)^2),
-// sums of terms of one sign for any g. The factor a + b nu^2 of phase_function.h follows by
-// rejection; a <= a + b nu^2 <= a + b, so that at least half of all trials pass where a = b. Tables
-// are inverted cell by cell (tabulated_phase.h).
+// which are sums of terms of one sign for any g. The factor a + b nu^2 of phase_function.h is
+// applied by rejection: a <= a + b nu^2 <= a + b, so that at least half of all trials are accepted
+// where a = b. Tables are inverted cell by cell (tabulated_phase.h).
 ScatteringAngle sample_phase(const PhaseFunction& phase, RandomStream& random);
 
-// The direction at that angle to `direction`, the azimuth about it uniform.
+// Returns a direction at that angle to `direction`, with a uniformly distributed azimuth about it.
 glm::dvec3 scatter(const glm::dvec3& direction, const ScatteringAngle& cosine,
                    RandomStream& random);
 

@@ -1,4 +1,4 @@
-// Sky radiance by path tracing in many directions, as text that can be kept: tracing it again takes
+// Sky radiance by path tracing in many directions, stored as text because tracing it again takes
 // minutes.
 #pragma once
 
@@ -22,8 +22,9 @@ struct SkyTruthDirection {
     bool operator==(const SkyTruthDirection&) const = default;
 };
 
-// Suns from the zenith to 6 degrees below the horizon, views from the zenith to half a degree above
-// it, towards the sun, across and away from it where these differ: 178 directions.
+// Returns 178 directions: suns from the zenith to 6 degrees below the horizon, and views from the
+// zenith to half a degree above the horizon, towards the sun, across and away from it where these
+// differ.
 std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km);
 
 struct SkyTruthSettings {
@@ -31,7 +32,7 @@ struct SkyTruthSettings {
     std::int64_t paths = 0;  // per direction
 };
 
-// One channel of one direction; in 1/sr for a solar irradiance of 1. View rays that hit the ground
+// One channel of one direction, in 1/sr for a solar irradiance of 1. View rays that hit the ground
 // do not see it.
 struct SkyTruth {
     SkyTruthDirection direction;
@@ -42,18 +43,20 @@ struct SkyTruth {
     bool operator==(const SkyTruth&) const = default;
 };
 
-// All channels of the first direction, of the second, and so on. Direction i is ray i of the seed.
-// The first order is by quadrature.
+// Returns all channels of the first direction, then of the second, and so on. Direction i is ray i
+// of the seed. The first order is computed by quadrature.
 std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,
                                       const std::vector<SkyTruthDirection>& directions,
                                       const SkyTruthSettings& settings, int threads);
 
-// One line a value, after a line of `comment` (without line breaks) and one of the columns' names:
+// Writes a line of `comment` (which has no line breaks), a line of the columns' names, and one line
+// per value. The columns are
 //   h_km,sun_zenith_deg,view_zenith_deg,azimuth_deg,channel,L1,L2,L3,L4,L5,L6plus,L_total,stderr_total
-// Numbers have the digits that reading them back takes.
+// Numbers have as many digits as it takes to read back the same values.
 std::string sky_truth_csv(const std::vector<SkyTruth>& values, std::string_view comment);
 
-// Nothing where the text is no such table: wrong columns, too few or too many of them, no numbers.
+// Returns nothing if the text is not such a table: wrong columns, too few or too many of them, or
+// no numbers.
 std::optional<std::vector<SkyTruth>> parse_sky_truth_csv(std::string_view text);
 
 }  // namespace skybake

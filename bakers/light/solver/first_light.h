@@ -1,9 +1,10 @@
-// The light that was scattered or reflected once, with every layer's true phase function: what all
-// further orders begin with.
+// The light that was scattered or reflected once, with every layer's true phase function. All
+// further orders start from it.
 //
-// Along a ray of fixed azimuth sunlight is taken as linear between the fan's points, and where the
-// planet's shadow crosses a cell, up to the shadow's edge alone, where sunlight is what grazes the
-// ground: it jumps there, by a factor in thin air.
+// Along a ray of fixed azimuth sunlight is taken as linear between the bundle's points. Where the
+// planet's shadow crosses a cell, it is taken as linear only up to the shadow's edge, where the
+// sunlight is that of the ray that grazes the ground: sunlight is discontinuous there, and in thin
+// air the jump is large.
 #pragma once
 
 #include <vector>
@@ -16,30 +17,33 @@
 
 namespace skybake {
 
-// Light that was scattered once, into the forward peaks of spheres (forward_peak.h).
+// The phase function of a layer, split for light that was scattered once: the wide part, and the
+// moments of the forward peaks of spheres (forward_peak.h).
 //
-// It comes from next to the sun. On the ray to the sun itself each point sends T_sun sigma_s,
-// whatever its distance, since the way on from there is the way that sunlight would have taken: the
-// moments are T_sun tau_s chi_l Y_lm(sun), tau_s the layer's scattering depth to the sun, chi_l the
-// peak's moments. That leaves out how the light differs within 10 degrees of the sun.
+// Light in the peak comes from next to the sun. On the ray to the sun itself each point contributes
+// T_sun sigma_s, whatever its distance, since the rest of the path is the one that sunlight would
+// have taken. The moments are T_sun tau_s chi_l Y_lm(sun), where tau_s is the layer's scattering
+// depth towards the sun and chi_l are the peak's moments. This neglects that the light differs
+// within 10 degrees of the sun.
 
 struct SplitPhase {
     WidePhase wide;
-    std::vector<Spectrum> peak;  // chi_0 .. chi_degree of the peak, chi_0 its share; or empty
+    std::vector<Spectrum> peak;  // chi_0 to chi_degree of the peak, chi_0 its share; or empty
 };
 
-// One for each layer of the medium.
+// Returns one entry per layer of the medium.
 std::vector<SplitPhase> split_phases(const SkyMedium& medium, int degree);
 
 // Adds the light in the peaks at an altitude to the moments of one level of a LightField of this
-// degree, and for the ground, where `sky_irradiance` is not null, to the sky's irradiance.
+// degree. For the ground `sky_irradiance` is not null, and the light is added to the sky's
+// irradiance too.
 void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
                        double altitude_km, const SunAxis& suns, int degree, double* out,
                        double* sky_irradiance);
 
-// The moments at the fan's level into `out` (one level of a LightField of this degree), and for
-// the ground, where `sky_irradiance` is not null, the sky's irradiance. The same bits for any
-// vector width.
+// Writes the moments at the bundle's level to `out` (one level of a LightField of this degree). For
+// the ground `sky_irradiance` is not null and receives the sky's irradiance. The bits are the same
+// for any vector width.
 void gather_first_light(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
                         const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
                         int degree, double* out, double* sky_irradiance);

@@ -1,4 +1,4 @@
-// All orders of scattering in a spherical atmosphere, solved.
+// Solves for all orders of scattering in a spherical atmosphere.
 #pragma once
 
 #include <memory>
@@ -11,44 +11,43 @@
 
 namespace skybake {
 
-// How finely to solve. With the defaults the mean radiance is within 0.06 % (median; 1.2 % at
-// most) of a solution with several times as many of everything on Earth, 0.4 % on Mars
-// (tests/benchmarks/README.md).
+// The resolution of the solution. With the defaults the mean radiance on Earth is within 0.06 %
+// (median; at most 1.2 %) of a solution with several times as many of everything, and within 0.4 %
+// on Mars (tests/benchmarks/README.md).
 struct SolverSettings {
-    int degree = 4;          // of the moments, at least 2
-    int suns = 48;           // columns of the grid over the sun's zenith angle, a multiple of 8
-    double level_scale = 1;  // times this many altitudes
-    int zenith_nodes = 8;    // of directions, above and below the horizon each
-    double ray_tolerance = 2e-2;  // as of refine_view_ray
+    int degree = 4;          // of the moments; at least 2
+    int suns = 48;           // columns of the grid over the sun's zenith angle; a multiple of 8
+    double level_scale = 1;  // factor on the number of altitudes
+    int zenith_nodes = 8;    // directions above the horizon, and as many below it
+    double ray_tolerance = 2e-2;  // see refine_view_ray
     TransmittanceField::Size sunlight = {512, 128};
-    double tolerance = 1e-3;  // of what is left out, as a share of the light
-    int plain_orders = 12;    // summed one by one before their sum is solved for
+    double tolerance = 1e-3;  // for the truncation error, as a share of the light
+    int plain_orders = 12;    // orders summed one by one before their sum is solved for
     int most_applications = 200;
-    int orders = 0;  // of the light, summed up to that one and no further; 0: all
+    int orders = 0;  // the last order that is summed; 0 for all orders
     bool operator==(const SolverSettings&) const = default;
 };
 
-// Finer in altitudes, directions and rays, to be measured against: the sun's angle matters least.
+// Returns settings that are finer in altitudes, directions and rays, as a reference to compare
+// with. The resolution in the sun's angle matters least and is not changed.
 SolverSettings finer(SolverSettings settings);
 
-// Light of solar irradiance 1 that was scattered or reflected at least once, by every layer with
-// its own phase function and by the ground. The same bits for any number of threads.
+// Returns the light, for a solar irradiance of 1, that was scattered or reflected at least once, by
+// every layer with its own phase function and by the ground. The bits are the same for any number
+// of threads.
 SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
                         Progress* progress = nullptr);
 
-// Light that was solved for once in a run, for all assets that ask for it.
-
-// solve_light, or the last one's result where that was asked the same. After an interruption the
-// light is not to be used, and is not remembered.
+// Returns solve_light's result, or the previous result if the arguments are the same: all assets of
+// a run that ask for the same light share one solution. After an interruption the light must not be
+// used, and is not kept.
 std::shared_ptr<const SolvedLight> remembered_light(const SkyMedium& medium,
                                                     const SolverSettings& settings, int threads,
                                                     Progress* progress);
 
-// The altitudes of a solution.
-
-// Ascending, from the ground to the top, with every kink of the medium among them: closest where
-// densities change and where the air is opaque, so that light is nearly linear between neighbours.
-// `scale` multiplies their number.
+// Returns the altitudes of a solution, ascending from the ground to the top, with every kink of the
+// medium among them. They are closest where densities change and where the air is opaque, so that
+// light is nearly linear between neighbours. `scale` multiplies their number.
 std::vector<double> solution_levels_km(const Medium& medium, double scale);
 
 }  // namespace skybake

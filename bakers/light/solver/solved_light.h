@@ -1,6 +1,7 @@
-// How the light at a point is kept: its moments over directions.
+// The solved light: the moments over directions by which the light at a point is stored, the field
+// of these moments, and the solution on its grid of altitudes and suns.
 //
-// Directions are taken at the point, z up and the sun's azimuth 0; the light is the same for an
+// Directions are relative to the point, z up and the sun's azimuth 0. The light is the same for an
 // azimuth and its negative, so cosines suffice. With the real, orthonormal spherical harmonics
 //
 //   Y_lm(mu, phi) = n_lm P_l^m(mu) cos(m phi)      integral over directions of Y Y' = 1 or 0
@@ -10,7 +11,8 @@
 //
 //   integral of p L = sum over l of chi_l sum over m of L_lm Y_lm(direction)
 //
-// exactly if L's or p's moments beyond the degree are 0. L_00 = sqrt(4 pi) times the mean radiance.
+// This is exact if, at each degree beyond the stored one, the moments of L or of p are 0. L_00 is
+// sqrt(4 pi) times the mean radiance.
 #pragma once
 
 #include <cmath>
@@ -23,18 +25,18 @@
 
 namespace skybake {
 
-// Moments are stored by rising l, and in it by rising m.
+// Moments are stored by ascending l, and for each l by ascending m.
 inline int moment_count(int degree) { return (degree + 1) * (degree + 2) / 2; }
 inline int moment_index(int l, int m) { return l * (l + 1) / 2 + m; }
 
-// n_lm P_l^m(mu) for a direction with this cosine, by index, without the azimuth's cos(m phi).
-// `values` has room for moment_count(degree).
+// Computes n_lm P_l^m(mu) for a direction with this cosine, by index, without the azimuth's cos(m
+// phi). `values` has room for moment_count(degree).
 void zenith_harmonics(int degree, double mu, double* values);
 
-// The same over sin^m of the zenith angle: smooth in the vertical.
+// Computes the same divided by sin^m of the zenith angle, which is smooth at the vertical.
 void harmonics_over_sines(int degree, double mu, double* values);
 
-// n_lm = sqrt((2 - [m = 0]) (2 l + 1) / 4pi (l - m)! / (l + m)!).
+// Returns n_lm = sqrt((2 - [m = 0]) (2 l + 1) / 4pi (l - m)! / (l + m)!).
 double harmonic_norm(int l, int m);
 
 // --- The unknowns --------------------------------------------------------------------------------
@@ -42,9 +44,9 @@ double harmonic_norm(int l, int m);
 // The unknowns of a solution: moments of light at every level for every sun, and the sky's
 // irradiance of the ground.
 
-// Values stand in groups of kChannelSlots, one per channel and unused ones 0. Moments of azimuthal
-// order m are over sin^m of the sun's zenith angle: so they are smooth in its cosine where the sun
-// is at the zenith.
+// Values are stored in groups of kChannelSlots, one per channel, and unused ones are 0. Moments of
+// azimuthal order m are divided by sin^m of the sun's zenith angle, so that they are smooth
+// functions of its cosine where the sun is at the zenith.
 struct LightField {
     int levels = 0;
     int suns = 0;
@@ -78,9 +80,7 @@ struct LightField {
 
 // --- The solution --------------------------------------------------------------------------------
 
-// The light that solve_light.h found, on its grid of altitudes and suns.
-
-// Where an altitude stands between levels.
+// The place of an altitude between two levels.
 struct LevelPlace {
     int level;        // the lower of two
     double fraction;  // of the way to the upper one
@@ -90,22 +90,23 @@ struct SolvedLight {
     int channels = 0;
     std::vector<double> altitudes_km;  // ascending, from the ground to the top
     SunAxis suns;
-    // 1 for the stencils (by their first column) in which light falls too fast for cubics.
+    // 1 for each stencil (indexed by its first column) in which light falls too fast for cubics,
+    // else 0.
     std::vector<double> steep;
     LightField light;  // scattered or reflected once and more, for a solar irradiance of 1
 
-    int applications = 0;  // of one more order
-    double left_out = 0;   // bound of what further orders would add, as a share of the light
+    int applications = 0;  // how often one more order was computed
+    double left_out = 0;   // bound of the truncation error, as a share of the light
 
     int degree() const { return light.degree; }
     LevelPlace level_at(double altitude_km) const;
-    // Weights of the columns around a sun.
+    // Returns the weights of the columns around a sun.
     SunStencil stencil(double sun_cos_zenith) const;
-    // Moments between the grid's points: values[lm].
+    // Computes the moments between the grid's points: values[lm].
     void moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const;
-    // L_00 / sqrt(4 pi): what Hillaire's texture stands for.
+    // Returns L_00 / sqrt(4 pi), the quantity that Hillaire's texture holds.
     Spectrum mean_radiance_at(double altitude_km, double sun_cos_zenith) const;
-    // Irradiance of level ground by the sky, without the sun.
+    // Returns the irradiance of level ground by the sky, without the sun.
     Spectrum sky_irradiance_at(double sun_cos_zenith) const;
 };
 

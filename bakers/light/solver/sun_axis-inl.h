@@ -1,9 +1,9 @@
-// sun_axis.h for vectors of suns: where they stand between the columns of an axis, and what solved
-// light there is.
+// The functions of sun_axis.h for vectors of suns: their places between the columns of an axis, and
+// the solved light there.
 //
-// The weights here share their products, and the divisions by the axis' width are multiplications:
-// they differ from sun_stencil's by a rounding, so that neither can stand for the other without a
-// change of assets' last bits.
+// The weights here share their products, and multiplications replace the divisions by the axis's
+// width. They therefore differ from sun_stencil's by rounding, and replacing one by the other would
+// change the last bits of assets.
 #if defined(SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_
 #undef SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_
@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// linear_stencil for one sun, told by the first of its four columns and by how far beyond the
-// second of them it stands.
+// Computes linear_stencil for one sun, given by the first of its four columns and by its distance
+// beyond the second of them, in columns.
 inline void flatten_stencil(const SunAxis& axis, int column, double fraction, double* weights) {
     const double from = column + 1 + fraction;
     const int at = std::clamp(static_cast<int>(from), 0, axis.count() - 2);
@@ -35,8 +35,8 @@ inline void flatten_stencil(const SunAxis& axis, int column, double fraction, do
     weights[at - column + 1] = share;
 }
 
-// SolvedLight::stencil for a vector of suns with cosines in [axis.darkest, 1]: the first of four
-// columns for each sun, and the four weights, sun by sun.
+// Computes SolvedLight::stencil for a vector of suns with cosines in [axis.darkest, 1]: the first
+// of four columns for each sun, and the four weights, sun by sun.
 HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& steep, Lanes cosines,
                               std::int64_t* columns, double* weights) {
     const hn::ScalableTag<std::int64_t> integers;
@@ -69,17 +69,18 @@ HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& st
     }
 }
 
-// Light of suns by azimuthal order, to be looked up between the columns of a sun axis.
+// Light by column and azimuthal order, and the suns for which it is looked up between the columns
+// of a sun axis.
 struct ColumnLookup {
     const double* rows;  // [(column * orders + m) * kChannelSlots + channel]
     std::size_t orders;
-    const std::int64_t* columns;  // of each sun the first of four
+    const std::int64_t* columns;  // for each sun, the first of its four
     const double* weights;        // [sun * 4 + k]
     const double* powers;         // [m * count + sun]: what multiplies order m
     std::size_t count;
 };
 
-// Adds to sum[sun * kChannelSlots + channel].
+// Adds the light of each sun to sum[sun * kChannelSlots + channel].
 HWY_INLINE void add_columns(const ColumnLookup& of, double* sum) {
     const std::size_t row_size = of.orders * kChannelSlots;
     for (std::size_t i = 0; i < of.count; ++i) {

@@ -2,11 +2,13 @@
 //
 //   u(mu_s) = a + b mu_s + c x / sqrt(1 + x^2),   x = (mu_s - centre) / width
 //
-// u counts columns. Half of them are evenly spaced in mu_s (b), half about `centre`, where the air
-// half way up loses the sun; width is a share of the sine of the dip of the shell's top, so that
-// small planets with high air get what they need. The axis ends where the night holds less than
-// rounding of the day, at some dips below the horizon; darker suns are taken for that one. Its ends
-// are at u = -1/2 and count - 1/2, so that no column has a sun without an azimuth.
+// u counts columns. Half of the columns are evenly spaced in mu_s (b), the other half is
+// concentrated about `centre` (c), where the air half way up loses the sun. The width is a share of
+// the sine of the dip of the shell's top, so that small planets with high air get the columns they
+// need. The axis ends a few dips below the horizon, where the light of the night is less than the
+// rounding of the day's; darker suns are treated as the darkest one. The axis's ends are at u =
+// -1/2 and count - 1/2, so that no column's sun lies at the zenith or nadir, where it has no
+// azimuth.
 #pragma once
 
 #include <vector>
@@ -25,14 +27,15 @@ struct SunAxis {
     std::vector<double> cosines;  // of the columns, ascending
 
     int count() const { return static_cast<int>(cosines.size()); }
-    // u of a cosine in [darkest, 1].
+    // Returns u of a cosine in [darkest, 1].
     double position(double sun_cos_zenith) const;
 };
 
-// `count` >= 8.
+// Makes an axis of `count` >= 8 columns.
 SunAxis make_sun_axis(const Shell& shell, int count);
 
-// Lagrange's cubic through four neighbouring columns, the first of which is `column`.
+// The weights of Lagrange's cubic through four neighbouring columns, the first of which is
+// `column`.
 struct SunStencil {
     int column = 0;
     double weights[4];
@@ -40,8 +43,9 @@ struct SunStencil {
 
 SunStencil sun_stencil(const SunAxis& axis, double sun_cos_zenith);
 
-// Of the same four columns, linear between the two around the sun; beyond the axis' ends the
-// nearest. No weight is negative.
+// Returns weights of the four columns from `column` on that interpolate linearly between the two
+// columns around the sun, and take the nearest column beyond the axis's ends. No weight is
+// negative.
 SunStencil linear_stencil(const SunAxis& axis, double sun_cos_zenith, int column);
 
 }  // namespace skybake

@@ -1,4 +1,5 @@
-// The directions and rays over which light at one altitude is gathered.
+// The bundle of rays over which light at one altitude is gathered, and the transport of light along
+// it: one more order of scattering.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,8 @@
 
 namespace skybake {
 
-// A point on a ray. Light there is (1 - fraction) of that of `level` and `fraction` of the next.
+// A point on a ray. The light there is (1 - fraction) times that of `level` plus `fraction` times
+// that of the next level.
 struct FanPoint {
     double distance_km = 0;
     double altitude_km = 0;
@@ -17,10 +19,11 @@ struct FanPoint {
     double fraction = 0;
 };
 
-// A ray in cells between neighbouring points, with the integrals of T sigma_s over each, of each
-// layer, times hat functions: near of the cell's begin, far of its end. Scattering, absorption and
-// what goes on add up to what enters, cell by cell, to rounding: a medium that absorbs nothing
-// loses nothing, however often light is scattered in it.
+// A ray, divided into cells between neighbouring points, with the integrals of T sigma_s over each
+// cell, for each layer, times hat functions: near is for the hat function of the cell's beginning,
+// far for that of its end. Scattering, absorption and the light that goes on add up to the light
+// that enters, cell by cell, to rounding: a medium that absorbs nothing loses nothing, however
+// often light is scattered in it.
 struct FanRay {
     double mu = 0;
     double sine = 0;
@@ -38,34 +41,35 @@ struct RayFan {
     std::vector<FanRay> rays;
 };
 
-// From levels_km[level]. Gauss' rule with about 2 `zenith_nodes` directions in three parts: to the
-// ground, the limb between horizon and horizontal, and above; `tolerance` as of refine_view_ray.
+// Makes the ray bundle from levels_km[level]. Directions are the nodes of Gauss's rule, about 2
+// `zenith_nodes` in all, in three parts: ground rays, limb rays (between horizon and horizontal)
+// and upward rays. `tolerance` is that of refine_view_ray.
 RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
                     int zenith_nodes, double tolerance);
 
 // --- Transport -----------------------------------------------------------------------------------
 
-// One more order of scattering: from the light at every level and for every sun to what of it is
-// scattered, or reflected by the ground, once more.
+// Computes one more order of scattering: from the light at every level and for every sun, the part
+// of it that is scattered, or reflected by the ground, once more.
 //
 // Along a ray of azimuth phi from the sun the point after x km is turned by gamma about the
-// planet's centre; the sun stands there at
+// planet's centre. The sun there is at
 //
 //   mu_s' = cos gamma mu_s + sin gamma sin theta_s cos phi
 //
-// and the ray's azimuth phi' from it has sin theta_s' cos phi' = cos gamma sin theta_s cos phi -
-// sin gamma mu_s. The light between suns is Lagrange's cubic through four columns, linear where it
-// falls too fast for that; between levels it is linear.
+// and the ray's azimuth phi' from it satisfies sin theta_s' cos phi' = cos gamma sin theta_s cos
+// phi - sin gamma mu_s. Between suns the light is interpolated by Lagrange's cubic through four
+// columns, and linearly where it falls too fast for that; between levels it is linear.
 
-// A point on a ray with what multiplies the moments there.
+// A point on a ray with the weights that multiply the moments there.
 struct TransportNode {
     int level = 0;
     double fraction = 0;
     double turn_cosine = 1;
     double turn_sine = 0;
     int azimuths = 0;         // over half a turn: max(4, degree + 1), or twice as many
-    std::size_t weights = 0;  // where its moment_count * kChannelSlots weights begin; of the ground
-                              // kChannelSlots
+    std::size_t weights = 0;  // index of the first of its moment_count * kChannelSlots weights; a
+                              // node on the ground has kChannelSlots
     bool ground = false;
 };
 
@@ -75,7 +79,7 @@ struct TransportRay {
     std::vector<TransportNode> nodes;
 };
 
-// All that light does not change of the rays from one level.
+// The parts of the rays from one level that do not depend on the light.
 struct LevelTransport {
     std::vector<TransportRay> rays;
     std::vector<double> weights;
@@ -83,10 +87,10 @@ struct LevelTransport {
 
 LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree);
 
-// For the level whose transport it is, the moments of K light into `out` (of one level's size), and
-// for the ground, where `sky_irradiance` is not null, the sky's irradiance. `steep[column]` is 1
-// where light between that column and the next must be taken as linear. The same bits for any
-// vector width.
+// Writes the moments of K light at the transport's level to `out` (of one level's size). For the
+// ground `sky_irradiance` is not null and receives the sky's irradiance. `steep[column]` is 1 where
+// light must be taken as linear in the stencil that begins at that column. The bits are the same
+// for any vector width.
 void apply_transport(const LevelTransport& transport, const SunAxis& suns,
                      const std::vector<double>& steep, const LightField& light, double* out,
                      double* sky_irradiance);
