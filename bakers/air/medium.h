@@ -82,7 +82,6 @@ std::vector<double> kink_altitudes_km(const Medium& medium);
 // --- Layers with their phase functions -----------------------------------------------------------
 
 // One layer with its phase function. Sky radiance needs phase functions; optical depths do not.
-
 struct SkyLayer {
     std::string name;
     Medium alone;  // the planet with this layer only

@@ -8,7 +8,6 @@
 namespace skybake {
 
 // A quadrature over the azimuth between view and sun. The light is symmetric about azimuth 0.
-
 struct AzimuthRule {
     int count = 0;
     double nodes[8] = {};
@@ -31,7 +30,6 @@ const AzimuthRule& lit_part_rule(int count);
 // On a panel of l scale heights n nodes leave an error of about (l / 4)^(2n) / (2n)! of the density
 // at the panel's beginning, so panels may grow as the density falls: 6, 12 and 22 scale heights
 // with 12 nodes each leave less than 1e-14, and 4e-18 of the whole lies beyond 40 scale heights.
-
 inline constexpr std::array<double, 3> kClimbPanelEnds = {6, 18, 40};
 inline constexpr int kClimbNodes = 12;
 
@@ -46,7 +44,6 @@ const ClimbRule& climb_rule();
 
 // The quadrature of one cell of a ray: Gauss's three nodes on [0, 1], their weights, and the
 // weights of the integral from 0 to each node.
-
 namespace cell_rule {
 
 inline constexpr std::size_t kGauss = 3;

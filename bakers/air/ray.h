@@ -102,7 +102,6 @@ std::vector<RayBreak> ray_breaks(const Shell& shell, double altitude_km, double 
 
 // The smallest angle to the horizon at which a probe may look. Closer to the horizon rounding
 // decides whether a runtime sees the ground.
-
 inline constexpr double kHorizonMargin = 0.01 * std::numbers::pi / 180;  // radians
 
 // Return s = r mu of the rays at this angle above the horizon and at the same angle below it. The

@@ -1,4 +1,4 @@
-// What files say of an asset whatever it is.
+// The labels that files of every kind of asset carry.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@ struct AssetLabel {
     Facts details;
 };
 
-// {"R", "G", "B"}, or {"Y"} of one wavelength.
+// Returns {"R", "G", "B"}, or {"Y"} for one wavelength.
 std::vector<std::string> colour_names(const config::Parameters& parameters);
 
-// Of an asset of the sky, whose bakers add what the values are.
+// Return a labelled asset of the sky, whose bakers add what the values mean.
 Baked labelled_table(const config::Parameters& parameters, AssetLabel label);
 Baked labelled_sky_volume(const config::Parameters& parameters, AssetLabel label);
 
-// Of any other.
+// Returns a labelled volume of any other asset.
 Baked labelled_volume(AssetLabel label);
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-// Sizes for pictures in a second.
+// Reduced sizes for draft pictures that take about a second.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace skybake {
 
-// The longest edge becomes at most `most_voxels`, the others keep their proportion to it, rounded.
+// Reduces the longest edge to at most `most_voxels` and the other edges in proportion, rounded.
 inline std::array<int, 3> reduced(const std::array<int, 3>& size, int most_voxels) {
     const std::int64_t longest = *std::max_element(size.begin(), size.end());
     if (longest <= most_voxels) return size;
@@ -21,7 +21,8 @@ inline std::array<int, 3> reduced(const std::array<int, 3>& size, int most_voxel
     return fewer;
 }
 
-// Without an own size (max_error is given) a table gets the largest one.
+// Reduces a table to at most `most` texels along each axis. A table without a size of its own
+// (max_error is given) gets that size.
 template <class Table>
 void reduce_table(Table& table, const std::array<int, 2>& most) {
     table.max_error.reset();

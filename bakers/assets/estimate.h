@@ -1,4 +1,4 @@
-// What a bake will take, before it is made.
+// Estimates of what a bake will take, before it is made.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 
 namespace skybake {
 
-// Rough: for people and for limits, not for results.
+// Rough figures, meant for people and for limits, not for results.
 struct Estimate {
-    std::vector<int> size;  // 0 x 0 where max_error will choose it
+    std::vector<int> size;  // 0 x 0 if max_error chooses it
     double seconds = 0;     // on one thread of a machine of 2022
     double memory_mib = 0;
     double disk_mib = 0;
@@ -21,21 +21,21 @@ struct Estimate {
 
 inline constexpr double kMebibyte = 1024.0 * 1024.0;
 
-// To solve for the light of all orders, where more than single scattering is asked for.
+// The time to solve for the light of all orders, needed unless only single scattering is asked for.
 inline constexpr double kSecondsToSolve = 2;
 double seconds_to_solve(config::SkyOrders orders);
 
-inline constexpr double kSecondsPerOctave = 1e-9;  // and voxel
+inline constexpr double kSecondsPerOctave = 1e-9;  // and per voxel
 double octaves_of(const config::Noise& noise);
 
-// Of all levels.
+// Returns the number of voxels of all levels.
 double voxels_of(const std::array<int, 3>& size, int levels);
 
-// `certification` is what measuring takes, in seconds.
+// Estimates a table. `certification` is the time that measuring its error takes, in seconds.
 Estimate estimate_texels(const config::AssetFiles& files, const std::array<int, 2>& size,
                          double seconds_per_texel, double certification);
 
-// Of an asset with `size`, or `max_error` in its place.
+// Estimates an asset with `size`, or with `max_error` instead.
 template <class Asset>
 Estimate estimate_table(const Asset& asset, double seconds_per_texel, double certification) {
     const std::array<int, 2> size = asset.max_error ? std::array<int, 2>{} : asset.size;

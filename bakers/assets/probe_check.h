@@ -1,5 +1,5 @@
-// Whether the places that probes name are the texture coordinates that they give: what `verify`
-// cannot know without the bakers' mappings.
+// Checks whether the places that probes name correspond to their texture coordinates, which
+// `verify` cannot know without the bakers' mappings.
 #pragma once
 
 #include "bakers/io/manifest/verify.h"

@@ -1,4 +1,5 @@
-// The bakers of all assets, for those who need not know which: planning, baking, reports, pictures.
+// The bakers of all assets, for code that works with any of them: planning, baking, reports,
+// pictures.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,7 @@
 
 namespace skybake {
 
-// Baker of some asset; its functions take bakes of that asset alone.
+// The baker of one asset. Its functions accept bakes of that asset only.
 struct AnyBaker {
     std::string_view asset;  // "transmittance"
     int version = 0;
@@ -28,13 +29,13 @@ struct AnyBaker {
         bake;
 };
 
-// In the order of config/assets/assets.h.
+// Returns the bakers in the order of config/assets/assets.h.
 std::span<const AnyBaker> bakers();
 
-// The baker of a [bake.NAME] section.
+// Returns the baker of a [bake.NAME] section.
 const AnyBaker& baker_of(const config::Bake& bake);
 
-// The resolved parameters that an asset depends on, as TOML: what its files carry.
+// Returns the resolved parameters on which an asset depends, as TOML. Its files carry them.
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
 
 // Bakes one section of a recipe.

@@ -1,5 +1,5 @@
-// What the assets that show the light of a sky share: how the light is made, and what their tables
-// say of it.
+// The parts that assets of a sky's light share: how the light is checked before use, and what their
+// tables state.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace skybake {
 
-// make(light), unless the bake was interrupted while the light was solved for or what was found is
-// no light: then nothing, or E0405 of the asset of that name.
+// Returns make(light). If the bake was interrupted while the light was solved for, returns nothing;
+// if the solution is invalid, returns E0405 for the asset of that name.
 template <class Make>
 config::Outcome<Baked> bake_of_light(const SkyLight& light, const std::string& name,
                                      const BakeOptions& options, const Make& make) {
@@ -21,8 +21,8 @@ config::Outcome<Baked> bake_of_light(const SkyLight& light, const std::string& n
     return make(light);
 }
 
-// A table of radiance around a camera (1/sr): how many points certify it, and its conventions,
-// reference and scale of errors. The table has its channels' names.
+// For a table of radiance around a camera (1/sr): the number of points that certify it, and its
+// conventions, reference and scale of errors. The table already has its channels' names.
 AccuracyRequest sky_table_request(const std::array<int, 2>& size);
 void describe_sky_table(Baked& table);
 

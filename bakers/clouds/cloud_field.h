@@ -1,5 +1,6 @@
-// A cloud over its voxels, on demand. Bounds on profile, towers, coverage and noise prove regions
-// empty, and no noise is made there: the time follows the cloud, not the box.
+// A cloud over its voxels, computed on demand. Bounds of profile, towers, coverage and noise prove
+// regions empty, and no noise is computed there, so that the time depends on the cloud and not on
+// its box.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,7 @@ class CloudField : public VoxelSource {
 
   private:
     CloudPlan plan_;
-    Columns columns_;  // all of them, or none where they are many
+    Columns columns_;  // all columns, or none if there are too many to keep
 };
 
 }  // namespace skybake::cloud

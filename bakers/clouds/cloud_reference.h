@@ -1,6 +1,7 @@
-// A cloud by its definition (cloud_plan.h) in double precision, point by point: what texel and
-// lookup errors are measured against. Towers are summed to e^-40, profiles come from
-// the C library; it shares the lattice's random numbers and the maps' pixels with the kernels.
+// A cloud by its definition (cloud_plan.h) in double precision, point by point: the reference from
+// which the errors of texels and lookups are measured. Towers are summed down to terms of e^-40,
+// and profiles use the C library. It shares only the lattice's random numbers and the maps' pixels
+// with the kernels.
 #pragma once
 
 #include <array>
@@ -13,21 +14,21 @@
 
 namespace skybake::cloud {
 
-// The towers' field at a place of the ground plan, in tiles.
+// Returns the towers' field at a place of the ground plan, in units of tiles.
 double tower_reference(std::span<const config::Tower> towers, const std::array<double, 2>& place);
 
 double height_profile_reference(const config::HeightProfile& profile, double h);
 
 class CloudReference {
   public:
-    // Arguments as of make_cloud_plan; noises as their recipe has them.
+    // The arguments are those of make_cloud_plan, with the noises as the recipe defines them.
     CloudReference(const config::Cloud& cloud, const config::Noise& base,
                    const config::Noise* detail, CloudMaps maps);
 
-    // Whether a point takes more than a millisecond.
+    // True if a point takes more than a millisecond.
     bool is_expensive() const;
 
-    // All channels at a place: x and y in tiles, h in [0, 1].
+    // Returns all channels at a place: x and y in tiles, h in [0, 1].
     std::vector<double> operator()(const std::array<double, 3>& place) const;
 
   private:

@@ -1,5 +1,5 @@
-// One voxel of a cloud at a time in plain float: what the vector kernels must equal bit for bit on
-// every instruction set.
+// The specification of the vector kernels, which must equal it bit for bit on every instruction
+// set: one voxel of a cloud at a time in plain float.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace skybake::cloud {
 
-// All channels at a voxel; x and y may lie outside of the tile, which repeats.
+// Returns all channels at a voxel. x and y may lie outside the tile, which repeats.
 std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel);
 
 }  // namespace skybake::cloud

@@ -1,5 +1,5 @@
-// From noise to cloud, a row at a time: the formula of cloud_plan.h for vectors.
-// cloud_specification is what it equals bit for bit.
+// Turns noise into cloud, a row at a time: the formulas of cloud_plan.h for vectors. The results
+// equal cloud_specification.h bit for bit.
 #pragma once
 
 #include <cstddef>
@@ -16,16 +16,17 @@ struct ColumnRow {
     const float* third_type = nullptr;
 };
 
-// values[i] = b of `count` voxels, from their base noise, which stands there before. Returns
-// whether any of them is above `level`, which is not negative.
+// Replaces the base noise in values[0] to values[count - 1] by b. Returns true if any b is above
+// `level`, which must not be negative.
 bool shape_base(const SliceShape& slice, const ColumnRow& columns, float level, std::size_t count,
                 float* values);
 
-// values[i] = v from b and the detail noise; 0 where b is not above `level`.
+// Replaces each b in `values` by v, from b and the detail noise; v is 0 where b is not above
+// `level`.
 void erode(const SliceShape& slice, const float* detail, float level, std::size_t count,
            float* values);
 
-// values[i] = max(0, b), and with threshold_in_file the density from it.
+// Replaces each b in `values` by max(0, b) or, with threshold_in_file, by the density.
 void finish(const CloudPlan& plan, std::size_t count, float* values);
 
 }  // namespace skybake::cloud

@@ -3,18 +3,19 @@
 //
 //   T(p) = sum over towers, sum over integer n:  a exp(-q / 2),   q = d^T C^-1 d,   d = p - c + n
 //
-// p, c and sigma in tiles. C is the covariance: sigma_x^2, sigma_y^2 and correlation sigma_x
-// sigma_y along the tower's own axes, which are turned against x and y by its rotation. Over a tile
-// a tower integrates to 2 pi sigma_x sigma_y sqrt(1 - correlation^2) a.
+// p, c and sigma are in tiles. C is the covariance: sigma_x^2, sigma_y^2 and correlation sigma_x
+// sigma_y along the tower's own axes, which its rotation turns relative to x and y. Over a tile a
+// tower integrates to 2 pi sigma_x sigma_y sqrt(1 - correlation^2) a.
 //
-// The sum over images is taken directly where they are few, and for wide towers by its Fourier
-// series (Poisson's summation formula), whose terms fall off as fast as those images do not:
+// The sum over images is evaluated directly where they are few. For wide towers it is evaluated by
+// its Fourier series (Poisson's summation formula), whose terms decrease fast where those of the
+// images do not:
 //
 //   sum over n of f(d + n) = 2 pi sqrt(det C) a  sum over integer k of
 //                            exp(-2 pi^2 k^T C k) cos(2 pi k . d)
 //
-// Terms below e^-25 = 1.4e-11 of the greatest are left out of either. Olajos 2016 has towers
-// without images, which leave a seam.
+// Either sum leaves out terms below e^-25 = 1.4e-11 of the greatest. The towers of Olajos 2016 have
+// no images, which leaves a seam.
 #pragma once
 
 #include <array>
@@ -30,17 +31,17 @@ class TowerField {
     TowerField() = default;
     explicit TowerField(std::span<const config::Tower> towers);
 
-    // Adds the field at (x[i], y) to sums[i]. x ascends. Each value is a pure function of its
-    // place, whatever the other x.
+    // Adds the field at (x[i], y) to sums[i]. x ascends. Each value is a pure function of its place
+    // and does not depend on the other x.
     void add_row(double y, std::span<const double> x, double* sums) const;
 
   private:
-    // Of a tower, along x and y.
+    // The covariance of a tower along x and y.
     struct Covariance {
         double xx = 0, xy = 0, yy = 0;
         double determinant = 0;
     };
-    // q = dy^2 / variance_y + (dx - slope dy)^2 / variance_x_given_y: a sum of squares, so that
+    // q = dy^2 / variance_y + (dx - slope dy)^2 / variance_x_given_y is a sum of squares, so that
     // nothing cancels in thin towers.
     struct Images {
         std::array<double, 2> center{};
@@ -53,7 +54,7 @@ class TowerField {
     };
     struct Waves {
         std::array<double, 2> center{};
-        std::vector<Wave> waves;  // of each pair k, -k one, with the amplitude of both
+        std::vector<Wave> waves;  // one for each pair k, -k, with the amplitude of both
     };
 
     static Covariance covariance_of(const config::Tower& tower);
@@ -65,7 +66,7 @@ class TowerField {
     std::vector<Waves> wide_;
 };
 
-// Seeded towers: scatter.count of them, tower i a pure function of scatter and i.
+// Returns scatter.count seeded towers. Tower i is a pure function of `scatter` and i.
 std::vector<config::Tower> scattered_towers(const config::TowerScatter& scatter);
 
 }  // namespace skybake::cloud

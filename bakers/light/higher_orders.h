@@ -46,7 +46,6 @@ class HigherOrders {
 // ground, of radiance albedo (E_sun / pi + J_sky), where the sky is taken as equally bright all
 // over and E_sun = mu_s T_sun. Hence J_sky = (2 Psi - albedo E_sun / pi) / (1 + albedo), and the
 // sky's irradiance is pi J_sky.
-
 class IsotropicOrders : public HigherOrders {
   public:
     // Returns Psi in 1/sr at an altitude for a cosine of the sun's zenith angle.
@@ -66,7 +65,6 @@ class IsotropicOrders : public HigherOrders {
 
 // Higher orders from the solution: moments of the light, scattered by each layer's own phase
 // function.
-
 class SolvedOrders : public HigherOrders {
   public:
     // Uses moments up to `degree`, which is at most the solution's. `medium` and `light` must
@@ -124,7 +122,6 @@ class TableOrders : public HigherOrders {
 // The light that the solution sends along a view ray from one point of it, for any sun:
 // SolvedOrders with all sums that do not depend on the sun evaluated beforehand, for callers with
 // many suns.
-
 class SolvedSource {
   public:
     // `scattering` and `phase_moments` have one entry per layer; `phase_moments` are the

@@ -43,7 +43,6 @@ SunRange scene_sun_range(const config::Scene& scene, const Shell& shell);
 
 // The sun's axis of a table of multiple scattering: the mapping restricted to the suns of the
 // scene.
-
 struct SunColumns {
     config::MultipleScatteringMapping mapping = config::MultipleScatteringMapping::hillaire;
     double first = 0;  // the mapping's coordinate where the axis begins

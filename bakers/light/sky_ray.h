@@ -86,7 +86,6 @@ inline SkyRay sky_ray(const Shell& shell, double altitude_km, const SunZenith& s
 }
 
 // A view ray of a camera anywhere above the ground.
-
 struct CameraRay {
     SkyRay in_air;           // of length 0 where it misses the air
     double distance_km = 0;  // from the camera to where it enters the air: 0 for cameras in it
@@ -126,7 +125,6 @@ inline CameraRay camera_ray(const Shell& shell, double altitude_km, const SunZen
 
 // The limits by which sky_radiance.h and its fast rows (sky_row.h) divide a ray into pieces, and
 // the rule that integrates a piece.
-
 namespace ray_pieces {
 
 inline constexpr double kLargestDepth = 1;  // optical depth of a piece, along the ray

@@ -119,8 +119,7 @@ HWY_INLINE T select(bool mask, T yes, T no) {
 HWY_INLINE bool any(bool mask) { return mask; }
 HWY_INLINE bool all(bool mask) { return mask; }
 
-// --- Integers
-// ---------------------------------------------------------------------------------------
+// --- Integers ------------------------------------------------------------------------------------
 
 // Rounds towards zero. The magnitude must be below 2^31.
 HWY_INLINE IntLanes to_int(FloatLanes x) { return IntLanes(hn::ConvertTo(IntLanes::Tag(), x.v)); }
@@ -140,8 +139,7 @@ HWY_INLINE FloatLanes gather(const float* values, IntLanes index) {
 }
 HWY_INLINE float gather(const float* values, std::int32_t index) { return values[index]; }
 
-// --- The operations of transcendental-inl.h on the bits of a number
-// ---------------------------------
+// --- Operations of transcendental-inl.h on the bits of a number ----------------------------------
 
 HWY_INLINE auto bits_of(Lanes x) { return hn::BitCast(hn::RebindToUnsigned<Lanes::Tag>(), x.v); }
 template <class U>

@@ -10,7 +10,6 @@
 namespace skybake {
 
 // Allocates memory that starts at a cache line, which makes vector loads fastest.
-
 template <class T>
 struct CacheLineAllocator {
     using value_type = T;

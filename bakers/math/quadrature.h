@@ -10,7 +10,6 @@
 namespace skybake {
 
 // Gauss-Legendre quadrature on [0, 1].
-
 struct QuadratureRule {
     std::vector<double> nodes;    // ascending, in (0, 1)
     std::vector<double> weights;  // positive, their sum is 1

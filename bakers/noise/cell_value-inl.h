@@ -1,4 +1,4 @@
-// From squared distances to a cellular octave's value, for vectors.
+// Computes a cellular octave's value from squared distances, for vectors.
 #if defined(SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_CELL_VALUE_INL_H_

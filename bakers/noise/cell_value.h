@@ -1,4 +1,4 @@
-// What cellular noise makes of distances. cell_value-inl.h has the same for vectors.
+// Computes the value of cellular noise from distances. cell_value-inl.h does the same for vectors.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ inline bool needs_no_root(config::WorleyFeature feature, config::WorleyValue for
            feature != config::WorleyFeature::f2_minus_f1;
 }
 
-// From the squared distances to the nearest and second nearest point.
+// Returns the value from the squared distances to the nearest and to the second nearest point.
 inline float cell_value(config::WorleyFeature feature, config::WorleyValue form, float first,
                         float second) {
     using config::WorleyFeature;

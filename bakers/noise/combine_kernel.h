@@ -1,4 +1,4 @@
-// From octaves to channels, a row at a time.
+// Combines octaves into channels, a row at a time.
 #pragma once
 
 #include <array>
@@ -9,28 +9,30 @@
 
 namespace skybake::noise {
 
-// One channel of `count` voxels, rounded up to whole vectors of at most kLanePadding: from its
-// gradient part (null where it has none), already scaled and shifted for fbm, and the rows of all
-// cell fields. `out` is none of them.
+// Computes one channel of `count` voxels from its gradient part (null if it has none), already
+// scaled and shifted for fbm, and the rows of all cell fields. `count` is rounded up to whole
+// vectors of at most kLanePadding floats. `out` is none of the inputs.
 void combine_channel(const ChannelPlan& channel, const float* gradient,
                      const std::vector<const float*>& fields, std::size_t count, float* out);
 
-// What becomes of a gradient stack's sum: sum * scale + offset.
+// The transformation of a gradient stack's sum: sum * scale + offset.
 struct SumShift {
     float scale = 1;
     float offset = 0;
 };
 SumShift sum_shift(const ChannelPlan& channel);
 
-// One row of the packed channel from those of R, G, B and, for shape, A. `out` may be one of them.
+// Computes one row of the packed channel from the rows of R, G, B and, for shape, A. `out` may be
+// one of them.
 void pack_channels(config::NoisePacking pack, const std::array<const float*, 4>& channels,
                    std::size_t count, float* out);
 
-// Adds `weight` times the shape of an octave to sums, or sets them.
+// Adds `weight` times the shape of an octave to the sums, or, if `set` is true, sets the sums to
+// it.
 void add_octave(OctaveShape shape, const float* octave, float weight, bool set, std::size_t count,
                 float* sums);
 
-// sums * scale + offset.
+// Replaces the sums by sums * scale + offset.
 void scale_and_shift(float scale, float offset, std::size_t count, float* sums);
 
 }  // namespace skybake::noise

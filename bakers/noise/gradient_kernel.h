@@ -1,9 +1,9 @@
-// Gradient noise on boxes of voxels, separably.
+// Fills boxes of voxels with gradient noise, one axis after the other.
 //
 // Inside a lattice cell improved noise is a sum of products of functions of x, y and z alone
-// (noise_plan.h). So the gradients are hashed once a lattice point, blended along z once a
-// slice and along y once a row, and four products a voxel remain, whatever the frequency. Equals
-// noise_specification.h bit for bit.
+// (noise_plan.h). So gradients are hashed once per lattice point, blended along z once per slice
+// and along y once per row, and four products per voxel remain, whatever the frequency. The result
+// equals noise_specification.h bit for bit.
 #pragma once
 
 #include <cstdint>
@@ -16,25 +16,26 @@
 
 namespace skybake::noise {
 
-// The gradients that a box needs of one octave, and the blends made of them. What filling a box in
-// chunks keeps from chunk to chunk, one thread at a time.
+// The gradients of one octave that a box needs, and the blends made of them. They are kept from
+// chunk to chunk while a box is filled, by one thread at a time.
 struct GradientLattice {
     LatticePlanes planes;
-    // Blends along z of the slice at hand: [y][x].
+    // Blends along z for the current slice: [y][x].
     AlignedFloats blended_distance, blended_x, blended_y;
-    // Blends along z and y of the rows at hand.
+    // Blends along z and y for the current rows.
     AlignedFloats row_value, row_slope;
 };
 
-// One per octave, for chunks within `box` of at most `chunk_depth` slices.
+// Makes one lattice per octave, for chunks within `box` of at most `chunk_depth` slices.
 std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, const VoxelBox& box,
                                                     int chunk_depth);
 
 inline constexpr int kRowsAtOnce = 8;
 
-// Where sums go: voxel (x, y, z) of a chunk to out[z * slice_stride + y * row_stride + x], times
-// scale plus offset. Rows are written in whole vectors of up to kLanePadding floats, in the order
-// of y, then z: what lies between the end of a row and the next is overwritten.
+// Describes where sums are written: voxel (x, y, z) of a chunk goes to out[z * slice_stride + y *
+// row_stride + x], multiplied by scale plus offset. Rows are written in whole vectors of up to
+// kLanePadding floats, in the order of y, then z, which overwrites the memory between the end of a
+// row and the next.
 struct SumTarget {
     float* out = nullptr;
     std::size_t row_stride = 0;
@@ -44,7 +45,7 @@ struct SumTarget {
     bool finishes() const { return scale != 1 || offset != 0; }
 };
 
-// The stack's sum over the chunk's voxels. Each octave has at most one cell a voxel.
+// Writes the stack's sum over the chunk's voxels. Each octave has at most one cell per voxel.
 void fill_gradient_stack(const GradientStack& stack, const VoxelBox& chunk,
                          std::vector<GradientLattice>& lattices, const SumTarget& target);
 

@@ -1,4 +1,4 @@
-// lattice_hash.h for vectors of lattice points along x.
+// The functions of lattice_hash.h for vectors of lattice points along x.
 #if defined(SKYBAKE_BAKERS_NOISE_LATTICE_HASH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_LATTICE_HASH_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_LATTICE_HASH_INL_H_

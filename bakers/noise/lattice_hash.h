@@ -1,9 +1,10 @@
-// The random numbers of the lattice: one hash a lattice point, a pure function of the octave's key
-// and the point's three coordinates. This header is the definition; lattice_hash-inl.h is the same
-// for vectors.
+// The random numbers of the lattice, one hash per lattice point, which is a pure function of the
+// octave's key and the point's three coordinates; and the planes of lattice points that a box of
+// voxels needs. This header defines the numbers; lattice_hash-inl.h computes the same for vectors.
 //
-// No linear index is ever formed, so lattices of any size lose nothing: a 64-bit key is mixed with
-// z, then with y, and its two halves are mixed with x by a 32-bit finaliser of full avalanche.
+// No linear index is ever formed, so that lattices of any size keep all their bits: a 64-bit key is
+// mixed with z, then with y, and its two halves are mixed with x by a 32-bit finaliser of full
+// avalanche.
 #pragma once
 
 #include <array>
@@ -16,14 +17,14 @@
 
 namespace skybake::noise {
 
-// splitmix64's finaliser (Steele, Lea and Flood 2014).
+// The finaliser of splitmix64 (Steele, Lea and Flood 2014).
 inline std::uint64_t mix64(std::uint64_t h) {
     h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
     h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
     return h ^ (h >> 31);
 }
 
-// lowbias32 of Wellons' hash-prospector: bias 0.17.
+// The function lowbias32 of Wellons's hash-prospector, whose bias is 0.17.
 inline std::uint32_t mix32(std::uint32_t h) {
     h = (h ^ (h >> 16)) * 0x7feb352du;
     h = (h ^ (h >> 15)) * 0x846ca68bu;
@@ -33,9 +34,9 @@ inline std::uint32_t mix32(std::uint32_t h) {
 inline constexpr std::uint32_t kGolden32 = 0x9e3779b9u;
 inline constexpr std::uint64_t kGolden64 = 0x9e3779b97f4a7c15u;
 
-// What is random about an octave. Octaves of one purpose, frequency and seed are the same field
-// wherever they stand, so that channels which share cellular octaves share their work. A frequency
-// that comes again within one sum is another field each time, by `repetition`.
+// The key of an octave's random numbers. Octaves of the same purpose, frequency and seed are the
+// same field wherever they occur, so that channels which share cellular octaves share their work. A
+// frequency that occurs again within one sum is a different field each time, by `repetition`.
 enum class Purpose : std::uint32_t { gradient, cells, potential_x, potential_y, potential_z };
 
 inline std::uint64_t octave_key(std::uint64_t noise_seed, std::uint64_t channel_seed,
@@ -49,7 +50,7 @@ inline std::uint64_t octave_key(std::uint64_t noise_seed, std::uint64_t channel_
     return key;
 }
 
-// What the points of one lattice row (y and z fixed) share.
+// The part of the hash that the points of one lattice row (y and z fixed) share.
 struct RowKey {
     std::uint32_t low = 0;
     std::uint32_t high = 0;
@@ -65,7 +66,7 @@ inline std::uint32_t lattice_hash(RowKey row, std::uint32_t x) {
     return mix32(mix32(x * kGolden32 + row.low) ^ row.high);
 }
 
-// One of the twelve gradients of improved noise, (0, ±1, ±1) and its permutations (Perlin 2002).
+// One of the twelve gradients of improved noise: (0, ±1, ±1) and its permutations (Perlin 2002).
 struct Gradient {
     float x = 0;
     float y = 0;
@@ -82,7 +83,7 @@ inline Gradient lattice_gradient(RowKey row, std::uint32_t x) {
     return {first, second, 0};
 }
 
-// Where the one point of a cell lies in it: three offsets of 24 bits in [0, 1).
+// The place of a cell's one point in the cell: three offsets of 24 bits in [0, 1).
 struct CellPoint {
     float x = 0;
     float y = 0;
@@ -98,10 +99,9 @@ inline CellPoint cell_point(RowKey row, std::uint32_t x) {
     return {unit_float(a), unit_float(b), unit_float(c)};
 }
 
-// The random vectors of the lattice points that a box of voxels needs, hashed a plane at a time.
-
-// A ring of lattice planes, [slot][y][x]. What filling a box in chunks keeps from chunk to chunk,
-// one thread at a time; lattice_planes-inl.h fills it.
+// A ring of lattice planes, [slot][y][x], with the random vectors of the lattice points that a box
+// of voxels needs. It is kept from chunk to chunk while a box is filled, by one thread at a time.
+// lattice_planes-inl.h fills it, a plane at a time.
 struct LatticePlanes {
     std::array<int, 3> frequency{};
     std::uint64_t key = 0;
@@ -117,8 +117,8 @@ struct LatticePlanes {
     }
 };
 
-// For chunks within `box` of at most `chunk_depth` slices: the points of their cells, `before` more
-// below and `after` more above them.
+// Makes the planes for chunks within `box` of at most `chunk_depth` slices: the points of their
+// cells, `before` more on the lower side and `after` more on the upper side.
 LatticePlanes make_lattice_planes(const std::array<int, 3>& frequency, std::uint64_t key,
                                   const std::array<AxisCells, 3>& cells, const VoxelBox& box,
                                   int chunk_depth, int before, int after);

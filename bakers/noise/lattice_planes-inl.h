@@ -1,4 +1,4 @@
-// Filling lattice planes, for any kind of vector at their points.
+// Fills lattice planes, for any kind of random vector at their points.
 #if defined(SKYBAKE_BAKERS_NOISE_LATTICE_PLANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_LATTICE_PLANES_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_LATTICE_PLANES_INL_H_
@@ -17,7 +17,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Hashes a plane into its slot. hash(row_key, scaled_x) gives a vector of x, y and z.
+// Hashes a plane into its slot. hash(row_key, scaled_x) returns a vector of x, y and z.
 template <class Hash>
 void hash_plane(std::int64_t plane, std::size_t slot, LatticePlanes& planes, const Hash& hash) {
     const Words words;
@@ -39,7 +39,7 @@ void hash_plane(std::int64_t plane, std::size_t slot, LatticePlanes& planes, con
     planes.plane_of_slot[slot] = plane;
 }
 
-// Where the plane is, hashed now if it was not there.
+// Returns the slot of the plane, after hashing the plane if the slot does not hold it.
 template <class Hash>
 HWY_INLINE std::size_t slot_of_plane(std::int64_t plane, LatticePlanes& planes, const Hash& hash) {
     const std::int64_t slots = planes.count[2];

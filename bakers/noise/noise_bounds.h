@@ -1,4 +1,4 @@
-// Bounds that no value of a noise exceeds: what proves a region of a cloud empty.
+// Bounds of the values of a noise, by which regions of a cloud are proved empty.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace skybake::noise {
 
-// The least and the greatest value that an output channel of a noise can have, as real numbers.
-// Infinite where no bound is known (curl).
+// Returns the least and the greatest value that an output channel of a noise can have, in exact
+// arithmetic. They are infinite where no bound is known (curl).
 std::array<double, 2> value_bounds(const config::Noise& noise, std::size_t channel);
 
 }  // namespace skybake::noise

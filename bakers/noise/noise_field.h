@@ -1,4 +1,4 @@
-// A noise over the voxels of a tile, on demand.
+// A noise over the voxels of a tile, computed on demand.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace skybake::noise {
 class NoiseField : public VoxelSource {
   public:
     explicit NoiseField(NoisePlan plan);
-    // The box lies within the tile.
+    // The box must lie within the tile.
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
     const NoisePlan& plan() const { return plan_; }
 

@@ -1,5 +1,6 @@
-// What a noise is to the kernels: octaves with their keys, weights and per-axis tables, all that
-// does not depend on which voxels are asked for. Made once per bake, then only read.
+// A noise prepared for the kernels: octaves with their keys, weights and per-axis tables, that is,
+// all that does not depend on which voxels are requested. A plan is made once per bake and then
+// only read.
 #pragma once
 
 #include <array>
@@ -12,14 +13,14 @@
 
 namespace skybake::noise {
 
-// Where the voxels of a tile lie on a lattice, in integers: tiling is exact by construction for any
-// size and frequency.
+// The positions of a tile's voxels on a lattice are computed in integers, so that tiling is exact
+// for any size and frequency:
 //
 //   position of voxel i = (2 i + o) f / (2 N) cells,   o = 1: voxel centres, o = 0: lower corners
 //
-// i may be any integer: voxel i + N is voxel i.
+// i may be any integer: voxel i + N is the same as voxel i.
 
-// One axis of a tile: how many voxels, and where in them the samples are.
+// One axis of a tile: the number of voxels, and the place of the samples within them.
 struct TileAxis {
     int size = 0;
     int offset = 0;  // of the sample within its voxel, in half voxels: 0 or 1
@@ -27,7 +28,7 @@ struct TileAxis {
 
 std::array<TileAxis, 3> tile_axes(const std::array<int, 3>& size, config::NoiseSampling sampling);
 
-// A sample on a lattice: cell + numerator / denominator cells, 0 <= numerator < denominator.
+// A sample on a lattice, at cell + numerator / denominator, with 0 <= numerator < denominator.
 struct LatticePosition {
     std::int64_t cell = 0;  // not wrapped
     std::int64_t numerator = 0;
@@ -46,32 +47,32 @@ inline LatticePosition lattice_position(const TileAxis& axis, int frequency, std
     return {cell, scaled - cell * denominator, denominator};
 }
 
-// Whether the lattice has at most one cell a voxel along every axis of more than one voxel: then
-// neighbours share lattice points, and the kernels that share their work apply.
+// True if the lattice has at most one cell per voxel along every axis of more than one voxel. Then
+// neighbouring voxels share lattice points, and the kernels that use this apply.
 bool is_resolved(const std::array<TileAxis, 3>& axes, const std::array<int, 3>& frequency);
 
-// The position in the cell, in [0, 1), as the kernels for cells take it: rounded to float.
+// Returns the position in the cell, in [0, 1), rounded to float as the kernels for cells use it.
 inline float cell_fraction(const LatticePosition& position) {
     return static_cast<float>(static_cast<double>(position.numerator) /
                               static_cast<double>(position.denominator));
 }
 
-// The lattice repeats after `frequency` cells.
+// Returns the cell's index in the lattice, which repeats after `frequency` cells.
 inline std::uint32_t wrapped_cell(std::int64_t cell, int frequency) {
     return static_cast<std::uint32_t>(cell - floor_divide(cell, frequency) * frequency);
 }
 
-// Vectors of up to so many floats may be loaded from any voxel of an axis on.
+// Vectors of up to this many floats may be loaded from any voxel of an axis on.
 inline constexpr int kLanePadding = 16;
 
-// One octave's cells along one axis, per voxel 0 ... size - 1, with kLanePadding further entries:
-// the last cell again, fraction 0.
+// One octave's cells along one axis, for voxels 0 to size - 1, and kLanePadding further entries
+// with the last cell and fraction 0.
 struct AxisCells {
     std::vector<std::int32_t> cell;
     AlignedFloats fraction;  // position in the cell, in [0, 1), rounded to float
 };
 
-// The four functions of noise_plan.h per voxel, padded by zeros.
+// The four functions of GradientBasis for each voxel, padded by zeros.
 struct AxisBasis {
     AlignedFloats weight_0, weight_1, distance_0, distance_1;
 };
@@ -81,23 +82,23 @@ struct GradientOctave {
     std::array<int, 3> frequency{};
     std::uint64_t key = 0;
     int derivative_axis = -1;  // -1: the noise itself
-    float amplitude = 1;       // on the noise itself
+    float amplitude = 1;       // factor on the noise itself
     std::array<AxisCells, 3> cells;
-    std::array<AxisBasis, 3> basis;  // the y axis' times amplitude
+    std::array<AxisBasis, 3> basis;  // those of the y axis are multiplied by the amplitude
 };
 
-// What becomes of an octave's value n before it is weighted.
+// The function of an octave's value n that is weighted and summed.
 enum class OctaveShape { plain, absolute, one_minus_absolute };
 
-// sum over octaves of  weight * shape(n);  for OctaveShape::plain the weights are in the
-// amplitudes.
+// The sum over octaves of weight * shape(n). For OctaveShape::plain the weights are contained in
+// the amplitudes.
 struct GradientStack {
     OctaveShape shape = OctaveShape::plain;
     std::vector<GradientOctave> octaves;
     std::vector<float> weights;
 };
 
-// One octave of cellular noise. Channels that use equal octaves share one.
+// One octave of cellular noise. Channels that use equal octaves share one field.
 struct CellField {
     std::array<int, 3> frequency{};
     std::uint64_t key = 0;
@@ -107,7 +108,7 @@ struct CellField {
 };
 
 struct WeightedField {
-    int field = 0;  // in NoisePlan::fields
+    int field = 0;  // index in NoisePlan::fields
     float weight = 0;
 };
 
@@ -117,7 +118,7 @@ struct ChannelPlan {
     config::NoiseFractal fractal = config::NoiseFractal::fbm;
     GradientStack gradient;
     std::vector<WeightedField> cells;
-    // After the noise itself, in this order.
+    // Changes that are applied to the noise, in this order.
     bool remapped = false;
     float remap_low_in = 0, remap_scale = 1, remap_low_out = 0;
     bool stepped = false;
@@ -128,7 +129,7 @@ struct ChannelPlan {
     bool clamped = false;
     float clamp_low = 0, clamp_high = 1;
 
-    // Whether any of these changes a value.
+    // True if any of these changes a value.
     bool is_shaped() const { return remapped || stepped || invert || biased || clamped; }
 };
 
@@ -144,19 +145,19 @@ struct NoisePlan {
 
 NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size);
 
-// The range that a channel's values are meant to lie in: [0, 1], [-1, 1] for curl, either carried
-// through remap, smoothstep, invert, bias and clamp. Never empty.
+// Returns the range in which a channel's values are meant to lie: [0, 1], or [-1, 1] for curl,
+// mapped through remap, smoothstep, invert, bias and clamp. The range is never empty.
 std::array<double, 2> nominal_range(const config::NoiseChannel& channel);
 
 // Gradient noise along one axis as a sum of four products.
 //
-// With u the position in a cell, w = 6u^5 - 15u^4 + 10u^3 and v = u - 1, improved noise is
+// Let u be the position in a cell, w = 6u^5 - 15u^4 + 10u^3 and v = u - 1. Improved noise is
 //
 //   sum over the corners k of a cell of  (gx u_k + gy v_k + gz t_k) W(x) W(y) W(z),
 //
-// so along each axis it is made of (1-w, w), weights, and (u (1-w), v w), distances times weights.
-// Its derivative along an axis is the same sum with the derivatives of that axis' four functions.
-// They are computed in double from an exact fraction and rounded once.
+// so along each axis it consists of the weights (1-w, w) and of (u (1-w), v w), distances times
+// weights. Its derivative along an axis is the same sum with the derivatives of that axis's four
+// functions. They are computed in double from an exact fraction and rounded once.
 struct GradientBasis {
     float weight_0 = 0;    // 1 - w
     float weight_1 = 0;    // w
@@ -166,13 +167,13 @@ struct GradientBasis {
 
 GradientBasis gradient_basis(const LatticePosition& position);
 
-// Each times a factor, rounded to float.
+// Returns each function multiplied by a factor, rounded to float.
 inline GradientBasis scaled(const GradientBasis& basis, float factor) {
     return {basis.weight_0 * factor, basis.weight_1 * factor, basis.distance_0 * factor,
             basis.distance_1 * factor};
 }
 
-// d/du of each.
+// Returns the derivative of each function by u.
 GradientBasis gradient_basis_derivative(const LatticePosition& position);
 
 }  // namespace skybake::noise

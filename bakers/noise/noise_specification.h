@@ -1,7 +1,8 @@
-// One voxel at a time in plain float: what the vector kernels must equal bit for bit on every
-// instruction set, written for reading. The order of every sum is part of it.
+// The specification of the vector kernels, which must equal it bit for bit on every instruction
+// set: one voxel at a time in plain float, written to be read. The order of every sum is part of
+// the specification.
 //
-// It takes any integer voxel, also outside of the tile, which repeats.
+// Voxels may have any integer coordinates; the tile repeats.
 #pragma once
 
 #include <array>
@@ -14,16 +15,16 @@ namespace skybake::noise {
 
 using Voxel = std::array<std::int64_t, 3>;
 
-// One octave of gradient noise times its amplitude.
+// Returns one octave of gradient noise multiplied by its amplitude.
 float gradient_octave_at(const std::array<TileAxis, 3>& axes, const GradientOctave& octave,
                          const Voxel& voxel);
 
-// One octave of cellular noise in its value form: the nearest points among the 125 cells about the
-// sample, which always hold them.
+// Returns one octave of cellular noise in its value form, from the nearest points among the 125
+// cells around the sample, which always contain them.
 float cell_field_at(const std::array<TileAxis, 3>& axes, const CellField& field,
                     const Voxel& voxel);
 
-// All output channels.
+// Returns all output channels.
 std::vector<float> noise_at(const NoisePlan& plan, const Voxel& voxel);
 
 }  // namespace skybake::noise

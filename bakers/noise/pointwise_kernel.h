@@ -1,7 +1,7 @@
-// Noise sample by sample: every voxel hashes all the lattice points about it, a vector of voxels at
-// a time, as noise libraries do. For octaves with more than a cell a voxel, where neighbours have
-// nothing to share; elsewhere it is what the benchmarks measure the other kernels against. Equals
-// noise_specification.h bit for bit.
+// Fills boxes with noise sample by sample: every voxel hashes all lattice points around it, a
+// vector of voxels at a time, as noise libraries do. It serves octaves with more than one cell per
+// voxel, where neighbouring voxels share no lattice points; for other octaves the benchmarks
+// compare the other kernels with it. The result equals noise_specification.h bit for bit.
 #pragma once
 
 #include "bakers/field/baked.h"
@@ -9,8 +9,8 @@
 
 namespace skybake::noise {
 
-// One octave times its amplitude: out[(z * chunk.size[1] + y) * row_stride + x], rows in whole
-// vectors.
+// Writes one octave, multiplied by its amplitude, to out[(z * chunk.size[1] + y) * row_stride + x],
+// in rows of whole vectors.
 void fill_gradient_octave_pointwise(const GradientOctave& octave, const VoxelBox& chunk,
                                     std::size_t row_stride, float* out);
 

@@ -1,4 +1,4 @@
-// The rows of voxels about blocks of cells, from memory or from a source.
+// The rows of voxels in and around blocks of cells, read from memory or from a source.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,14 @@
 
 namespace skybake::occupancy {
 
-// All cells along x; some along y and z.
+// A block of cells: all cells along x, and some along y and z.
 struct CellBlock {
     Span y;
     Span z;
 };
 
-// Rows of voxels of a block and `halo` rows and planes about it, wrapped along y, clamped along z.
+// The rows of voxels of a block and of `halo` rows and planes around it, wrapped along y and
+// clamped along z.
 class BlockRows {
   public:
     BlockRows(const CellGrid& grid, const CellBlock& block, int halo);
@@ -39,15 +40,15 @@ class BlockRows {
     std::vector<const float*> rows_;
 };
 
-// Called for each block once, in any order, on several threads.
+// Called once for each block, in any order, on several threads.
 using BlockWork = std::function<void(const CellBlock& block, const BlockRows& rows)>;
 
 void for_each_block(const float* voxels, const CellGrid& grid, int halo, int threads,
                     const BlockWork& work);
 
-// The same with the voxels of a source, rounded as they are stored, at most 16 MiB of them a thread
-// where cells and rows allow. Not called for blocks whose rows are known to be 0. Ends early once
-// options.progress is cancelled.
+// Does the same with the voxels of a source, rounded as they are stored. At most 16 MiB of voxels
+// per thread are in memory where cells and rows allow it. The work is not called for blocks whose
+// rows are known to be 0. Ends early once options.progress is cancelled.
 void for_each_block(const ChannelSource& source, const CellGrid& grid, int halo,
                     const BakeOptions& options, const BlockWork& work);
 

@@ -1,4 +1,5 @@
-// How the voxels of a volume are grouped into the cells of an occupancy grid.
+// The grouping of a volume's voxels into the cells of an occupancy grid, and the filters by which
+// runtimes look voxels up.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +10,16 @@
 
 namespace skybake::occupancy {
 
-// Voxels or cells first ... last - 1 of an axis.
+// The voxels or cells from first to last - 1 of an axis.
 struct Span {
     int first = 0;
     int last = 0;
     int count() const { return last - first; }
 };
 
-// In voxel units voxel i of an axis has its centre at i + 1/2 and cell k of edge c lies over
-// [k c, min((k + 1) c, N)]: the last cell is smaller where c does not divide N. Volumes tile along
-// x and y and are clamped along z, the height.
+// In voxel units voxel i of an axis has its centre at i + 1/2, and cell k of edge c covers [k c,
+// min((k + 1) c, N)]: the last cell is smaller where c does not divide N. Volumes repeat along x
+// and y and are clamped along z, the height.
 struct CellGrid {
     std::array<int, 3> voxels{};  // N along x, y, z
     int cell = 1;                 // c: 1, 2, 4, 8 or 16
@@ -28,7 +29,7 @@ struct CellGrid {
         for (std::size_t a = 0; a < 3; ++a) cells[a] = (voxels[a] + cell - 1) / cell;
         return cells;
     }
-    // The voxels of cells `cells` of an axis.
+    // Returns the voxels that belong to the cells `cells` of an axis.
     Span voxels_of(std::size_t axis, Span cells) const {
         return {cells.first * cell, std::min(cells.last * cell, voxels[axis])};
     }
@@ -40,7 +41,7 @@ inline std::size_t count_of(const std::array<int, 3>& size) {
            static_cast<std::size_t>(size[2]);
 }
 
-// Where (x, y, z) is in an array of `size`, x fastest.
+// Returns the index of (x, y, z) in an array of `size`, x fastest.
 inline std::size_t index_of(const std::array<int, 3>& size, int x, int y, int z) {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(size[1]) +
             static_cast<std::size_t>(y)) *
@@ -48,33 +49,32 @@ inline std::size_t index_of(const std::array<int, 3>& size, int x, int y, int z)
            static_cast<std::size_t>(x);
 }
 
-// The voxel that a lookup finds at index `i` of an axis: of the next tile where it repeats, else
-// the last one.
+// Return the voxel that a lookup finds at index `i` of an axis: that of the repeated tile, or the
+// nearest one.
 inline int wrapped(int i, int size) { return ((i % size) + size) % size; }
 inline int clamped(int i, int size) { return std::clamp(i, 0, size - 1); }
 
-// What a filter makes of the voxels along one axis.
-
-// How many voxels beyond a cell's faces lookups in the cell use: 0, 1, 2.
+// Returns how many voxels beyond a cell's faces lookups in the cell use: 0, 1 or 2.
 int voxels_beyond(config::OccupancyFilter filter);
 
-// The voxels that a lookup uses, and their weights: >= 0, of sum 1 but for rounding.
+// The voxels along one axis that a lookup uses, and their weights, which are >= 0 and sum to 1
+// except for rounding.
 struct AxisTaps {
     int count = 0;
     std::array<int, 4> voxel{};
     std::array<double, 4> weight{};
 };
 
-// At `position` in voxel units, voxel i having its centre at i + 1/2, on an axis of `size` voxels
-// that repeats or is clamped.
+// Returns the taps at `position` in voxel units, where voxel i has its centre at i + 1/2, on an
+// axis of `size` voxels that repeats or is clamped.
 //   nearest    voxel floor(position)
 //   trilinear  the two nearest centres
 //   tricubic   the uniform B-spline over the four nearest centres, for instance Sigg & Hadwiger,
 //              "Fast third-order texture filtering", GPU Gems 2, 2005
 AxisTaps filter_taps(config::OccupancyFilter filter, double position, int size, bool repeats);
 
-// The filtered value in double; value(x, y, z) is that of a voxel. Weights >= 0 round it by 1e-15
-// of the greatest voxel used.
+// Returns the filtered value in double; value(x, y, z) returns that of a voxel. Since weights are
+// >= 0, rounding is 1e-15 of the greatest voxel used.
 template <class Value>
 double filtered_in_double(const std::array<AxisTaps, 3>& taps, const Value& value) {
     double sum = 0;
@@ -93,9 +93,9 @@ double filtered_in_double(const std::array<AxisTaps, 3>& taps, const Value& valu
     return sum;
 }
 
-// The same rounded to float, as a texture unit has it. The double is off by far less than half a
-// unit in the float's last place, unless voxels of both signs cancel: where the exact filter is not
-// above a float, this is not either.
+// Returns the same rounded to float, as a texture unit does. The error of the double is far below
+// half a unit in the float's last place, unless voxels of both signs cancel. So where the exact
+// filter is not above a float, this value is not either.
 template <class Value>
 float filtered_value(const std::array<AxisTaps, 3>& taps, const Value& value) {
     return static_cast<float>(filtered_in_double(taps, value));

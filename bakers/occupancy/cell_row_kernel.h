@@ -1,4 +1,4 @@
-// One row of cells along x: the vector kernels of cell_range.
+// The vector kernels of cell_range, which process one row of cells along x.
 #pragma once
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace skybake::occupancy {
 
-// The magnitudes of values, as the bits of floats, which order as they do.
+// The smallest and largest magnitude of values, as the bits of floats, which have the same order.
 struct Magnitudes {
-    std::uint32_t smallest = ~0U;  // that is not 0
+    std::uint32_t smallest = ~0U;  // smallest magnitude that is not 0
     std::uint32_t largest = 0;
 
     bool all_zero() const { return largest == 0; }
@@ -22,16 +22,19 @@ struct Magnitudes {
         largest = std::max(largest, other.largest);
     }
 };
-// `next` are as many that will be looked at later: they are on their way to a cache meanwhile.
+// Returns the magnitudes of `count` values. `next` points to as many values that are processed
+// later; they are prefetched into the cache.
 Magnitudes magnitudes_of(const float* values, std::size_t count, const float* next);
 
-// Whether means of up to eight such values are exact in double. Values from 2^s up are multiples of
-// 2^(s - 23). Sums of eight below 2^(l + 1) are below 2^(l + 4), and multiples of the same: 53 bits
-// hold them if l + 4 - (s - 23) <= 53. Halving is exact, as floats are far from double's denormals.
+// True if means of up to eight such values are exact in double. Values from 2^s up are multiples of
+// 2^(s - 23). Sums of eight values below 2^(l + 1) are below 2^(l + 4) and are multiples of the
+// same number: 53 bits hold them if l + 4 - (s - 23) <= 53. Halving is exact, as floats are far
+// from the denormals of double.
 bool means_are_exact(const Magnitudes& magnitudes);
 
-// The filter's values where a row of voxels along x meets the lower faces of its cells: means of
-// two voxels, in `means` one per cell. The voxel before the first face is the row's last.
+// Computes the filter's values where a row of voxels along x meets the lower faces of its cells:
+// the means of two voxels, one per cell, in `means`. The voxel before the first face is the row's
+// last one.
 void face_means(const float* voxels, std::size_t length, int cell, double* means);
 
 struct VoxelRow {
@@ -39,7 +42,7 @@ struct VoxelRow {
     const double* faces = nullptr;  // face_means
 };
 
-// The rows about a row of cells, those of its halo too: rows[z * height + y].
+// The rows of voxels of a row of cells and of its halo: rows[z * height + y].
 struct RowBundle {
     std::vector<VoxelRow> rows;
     int height = 0;
@@ -66,14 +69,14 @@ struct Extremes {
     }
 };
 
-// The extremes of the filter over some nodes along y and z: at each voxel along x, and at the lower
+// The extremes of the filter over some nodes along y and z, at each voxel along x and at the lower
 // face of each cell.
 struct NodeExtremes {
     Extremes<double> voxels;
     Extremes<double> faces;
 };
 
-// Memory that one call leaves to the next.
+// Buffers that are reused from call to call.
 struct RowScratch {
     std::vector<const float*> voxel_rows;
     std::vector<const double*> face_rows;
@@ -82,19 +85,20 @@ struct RowScratch {
     NodeExtremes all;
 };
 
-// The nodes of a row of cells for the trilinear filter are its voxels, those on its two faces along
-// y at voxels along z, and those on its two faces along z, edges included. Neighbours share faces.
-// Everything is in double: exact where means_are_exact. The bundle has a halo of one row and one
-// plane.
+// For the trilinear filter the nodes of a row of cells are its voxels, the nodes on its two faces
+// along y at voxels along z, and the nodes on its two faces along z, edges included. Neighbouring
+// cells share faces. All values are double, which is exact where means_are_exact. The bundle has a
+// halo of one row and one plane.
 enum class Face { lower, upper };
 void y_face_extremes(const RowBundle& bundle, Face face, RowScratch& scratch, NodeExtremes& nodes);
 void z_face_extremes(const RowBundle& bundle, Face face, RowScratch& scratch, NodeExtremes& nodes);
 
-// The extremes of each cell: over its voxels and its four faces along y and z.
+// Computes the extremes of each cell over its voxels and its four faces along y and z.
 void trilinear_row(const RowBundle& bundle, const std::array<const NodeExtremes*, 4>& faces,
                    RowScratch& scratch, Extremes<double>& cells);
 
-// The extremes of the voxels of each cell and `halo` about it; the bundle has the same halo.
+// Computes the extremes of the voxels of each cell and `halo` voxels around it. The bundle must
+// have the same halo.
 void footprint_row(const RowBundle& bundle, int halo, RowScratch& scratch, float* least,
                    float* most);
 

@@ -37,7 +37,6 @@ namespace skybake {
 
 // Complex arithmetic that gives the same bits with every compiler: the products and quotients of
 // std::complex are the run-time library's, and differ between libgcc's and compiler-rt's.
-
 struct ComplexNumber {
     double real = 0;
     double imaginary = 0;

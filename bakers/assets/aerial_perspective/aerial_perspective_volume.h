@@ -13,16 +13,17 @@
 
 namespace skybake {
 
-// What the air adds to a picture and takes from it: up to each of the distances, ascending, along
-// the ray at (u, v). Light scattered into the ray (1/sr) for a solar irradiance of 1, without the
-// ground's own. From where the ray leaves the air nothing changes; points below the ground are
-// lifted to it (aerial_perspective_mapping.h).
+// Returns the light that the air adds to a picture and the transmittance by which it dims it, up to
+// each of the distances, which ascend, along the ray at (u, v). The light is that scattered into
+// the ray, in 1/sr for a solar irradiance of 1, without the ground's own. Beyond the point where
+// the ray leaves the air nothing changes. Points below the ground are lifted to it
+// (aerial_perspective_mapping.h).
 std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialCamera& camera,
                                             double u, double v,
                                             const std::vector<double>& distances_km);
 
-// The froxels of one camera, aerial_perspective_mapping.h. Held in memory. `volume` brings name,
-// parameters and details; `colour_names` are {"R", "G", "B"} or {"Y"}.
+// Bakes the froxels of one camera (aerial_perspective_mapping.h), which are held in memory.
+// `volume` comes with name, parameters and details; `colour_names` are {"R", "G", "B"} or {"Y"}.
 config::Outcome<Baked> bake_aerial_perspective(const SkyLight& light,
                                                const config::AerialPerspectiveBake& bake,
                                                const BakeOptions& options,

@@ -1,5 +1,4 @@
-// The tables of Bruneton & Neyret 2008 as their implementation of 2017 has them (asset =
-// "bruneton").
+// The tables of Bruneton & Neyret 2008 as in their implementation of 2017 (asset = "bruneton").
 #pragma once
 
 #include <optional>
@@ -14,20 +13,20 @@
 
 namespace skybake {
 
-// `volume` has its name, parameters and details. E0405: light that could not be solved for.
+// Bakes one table. `volume` comes with name, parameters and details. Returns E0405 if the light
+// cannot be solved for.
 config::Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere,
                                      const config::BrunetonBake& bake, const BakeOptions& options,
                                      Baked volume);
 
-// How the light is solved for that is scattered once more to make orders 2 and up; none where a
-// table has none of these.
+// Returns the settings that solve for the light which is scattered once more to make orders 2 and
+// up; nothing if a table has none of these orders.
 std::optional<SolverSettings> light_settings(const config::BrunetonBake& bake);
 
-// The parameters of @takram/three-atmosphere that go with its tables.
-
-// A JSON object with those members of its AtmosphereParameters that tables depend on, under their
-// names and in their units: radii in metres, coefficients per km, profiles over altitude in km,
-// vectors as arrays. The atmosphere has no problem (config/assets/takram_layers.h).
+// Returns the parameters of @takram/three-atmosphere that belong to its tables: a JSON object with
+// those members of its AtmosphereParameters on which tables depend, under their names and in their
+// units: radii in metres, coefficients per km, profiles over altitude in km, vectors as arrays. The
+// atmosphere must have no problem (config/assets/takram_layers.h).
 std::string takram_parameters(const config::Atmosphere& atmosphere,
                               const config::BrunetonBake& bake);
 

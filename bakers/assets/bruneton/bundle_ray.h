@@ -1,5 +1,5 @@
-// A view ray through the air in pieces with quadrature nodes: what the suns of a row of texels, all
-// of which look along it, have in common.
+// A view ray through the air, in pieces with quadrature nodes: the part that is common to all suns
+// of a row of texels, which share this view ray.
 #pragma once
 
 #include <array>
@@ -13,15 +13,16 @@ namespace skybake {
 struct BundleNode {
     double distance_km = 0;
     double altitude_km = 0;
-    // Of each layer: transmittance from the ray's beginning times scattering per km.
+    // For each layer, the transmittance from the ray's beginning times the scattering per km.
     std::vector<Spectrum> sent;
-    // Of each layer: `sent` times the weight of the quadrature over the piece.
+    // For each layer, `sent` times the weight of the quadrature over the piece.
     std::vector<Spectrum> weights;
-    // The same of a rule that uses the first, third and fifth node of a piece; none for others.
+    // The same for a rule that uses the first, third and fifth node of a piece; empty for the
+    // others.
     std::vector<Spectrum> coarse_weights;
 };
 
-// Between two distances, with kBundleNodes of Gauss' nodes.
+// A piece between two distances, with kBundleNodes of Gauss's nodes.
 inline constexpr int kBundleNodes = 5;
 struct BundlePiece {
     double from_km = 0;
@@ -29,13 +30,13 @@ struct BundlePiece {
     std::array<BundleNode, kBundleNodes> nodes;
 };
 
-// Cut where sky_row.h cuts its rays.
+// Makes the pieces of a ray, which is cut where sky_row.h cuts its rays.
 std::vector<BundlePiece> make_bundle_ray(const SkyMedium& medium,
                                          const std::vector<double>& break_altitudes_km,
                                          const ScatteringView& view);
 
-// The polynomials that are 1 at one node and 0 at the others, at a share in [0, 1] of a piece: so
-// what nodes send is interpolated.
+// Returns, at a share in [0, 1] of a piece, the polynomials that are 1 at one node and 0 at the
+// others. They interpolate what nodes send.
 std::array<double, kBundleNodes> node_shares(double share);
 
 }  // namespace skybake

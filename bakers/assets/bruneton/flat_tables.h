@@ -1,5 +1,5 @@
-// The tables of two axes: transmittance to the top of the air, and irradiance of level surfaces by
-// the sky.
+// The tables with two axes: transmittance to the top of the air, and irradiance of level surfaces
+// by the sky.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace skybake {
 
-// Values at coordinates x of one y, colours interleaved.
+// Computes values at coordinates x of one y, with interleaved colours.
 using FlatRow = std::function<void(double y, const std::vector<double>& x, double* values)>;
 
 struct FlatTable {
@@ -26,24 +26,26 @@ struct FlatTable {
     std::size_t colours = 0;
 };
 
-// `medium` must outlive it.
+// The table of transmittance. `medium` must outlive it.
 FlatTable flat_transmittance(const Medium& medium);
-// By the orders of `light`. Both must outlive it.
+// The table of irradiance by the orders of `light`. `light` and `solar_irradiance` must outlive it.
 FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& solar_irradiance);
 
-// Channels after the colours hold 1.
+// Makes the texels. Channels after the colours hold 1.
 DenseVolume flat_texels(const FlatTable& table, const std::array<int, 3>& size,
                         std::size_t channels, const BakeOptions& options);
-// The same by texture coordinates of a table of that size. The table must outlive it.
+// Returns the reference as a function of texture coordinates of a table of that size. `table` must
+// outlive it.
 VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>& size,
                                std::size_t channels);
 
-// `volume` has its name, parameters, details and channels; takram's has an A of 1.
+// Bakes the transmittance. `volume` comes with name, parameters, details and channels; takram's has
+// a channel A of 1.
 config::Outcome<Baked> bake_bruneton_transmittance(const Medium& medium,
                                                    const config::BrunetonBake& bake,
                                                    const BakeOptions& options, Baked volume);
 
-// By the orders of `light`, times the solar irradiance.
+// Bakes the irradiance by the orders of `light`, multiplied by the solar irradiance.
 config::Outcome<Baked> bake_bruneton_irradiance(const SkyLight& light,
                                                 const config::BrunetonBake& bake,
                                                 const BakeOptions& options, Baked volume);

@@ -1,13 +1,13 @@
-// Texels moved a little so that lookups between them come out right.
+// Adjusts texels slightly so that lookups between them are right.
 //
-// Where light falls steeply, at dusk by half and more from one texel to the next, a linear lookup
-// between exact texels is always too bright. Along each axis texels f_i are scaled by x_i that
-// balance the errors at texels with those half way between:
+// Where light falls steeply (at dusk by half and more from one texel to the next) a linear lookup
+// between exact texels is always too bright. Along each axis texels f_i are multiplied by scales
+// x_i, which balance the errors at texels with those halfway between them by minimising
 //
 //   sum over i (x_i - 1)^2 + sum over i ((x_i f_i + x_(i+1) f_(i+1)) / (f_i + f_(i+1)) - t_i)^2
 //
-// t_i is the light half way over the mean of the two: cubic interpolation of its logarithm. The
-// scales of all axes are multiplied.
+// t_i is the light halfway divided by the mean of the two texels, from cubic interpolation of the
+// light's logarithm. The scales of all axes are multiplied.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,11 @@
 
 namespace skybake {
 
-// x of a line of texels that are not below 0. 1 where nothing is known of the light half way, next
-// to texels that are 0.
+// Returns the scales x of a line of texels, which must not be negative. They are 1 next to texels
+// that are 0, where the light halfway is not known.
 std::vector<double> lookup_scales(const std::vector<double>& line);
 
-// Scales the first `channels` of a table of scattering.
+// Scales the first `channels` channels of a table of scattering.
 void fit_lookups(const ScatteringMapping& mapping, std::size_t channels, const BakeOptions& options,
                  DenseVolume& table);
 

@@ -1,4 +1,5 @@
-// The error of a table of scattering, measured: its texels, and the lookups that a runtime makes.
+// Measures the error of a table of scattering, both of its texels and of the lookups that a runtime
+// makes.
 #pragma once
 
 #include <functional>
@@ -15,41 +16,43 @@
 
 namespace skybake {
 
-// What tables of scattering are measured against: each value by direct integration along its view
-// ray (sky_radiance.h), each group of layers on its own.
+// The reference for tables of scattering: each value by direct integration along its view ray
+// (sky_radiance.h), each group of layers separately.
 class ScatteringReference {
   public:
-    // All must outlive it; without `higher` there are no higher orders.
+    // The arguments must outlive this object. If `higher` is null, there are no higher orders.
     ScatteringReference(const SkyMedium& medium, const ScatteringContent& content,
                         const HigherOrders* higher);
 
-    // Of directions that there are.
+    // Returns the parts, for a nu that directions can have.
     ScatteringParts parts(const ScatteringView& view, double sun_cos_zenith, double nu) const;
 
   private:
     const ScatteringContent& content_;
-    SkyMedium air_;  // the medium, where no Mie layer scatters
-    SkyMedium mie_;  // where none but they do
+    SkyMedium air_;  // the medium, in which no Mie layer scatters
+    SkyMedium mie_;  // the medium, in which only Mie layers scatter
     SkyIntegrator all_;
     SkyIntegrator air_alone_;
     SkyIntegrator mie_alone_;
 };
 
-// The channels of a texel as they are exactly, of directions that there are.
+// Returns the exact channels of a texel, for a nu that directions can have.
 using ExactTexel =
     std::function<Texel(const ScatteringView& view, double sun_cos_zenith, double nu)>;
 
-// Both must outlive it.
+// Makes that function. `content` and `reference` must outlive it.
 ExactTexel exact_texel(const ScatteringContent& content, const ScatteringReference& reference);
 
-// Of each channel of a table: what its errors are shares of where there is next to no light.
+// Returns the largest value of each channel of a table. Where there is hardly any light, errors are
+// relative to a share of it.
 std::vector<double> largest_values(const DenseVolume& table);
 
-// How many points a certificate takes.
+// Returns the number of points of a certificate.
 int scattering_points(Certification certification);
 
-// At points spread evenly over x_mu_s, x_mu of both halves and x_r, and over the nu that there are.
-// Texels are those next to the points whose own nu there is.
+// Measures at points spread evenly over x_mu_s, x_mu of both halves and x_r, and over the nu that
+// directions can have. The texels that are measured are those next to the points whose own nu is
+// possible.
 Certificate measure_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
                                const ExactTexel& exact, const std::vector<double>& largest,
                                config::PixelType type, int points, const BakeOptions& options);

@@ -1,5 +1,5 @@
-// The four axes of Bruneton's tables of scattering, as his implementation of 2017 has them, all
-// with end points on texel centres.
+// The four axes of Bruneton's tables of scattering, as in his implementation of 2017. All end
+// points are texel centres.
 //
 //   x_r     rho / H, the distances to the horizon from here and from the top of the air
 //   x_mu    (d - d_min) / (d_max - d_min), d the length of the view ray: to the ground in the lower
@@ -8,11 +8,11 @@
 //           distance from the ground to the top towards the sun; darker suns are at 0
 //   x_nu    (nu + 1) / 2
 //
-// Texel u is the sun's of nu's sub-image: nu_index * sun_size + sun_index. A runtime interpolates
-// between two sub-images by hand.
+// Texel u is nu_index * sun_size + sun_index: there is one sub-image over suns for each nu. A
+// runtime interpolates between two sub-images itself.
 //
-// Hard cases: the ground (no ray of the lower half has a length), the top, the horizon from both
-// sides (told by the half, not by rounding), straight up and down, suns darker than the last.
+// Hard cases: the ground (where no ray of the lower half has a length), the top, the horizon from
+// both sides (the half decides, not rounding), straight up and down, suns darker than the last.
 #pragma once
 
 #include <algorithm>
@@ -36,13 +36,14 @@ struct ScatteringCoordinates {
     double x_nu = 0;
     double x_mu_s = 0;
     double x_mu = 0;
-    bool meets_ground = false;  // which half of the texels x_mu is of
+    bool meets_ground = false;  // the half of the texels to which x_mu belongs
     double x_r = 0;
 };
 
 class ScatteringMapping {
   public:
-    // `size` are texels along u, v, w; nu_size divides size[0], size[1] is even.
+    // `size` holds the numbers of texels along u, v, w. nu_size must divide size[0], and size[1]
+    // must be even.
     ScatteringMapping(const Shell& shell, const std::array<int, 3>& size, int nu_size,
                       double sun_cos_zenith_min);
 
@@ -61,12 +62,13 @@ class ScatteringMapping {
     ScatteringCoordinates coordinates(const ScatteringView& view, double sun_cos_zenith,
                                       double nu) const;
 
-    // Of texels.
+    // The coordinates of texels.
     ScatteringView view_of_texel(int v, int w) const;
     double sun_of_texel(int u) const;
     double nu_of_texel(int u) const;
 
-    // Texels between 0 and half_size - 1 as the axis of x_mu counts them, and back.
+    // Returns v of the texel that the axis of x_mu counts as half_index, from 0 to half_size - 1,
+    // in its half.
     int v_of(int half_index, bool meets_ground) const;
 
   private:
@@ -80,16 +82,16 @@ class ScatteringMapping {
     double largest_share_;    // A
 };
 
-// The cosines between view and sun that there are, given those of both zenith angles.
+// The range of the cosines between view and sun that are possible, given those of both zenith
+// angles.
 struct FeasibleCosines {
     double low = -1;
     double high = 1;
 };
 FeasibleCosines feasible_cosines(double view_cos_zenith, double sun_cos_zenith);
 
-// Linear lookups along axes with end points on texel centres.
-
-// Two neighbours along an axis of `count` texels.
+// Two neighbouring texels along an axis of `count` texels whose end points are texel centres, with
+// the weights of a linear lookup.
 struct AxisTaps {
     std::array<int, 2> texel{};
     std::array<double, 2> weight{1, 0};
@@ -102,7 +104,7 @@ inline AxisTaps axis_taps(double x, int count) {
     return {{first, first + 1}, {1 - (position - first), position - first}};
 }
 
-// Calls visit(u, v, w, weight) for the texels that a runtime blends: linear in each of the four
+// Calls visit(u, v, w, weight) for the texels that a runtime blends: linearly in each of the four
 // coordinates, within one half of the view's axis.
 template <class Visit>
 void for_each_tap(const ScatteringMapping& mapping, const ScatteringCoordinates& x,

@@ -1,4 +1,5 @@
-// Texels that share a view ray: light scattered towards its beginning under many suns.
+// Texels that share a view ray: the light scattered towards its beginning under many suns, and the
+// part of the ray in the planet's shadow.
 #pragma once
 
 #include <memory>
@@ -12,22 +13,23 @@
 
 namespace skybake {
 
-// For a solar irradiance of 1, one per sun.
+// Light for a solar irradiance of 1, for each sun.
 struct ScatteringRow {
-    // [layer][sun]: scattered once, without the phase function.
+    // [layer][sun]: light scattered once, without the phase function.
     std::vector<std::vector<Spectrum>> single;
-    // Scattered more than once, or reflected by the ground before; in 1/sr. Empty without light.
+    // Light scattered more than once, or reflected by the ground before, in 1/sr. Empty without
+    // light.
     std::vector<Spectrum> higher;
 };
 
 class ScatteringRows {
   public:
-    // All must outlive it. Without `light` there are no higher orders; single scattering is 0 where
-    // it is not wanted.
+    // `medium` and `light` must outlive this object. If `light` is null there are no higher orders;
+    // single scattering is 0 unless it is wanted.
     ScatteringRows(const SkyMedium& medium, const SolvedLight* light, bool wants_single,
                    int threads);
 
-    // `suns` may hold more than there are (sun_bundle.h).
+    // `suns` may hold combinations of angles that do not exist (sun_bundle.h).
     ScatteringRow row(const ScatteringView& view, const SunBundle& suns) const;
 
   private:
@@ -45,17 +47,15 @@ class ScatteringRows {
     TransmittanceField sunlight_;
 };
 
-// Where a view ray is in the planet's shadow.
-
-// Distances along the ray; none where begin is not below end. The shadow, half a cylinder, is
-// convex.
+// The stretch of a view ray in the planet's shadow, by distances along the ray; empty unless begin
+// is below end. It is one stretch since the shadow, half a cylinder, is convex.
 struct DarkStretch {
     double begin_km = 0;
     double end_km = 0;
 };
 
-// In terms of three cosines that need not belong to directions: between sun and zenith where the
-// ray begins, and between sun and ray.
+// Returns the stretch for two cosines that need not belong to directions: between sun and zenith
+// where the ray begins, and between sun and ray.
 DarkStretch dark_stretch(const Shell& shell, const ScatteringView& view, double sun_cos_zenith,
                          double nu);
 

@@ -1,8 +1,10 @@
-// A table of scattering in memory, and the lookup that a runtime makes of it.
+// A table of scattering in memory, the parts from which its texels are made, and the lookup that a
+// runtime makes.
 //
-// Texels whose nu no view and sun have (nu outside mu mu_s -+ sin sin_s) still count in lookups
-// next to the edge of those that have one: there they hold the smooth continuation of the light in
-// nu, up to kMostBeyond past the edge; texels farther away hold what is there.
+// Some texels have a nu that no view and sun can have (outside mu mu_s -+ sin sin_s). They still
+// count in lookups next to the edge of the possible ones: there they hold the smooth continuation
+// of the light in nu, up to kMostBeyond beyond the edge. Texels farther away hold the value at that
+// distance.
 #pragma once
 
 #include <array>
@@ -19,7 +21,7 @@
 
 namespace skybake {
 
-// Voxels that stand in memory.
+// A dense volume: all its voxels are in memory.
 class DenseVolume : public VoxelSource {
   public:
     DenseVolume(const std::array<int, 3>& size, std::size_t channels);
@@ -38,12 +40,11 @@ class DenseVolume : public VoxelSource {
     std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
 };
 
-// The parts of all texels of a size, made once in a run: the table of scattering, that of single
-// Mie scattering and that of higher orders ask for the same ones.
-
+// The parts of all texels of a size are made once in a run: the table of scattering, that of single
+// Mie scattering and that of higher orders use the same ones.
 using StoredSpectrum = std::array<float, kMaxChannels>;
 
-// Of texels, u fastest; as ScatteringParts has them.
+// The first-order parts of all texels, u fastest, defined as in ScatteringParts.
 struct FirstOrderParts {
     std::vector<StoredSpectrum> air;
     std::vector<StoredSpectrum> mie;
@@ -51,48 +52,50 @@ struct FirstOrderParts {
 using HigherOrderParts = std::vector<StoredSpectrum>;
 
 struct TableParts {
-    std::shared_ptr<const FirstOrderParts> first;    // null: not wanted
-    std::shared_ptr<const HigherOrderParts> higher;  // the same
+    std::shared_ptr<const FirstOrderParts> first;    // null if not wanted
+    std::shared_ptr<const HigherOrderParts> higher;  // null if not wanted
 };
 
-// Makes them anew. Without `light` there are no higher orders.
+// Makes the parts. If `light` is null there are no higher orders.
 TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wants_first,
                       const ScatteringContent& content, const ScatteringMapping& mapping,
                       const BakeOptions& options);
 
-// The same, or those of before. The last ones made are kept: 36 bytes a texel. After
-// an interruption they are not to be used, and are not kept.
+// Returns the same parts as make_parts, from the previous call if it had the same arguments. The
+// last parts that were made are kept, 36 bytes per texel. After an interruption the parts must not
+// be used, and are not kept.
 TableParts remembered_parts(const SkyMedium& medium,
                             const std::shared_ptr<const SolvedLight>& light,
                             const ScatteringContent& content, const ScatteringMapping& mapping,
                             bool wants_first, bool wants_higher, const BakeOptions& options);
 
-// One step of nu in a table of 8: no lookup in it goes farther. Polynomials of the 8th degree, as
-// which higher orders are continued, grow by no more than half over it.
+// The farthest continuation in nu: one step of nu in a table of 8, beyond which no lookup in that
+// table goes. Polynomials of degree 8, by which higher orders are continued, grow by at most half
+// over this distance.
 inline constexpr double kMostBeyond = 2.0 / 7;
 
-// The cosine to the sun that a texel is made for.
+// Returns the cosine to the sun for which a texel is made.
 double continued_nu(const ScatteringView& view, const Shell& shell, double sun_cos_zenith,
                     double nu);
 
-// All texels' parts of a view ray, in the order of u.
+// Returns the parts of all texels that share a view ray, in the order of u.
 std::vector<ScatteringParts> parts_of_row(const ScatteringRows& rows,
                                           const ScatteringContent& content,
                                           const ScatteringMapping& mapping,
                                           const ScatteringView& view);
 
-// The texels of a content's table, as they are exactly. Of either kind of parts there may be none.
+// Returns the exact texels of a content's table. Either kind of parts may be absent.
 DenseVolume scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
                               const TableParts& parts);
 
-// Linear in each of the four coordinates between texels of one half. `channels` of them.
+// Looks up the first `channels` channels, linearly in each of the four coordinates between texels
+// of one half.
 Texel look_up(const DenseVolume& table, const ScatteringMapping& mapping,
               const ScatteringCoordinates& x, config::PixelType type);
 
-// Light of a grid as a table of scattering holds it.
-
-// Light of all texels, u fastest, in 1/sr, over Rayleigh's phase function at their nu: where there
-// is none such, at the nearest that there is, as of iterated_scattering.
+// Converts light of all texels, u fastest, in 1/sr, into the form that tables of scattering hold:
+// divided by Rayleigh's phase function at the texel's nu or, if no directions have that nu, at the
+// nearest one that some have, as in iterated_scattering.
 HigherOrderParts over_rayleigh(const std::vector<Spectrum>& light,
                                const ScatteringMapping& mapping);
 

@@ -1,4 +1,4 @@
-// The tables of four axes as volumes.
+// The tables with four axes as volumes, and the places of their probes.
 #pragma once
 
 #include <array>
@@ -15,36 +15,36 @@
 
 namespace skybake {
 
-// `volume` has its name, parameters, details and channels; without `light` there are no higher
-// orders.
+// Bakes the volume. `volume` comes with name, parameters, details and channels. If `light` is null
+// there are no higher orders.
 config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
                                        const std::shared_ptr<const SolvedLight>& light,
                                        const config::BrunetonBake& bake, const BakeOptions& options,
                                        Baked volume);
 
-// Where the probes of a table of scattering may lie.
-
-// A ray, a sun and the cosine between them: what a runtime asks a table of scattering for.
+// A ray, a sun and the cosine between them: the arguments of a runtime's lookup in a table of
+// scattering.
 struct ScatteringPlace {
     ScatteringView view;
     double sun_cos_zenith = 1;
     double nu = 1;
 };
 
-// The place of texture coordinates, of the nearest cosine that there is between ray and sun. It
-// keeps off the horizon by kHorizonMargin, and rays to the ground start above it.
+// Returns the place of texture coordinates, with the nearest possible cosine between ray and sun.
+// The ray is at least kHorizonMargin away from the horizon, and rays to the ground start above it.
 ScatteringPlace scattering_place(const ScatteringMapping& mapping,
                                  const std::array<double, 3>& uvw);
 
-// The two lookups that a runtime blends along nu; one where there is but one sub-image.
+// Returns the two lookups that a runtime blends along nu, or one where there is only one sub-image.
 std::vector<ProbeLookup> scattering_lookups(const ScatteringMapping& mapping,
                                             const ScatteringPlace& place);
 
-// altitude_km, cos_zenith, sun_cos_zenith, nu, and ground: 1 where the ray meets it, else 0.
+// Returns the probe's place by altitude_km, cos_zenith, sun_cos_zenith, nu, and ground, which is 1
+// if the ray meets the ground, else 0.
 ProbePlace scattering_probe_place(const ScatteringMapping& mapping,
                                   const std::array<double, 3>& uvw);
 
-// The place that a probe names: the inverse of the above.
+// Returns the place that a probe names: the inverse of scattering_probe_place.
 ScatteringPlace scattering_place(const ScatteringMapping& mapping, double altitude_km,
                                  double cos_zenith, double sun_cos_zenith, double nu, bool ground);
 

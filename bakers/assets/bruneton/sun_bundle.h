@@ -1,4 +1,4 @@
-// Light that one view ray sends towards its beginning under many suns at once.
+// The light that one view ray sends towards its beginning under many suns at once.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,12 @@
 
 namespace skybake {
 
-// Suns by the cosine of their zenith angle where a ray begins and that to the ray. There may be
-// none such: what they bring is the smooth continuation of what real ones bring.
+// Suns, each given by the cosine of its zenith angle where a ray begins and by the cosine of its
+// angle to the ray. No direction need have both: the light is then the smooth continuation of that
+// of real suns.
 struct SunBundle {
-    // Room for whole vectors of any width: a multiple of kBundleStep, the last ones copies.
+    // The count is a multiple of kBundleStep, which gives room for whole vectors of any width; the
+    // entries beyond `wanted` are copies.
     static constexpr int kBundleStep = 16;
 
     SunBundle(const std::vector<double>& sun_cosines, const std::vector<double>& cosines_to_sun);
@@ -23,14 +25,14 @@ struct SunBundle {
     std::vector<double> nu;
 };
 
-// Adds what the nodes of a piece scatter of sunlight, times lit[i], to
-// single[(layer * kMaxChannels + channel) * count + i]. `view` is where the ray begins.
+// Adds the sunlight that the nodes of a piece scatter, multiplied by lit[i], to single[(layer *
+// kMaxChannels + channel) * count + i]. The ray begins at `view`.
 void add_sunlight(const TransmittanceField& field, const ScatteringView& view,
                   const BundlePiece& piece, const SunBundle& suns, const std::vector<double>& lit,
                   double* single);
 
-// Adds what the coarse nodes of a piece scatter of the solved light to
-// scattered[i * kChannelSlots + channel]. `phase_moments` [layer][l] up to the light's degree.
+// Adds the solved light that the coarse nodes of a piece scatter to scattered[i * kChannelSlots +
+// channel]. `phase_moments` is [layer][l] up to the light's degree.
 void add_solved_light(const SolvedLight& light,
                       const std::vector<std::vector<Spectrum>>& phase_moments, const Shell& shell,
                       const ScatteringView& view, const BundlePiece& piece, const SunBundle& suns,

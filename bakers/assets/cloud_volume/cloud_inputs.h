@@ -1,4 +1,4 @@
-// Gathers what a cloud is made of: noises of the recipe and maps from files.
+// Gathers the inputs of a cloud: noises of the recipe and maps from files.
 #pragma once
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -10,12 +10,12 @@
 namespace skybake {
 
 // Reads the maps of the cloud that `bake` names, and adds their content hashes to `details`, since
-// files carry just their names. E0300, E0304: a map cannot be read.
+// files state only their names. Returns E0300 or E0304 if a map cannot be read.
 config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
                                           const config::CloudVolumeBake& bake, Facts& details);
 
-// Reads every map that a cloud of the recipe names, whether it is baked or not. E0300, E0304, at
-// the recipe's line.
+// Reads every map that a cloud of the recipe names, even if the cloud is not baked. Returns E0300
+// and E0304 at the recipe's line.
 [[nodiscard]] std::vector<config::Diagnostic> check_maps(const config::Parameters& parameters);
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-// The asset cloud_volume: a cloud over its extent.
+// The asset cloud_volume: the density of a cloud over its extent.
 #pragma once
 
 #include <string>
@@ -15,39 +15,40 @@
 
 namespace skybake {
 
-// What a cloud is made of besides its own parameters.
+// The inputs of a cloud besides its own parameters.
 struct CloudInputs {
     const config::Noise* base = nullptr;
-    const config::Noise* detail = nullptr;  // null where the cloud names none
+    const config::Noise* detail = nullptr;  // null if the cloud names none
     cloud::CloudMaps maps;
 };
 
-// What a lookup of the stored values must exceed to be something.
+// Returns the threshold that a lookup of the stored values must exceed to count as cloud.
 float filtered_threshold(const config::Cloud& cloud);
 
-// What a cloud's files say and its voxels on demand: `volume`, which has a name and parameters,
-// with all the rest but what finish_volume adds.
+// Returns `volume`, which comes with name and parameters, with the voxels on demand and all else
+// that the cloud's files state, except what finish_volume adds.
 Baked make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                         const CloudInputs& inputs, Baked volume);
 
-// The same, surveyed and certified. E0401, E0402: a voxel that the pixel type cannot hold. No value
-// and no diagnostics after an interruption.
+// Bakes the same, surveyed and certified. Returns E0401 or E0402 for a voxel that the pixel type
+// cannot hold, and neither value nor diagnostics after an interruption.
 config::Outcome<Baked> bake_cloud_volume(const config::Cloud& cloud,
                                          const config::CloudVolumeBake& bake,
                                          const CloudInputs& inputs, const BakeOptions& options,
                                          Baked volume);
 
-// What the baker of a cloud's volume shares with those of assets that are made of it.
+// The following functions are shared by the baker of cloud volumes and those of assets made from
+// them.
 
-// As if the cloud filled its box: what of it is empty takes less.
+// Estimates the cost as if the cloud filled its box; empty regions take less.
 Estimate estimate_cloud_volume(const config::Parameters& parameters,
                                const config::CloudVolumeBake& asset);
 
-// The pictures laid over it.
+// Returns the pictures that are laid over the cloud.
 std::vector<InputFile> cloud_volume_inputs(const config::Parameters& parameters,
                                            const config::CloudVolumeBake& asset);
 
-// Of a volume of this extent over the cloud's base.
+// Returns the places of a volume of this extent over the cloud's base.
 AssetPlaces cloud_places(const config::Cloud& cloud, const Uvw& extent_m);
 
 // The cloud of a volume, as the volume spans it.

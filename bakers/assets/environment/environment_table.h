@@ -11,18 +11,19 @@
 
 namespace skybake {
 
-// Longitude and latitude of coordinates (x, y) in [0, 1], in degrees: the azimuth from the sun
-// grows to the right, from -180 to 180; the elevation falls from the zenith, 90, to -90.
+// Return the azimuth and the elevation of coordinates x and y in [0, 1], in degrees. The azimuth
+// from the sun grows to the right, from -180 to 180; the elevation falls from the zenith, 90, to
+// -90.
 double environment_azimuth_deg(double x);
 double environment_elevation_deg(double y);
 
-// The table as a function: radiance (1/sr) towards the camera, as sky_view_model has it. All must
-// outlive the model.
+// The table as a function: radiance (1/sr) towards the camera, computed as in sky_view_model. All
+// arguments must outlive the model.
 TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
                              const SunZenith& sun);
 
-// The sky from one altitude under one sun, without the sun's disc. `table` brings name, parameters
-// and channel names.
+// Bakes the sky from one altitude under one sun, without the sun's disc. `table` comes with name,
+// parameters and channel names.
 config::Outcome<Baked> bake_environment(const SkyLight& light, const config::EnvironmentBake& bake,
                                         const BakeOptions& options, Baked table);
 

@@ -12,19 +12,20 @@
 
 namespace skybake {
 
-// Rows gather at the ground, where the air is: y = sqrt(altitude / thickness), in [0, 1].
+// Convert between altitude and y = sqrt(altitude / thickness) in [0, 1]. Rows are densest at the
+// ground, where most of the air is.
 double irradiance_altitude_km(const Shell& shell, double y);
 double irradiance_coordinate(const Shell& shell, double altitude_km);
 
-// The table as a function: irradiance of a level surface at the sun's cosine of x, mapped as
-// multiple scattering is (multiple_scattering_mapping.h), and at the altitude of y. The reference
-// is the same integral with more directions. `light` must outlive the model.
+// The table as a function: irradiance of a level surface at the sun's cosine of x, mapped as in
+// multiple_scattering_mapping.h, and at the altitude of y. The reference is the same integral with
+// more directions. `light` must outlive the model.
 TableModel irradiance_model(const SkyLight& light, const config::IrradianceBake& bake);
 
-// The orders that the light must be solved for.
+// Returns the orders for which the light must be solved.
 config::SkyOrders orders_of(const config::IrradianceBake& bake);
 
-// `table` brings name, parameters and channel names.
+// Bakes the table. `table` comes with name, parameters and channel names.
 config::Outcome<Baked> bake_irradiance(const SkyLight& light, const config::IrradianceBake& bake,
                                        const BakeOptions& options, Baked table);
 

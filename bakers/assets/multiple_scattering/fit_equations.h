@@ -1,12 +1,13 @@
-// What a table of the mean radiance has to fulfil so that views of a scene look right.
+// The equations that a table of the mean radiance has to fulfil so that views of a scene look
+// right.
 //
-// The light of higher orders along a ray that an isotropic table gives is linear in its texels:
+// Along a ray, the light of higher orders that an isotropic table gives is linear in its texels:
 //
 //   integral of T sigma_s Psi dt = sum over texels of w Psi_texel,   w = integral of T sigma_s hat
 //
-// with the hats of bilinear interpolation. It is to be what the solved light, scattered by each
-// layer's own phase function, sends along that ray. Both integrals are taken over the same nodes
-// (view_ray.h), so that the quadrature's error is that of the difference alone.
+// with the hat functions of bilinear interpolation. The target is the light that the solution,
+// scattered by each layer's own phase function, sends along that ray. Both integrals use the same
+// nodes (view_ray.h), so that the quadrature's error is only that of their difference.
 #pragma once
 
 #include <functional>
@@ -19,9 +20,8 @@
 
 namespace skybake {
 
-// The cameras, suns and view rays of a scene by which a table is fitted.
-
-// Cameras in the air or in space, and the sun's zenith angle there in radians, up to pi.
+// The scene for which a table is fitted: cameras in the air or in space, and the sun's zenith angle
+// at the cameras in radians, up to pi.
 struct FitScene {
     double lowest_camera_km = 0;
     double highest_camera_km = 3;
@@ -29,17 +29,17 @@ struct FitScene {
     double largest_sun_zenith = 1.7453292519943295;  // 100 degrees
 };
 
-// How densely a scene is sampled. Finer does not change the sky by 0.1 % of its mean on Earth;
-// fewer cameras are 1 % worse on small planets, fewer suns at sunset.
+// How densely a scene is sampled. A finer sampling changes the sky on Earth by less than 0.1 % of
+// its mean; fewer cameras are 1 % worse on small planets, and fewer suns at sunset.
 struct FitDensity {
     int cameras = 6;
-    int sky_views = 7;     // zenith angles from the horizon up, Gauss' nodes
+    int sky_views = 7;     // zenith angles from the horizon up, Gauss's nodes
     int ground_views = 2;  // from the horizon down, where only the air before the ground counts
     int azimuths = 4;
     int suns_per_column = 2;  // of the solution's axis
 };
 
-// Rays of one zenith angle at a camera, for all suns and azimuths.
+// The rays of one zenith angle at a camera, for all suns and azimuths.
 struct FitView {
     int camera = 0;
     double mu = 0;
@@ -55,12 +55,14 @@ struct FitSample {
     std::vector<FitView> views;
 
     std::size_t rays_per_view() const { return suns.size() * azimuth_cosines.size(); }
-    // Where the air begins for a ray of a view: the same place and inclination for all its rays.
+    // Returns ray `index` of a view, from where it enters the air. The place and the inclination
+    // are the same for all rays of a view.
     SkyRay ray(const Shell& shell, const FitView& view, std::size_t index) const;
 };
 
-// Cameras closest at the lowest; suns evenly between the axis' columns within the scene's range
-// and at its ends; nodes of views closest at the horizon.
+// Samples the scene: cameras are densest at the lowest one; suns are spaced evenly between the
+// axis's columns within the scene's range, and lie at its ends; nodes of views are densest at the
+// horizon.
 FitSample sample_scene(const Shell& shell, const SunAxis& axis, const FitScene& scene,
                        const FitDensity& density);
 
@@ -68,8 +70,8 @@ FitSample sample_scene(const Shell& shell, const SunAxis& axis, const FitScene& 
 struct FitAxes {
     std::vector<double> sun_cos_zenith_of_columns;  // both ascending
     std::vector<double> altitudes_km_of_rows;
-    // The column, a fraction between two, where a runtime looks up a cosine; beyond the table its
-    // edge is taken.
+    // Returns the column, which may be fractional, at which a runtime looks up a cosine. Beyond the
+    // table it is the table's edge.
     std::function<double(double sun_cos_zenith)> column_of;
 
     std::size_t width() const { return sun_cos_zenith_of_columns.size(); }
@@ -77,7 +79,7 @@ struct FitAxes {
     std::size_t texels() const { return width() * height(); }
 };
 
-// The equations of all rays of a view, as FitSample::ray counts them.
+// The equations of all rays of a view, in the order of FitSample::ray.
 struct ViewEquations {
     std::vector<std::size_t> first_term = {0};
     std::vector<std::size_t> texels;  // of each term, row * width + column

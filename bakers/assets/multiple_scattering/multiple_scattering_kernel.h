@@ -8,12 +8,13 @@
 //   f     = 1/4pi integral over directions of integral of sigma_s T dt
 //   Psi   = L_2nd / (1 - f)                                        [1/sr]
 //
-// p is where the direction meets the ground. 1 - f is computed as what it is, the mean over
-// directions of the light that escapes or is absorbed, from the nodes that L_2nd uses: a sum of
-// terms that are not negative, so a medium that hardly absorbs loses nothing in 1 / (1 - f).
+// p is the point where the direction meets the ground. 1 - f is computed as the mean over
+// directions of the light that escapes or is absorbed, from the nodes that L_2nd uses. This is a
+// sum of terms that are not negative, so that a medium that hardly absorbs loses no digits in 1 /
+// (1 - f).
 //
-// The sun is up at a point while mu_s' >= -sqrt(r'^2 - R^2) / r'. Where the azimuth decides about
-// that, the mean over azimuths is taken over the lit part alone.
+// The sun is up at a point while mu_s' >= -sqrt(r'^2 - R^2) / r'. Where this depends on the
+// azimuth, the mean over azimuths is integrated over the lit part alone.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +29,12 @@ namespace skybake {
 // Sunlight for the rows of one table.
 class Sunlight {
   public:
-    // `altitudes_km` as given to make_row_quadrature.
+    // `altitudes_km` must be those given to make_row_quadrature.
     Sunlight(const Medium& medium, const std::vector<double>& altitudes_km,
              TransmittanceField::Size size, int threads);
 
     const TransmittanceField& field() const { return field_; }
-    // The field's row at altitudes_km[level], ready made.
+    // Returns the field's row at altitudes_km[level], which is computed beforehand.
     const double* row(int level) const {
         return rows_.data() + static_cast<std::size_t>(level) * row_size_;
     }
@@ -44,12 +45,12 @@ class Sunlight {
     std::vector<double> rows_;
 };
 
-// Psi for `count` suns at the altitude of `row`: channel c of sun i goes to psi[c * count + i].
-// The same bits for any vector width.
+// Computes Psi in 1/sr for `count` suns at the altitude of `row`: channel c of sun i is written to
+// psi[c * count + i]. The bits are the same for any vector width.
 void integrate_row(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
                    const double* sun_cos_zenith, int count, double* psi);
 
-// The same without vectors: its specification.
+// Computes the same without vectors: the specification of integrate_row.
 void integrate_row_scalar(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
                           const double* sun_cos_zenith, int count, double* psi);
 

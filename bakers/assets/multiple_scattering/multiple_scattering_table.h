@@ -11,13 +11,13 @@
 namespace skybake {
 
 // The table as a function: Psi (1/sr) at the sun's cosine and altitude of (x, y). The reference is
-// the same integral with many more nodes and a finer table of sunlight, which tests hold to nested
-// adaptive quadrature, within 1e-4. `medium` must outlive the model.
+// the same integral with many more nodes and a finer table of sunlight; tests compare it with
+// nested adaptive quadrature, within 1e-4. `medium` must outlive the model.
 TableModel multiple_scattering_model(const Medium& medium,
                                      const config::MultipleScatteringBake& bake, int threads);
 
-// Hillaire's multiple scattering, multiple_scattering_kernel.h and multiple_scattering_mapping.h.
-// `table` brings name, parameters and channel names.
+// Bakes Hillaire's multiple scattering (multiple_scattering_kernel.h,
+// multiple_scattering_mapping.h). `table` comes with name, parameters and channel names.
 config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
                                                 const config::MultipleScatteringBake& bake,
                                                 const BakeOptions& options, Baked table);

@@ -1,4 +1,5 @@
-// What a table of multiple scattering is worth: the sky made with it against a better sky.
+// Measures the quality of a table of multiple scattering by comparing the sky made with it with a
+// better sky.
 #pragma once
 
 #include <optional>
@@ -17,16 +18,18 @@ struct SkySample {
     SkyDirection direction;
 };
 
-// A camera near the ground, suns from the zenith to 6 degrees below the horizon, views from 15
-// degrees off the zenith to half a degree above the horizontal, at several azimuths; of a scene a
-// camera and suns within its ranges.
+// Returns samples for a camera near the ground: suns from the zenith to 6 degrees below the
+// horizon, and views from 15 degrees off the zenith to half a degree above the horizontal, at
+// several azimuths. For a scene, camera and suns are within its ranges.
 std::vector<SkySample> sky_samples(const Shell& shell, const std::optional<config::Scene>& scene);
 
-// Light that reaches the camera through the air: single and multiple scattering, not the ground.
+// Returns the light that reaches the camera through the air: single and multiple scattering,
+// without the ground.
 std::vector<Spectrum> sky_values(const SkyMedium& medium, const HigherOrders& higher_orders,
                                  const std::vector<SkySample>& samples, int threads);
 
-// Of |value / reference - 1| over all samples and channels, those without light left out.
+// Returns the error |value / reference - 1| over all samples and channels, except those without
+// light.
 SkyError sky_error(int channels, const std::vector<Spectrum>& values,
                    const std::vector<Spectrum>& references);
 

@@ -1,4 +1,4 @@
-// The table of multiple scattering with all orders solved (scattering/solve_light.h).
+// The table of multiple scattering with all orders solved for (light/solver/solve_light.h).
 //
 //   hillaire   the mean radiance Psi = E0 / 4pi: the texture of Hillaire 2020, made of every order
 //              with its layer's own phase function and of the ground's light in all of them
@@ -27,9 +27,9 @@
 
 namespace skybake {
 
-// `scene` crops the table to the suns that its cameras can see at points of the air. `table` comes
-// labelled. Errors as of finish_table, and E0405 where the solution is no light: negative, or what
-// goes in does not come out.
+// Bakes the table. `scene` restricts it to the suns that its cameras can see at points of the air.
+// `table` comes labelled. Errors are those of finish_table, and E0405 if the solution is invalid:
+// negative, or without balance of energy.
 config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
                                               const std::optional<config::Scene>& scene,
                                               const config::MultipleScatteringBake& bake,

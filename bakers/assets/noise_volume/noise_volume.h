@@ -9,8 +9,8 @@
 
 namespace skybake {
 
-// Fills everything of `volume` but its name and parameters. E0401, E0402: a voxel that the pixel
-// type cannot hold. No value and no diagnostics after an interruption.
+// Fills all of `volume` except its name and parameters. Returns E0401 or E0402 for a voxel that the
+// pixel type cannot hold, and neither value nor diagnostics after an interruption.
 config::Outcome<Baked> bake_noise_volume(const config::Noise& noise,
                                          const config::NoiseVolumeBake& bake,
                                          const BakeOptions& options, Baked volume);

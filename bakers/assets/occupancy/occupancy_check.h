@@ -1,5 +1,5 @@
-// Proves an occupancy grid on the voxels of a file: looks for filtered values in cells that it says
-// are empty.
+// Checks an occupancy grid on the voxels of a file: looks for filtered values above the threshold
+// in cells that the grid calls empty.
 #pragma once
 
 #include <array>
@@ -13,28 +13,28 @@
 namespace skybake::occupancy {
 
 struct OccupancyCheckResult {
-    std::int64_t points = 0;        // looked at
-    std::int64_t lost = 0;          // of them: in an empty cell, above the threshold
-    float worst_value = 0;          // the greatest of those lost
-    std::array<double, 3> place{};  // where: in voxel units, voxel i from i to i + 1
-    std::array<int, 3> cell{};      // which holds it
+    std::int64_t points = 0;        // number of points that were sampled
+    std::int64_t lost = 0;          // how many of them are above the threshold in an empty cell
+    float worst_value = 0;          // the greatest value that is lost
+    std::array<double, 3> place{};  // its place in voxel units, voxel i from i to i + 1
+    std::array<int, 3> cell{};      // the cell that contains it
 };
 
-// Takes the voxels of a volume once, in the order x, y, z, in pieces of any length, and looks at
-// the first so many points of Roberts' sequence (low_discrepancy_point) as soon as the planes about
-// them are there. Memory: four planes of one channel and four bytes a point.
+// Takes the voxels of a volume once, in the order x, y, z, in pieces of any length. It samples the
+// first `points` points of Roberts' sequence (low_discrepancy_point), each as soon as the planes
+// around it have arrived. Memory: four planes of one channel, and four bytes per point.
 class OccupancyCheck {
   public:
-    // Looks at channel `channel` of `channels` interleaved ones. `occupied` has grid.size() flags,
-    // x fastest, and must outlive the check.
+    // Checks channel `channel` of `channels` interleaved ones. `occupied` has a flag for each cell
+    // of grid.size(), x fastest, and must outlive the check.
     OccupancyCheck(const CellGrid& grid, const std::vector<std::uint8_t>& occupied,
                    config::OccupancyFilter filter, float threshold, int channel, int channels,
                    int points = 1000000);
 
-    // Voxels first ... first + count - 1, following those before.
+    // Adds voxels first to first + count - 1, which must follow those added before.
     void add(std::int64_t first, std::int64_t count, const float* values);
 
-    // After all voxels.
+    // The result, valid after all voxels have been added.
     const OccupancyCheckResult& result() const { return result_; }
 
   private:
@@ -62,11 +62,10 @@ class OccupancyCheck {
 
 namespace skybake {
 
-// Whether the occupancy grids of a folder lose anything of the volumes that they are of.
-
-// For each occupancy grid of a manifest that also has its volume: draws 10^6 filtered samples from
-// the stored voxels; one that is something in a cell which the stored grid says is empty is a
-// failure. A grid without the channels that say so (occupied, leap or maximum) is not checked.
+// Returns a check of the occupancy grids of a folder. For each grid of a manifest that also has its
+// volume, it draws 10^6 filtered samples from the stored voxels; a sample above the threshold in a
+// cell that the stored grid calls empty is a failure. A grid without the channels that tell which
+// cells are empty (occupied, leap or maximum) is not checked.
 FolderCheck skipping_check();
 
 }  // namespace skybake

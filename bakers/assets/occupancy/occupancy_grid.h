@@ -1,4 +1,5 @@
-// The asset occupancy: which cells of a volume a runtime may skip, and how far.
+// The asset occupancy: the cells of a volume that a runtime may skip, and its empty-space skip
+// distances.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +12,18 @@
 
 namespace skybake {
 
-// What an occupancy grid is of.
+// The volume of which an occupancy grid is made.
 struct OccupiedVolume {
     const Baked& volume;  // its level 0 need not have been surveyed
-    float threshold = 0;  // a lookup above it is something
+    float threshold = 0;  // a lookup above it is not empty
 };
 
-// Which channel of a volume has this name; the first for an empty one.
+// Returns the index of the channel of a volume with this name; an empty name stands for the first.
 std::size_t channel_named(const Baked& volume, const std::string& name);
 
-// Fills everything of `volume` but its name and parameters: a voxel of it is a cell of `of`, its
-// channels are bake.contents. E0401, E0402 as of volumes; E0403: the grid failed its own check. No
-// value and no diagnostics after an interruption.
+// Fills all of `volume` except its name and parameters. A voxel of it is a cell of `of`, and its
+// channels are bake.contents. Returns E0401 and E0402 as for volumes, E0403 if the grid failed its
+// own check, and neither value nor diagnostics after an interruption.
 config::Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const config::OccupancyBake& bake,
                                       const BakeOptions& options, Baked volume);
 

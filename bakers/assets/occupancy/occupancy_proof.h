@@ -1,5 +1,5 @@
-// The baker's proof of its own grid, by other means than it was made with: every cell that is
-// called empty is looked at again.
+// The baker's proof of its own grid, by a method other than the one that made it: every cell that
+// is called empty is examined again.
 #pragma once
 
 #include <array>
@@ -18,10 +18,11 @@ struct LostCell {
     double value = 0;
 };
 
-// The lost cell of the least index, or none. A cell is proved empty where none of the voxels that
-// its lookups use is above the threshold; where one is, by the interpolant at every node of the
-// cell, in double (cell_range.h says why that is enough); tricubic by the former alone. None, too,
-// once options.progress is cancelled.
+// Returns the lost cell with the least index, or nothing. A cell is proved empty if none of the
+// voxels that its lookups use is above the threshold. Where one is, the interpolant must not be
+// above it at any node of the cell, in double (cell_range.h explains why that is sufficient); this
+// second test does not exist for tricubic. Returns nothing, too, once options.progress is
+// cancelled.
 std::optional<LostCell> find_lost_cell(const ChannelSource& source, const CellGrid& grid,
                                        config::OccupancyFilter filter, const OccupiedCells& cells,
                                        float threshold, const BakeOptions& options);

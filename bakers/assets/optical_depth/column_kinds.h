@@ -1,5 +1,6 @@
-// The kinds of particles of a table of columns: layers of an atmosphere, each with density 1 in
-// place of its coefficients, so that one table serves all wavelengths:
+// The kinds of particles of a table of columns, other ways to compute columns, and the errors of a
+// stored table. The kinds are layers of an atmosphere, each with density 1 in place of its
+// coefficients, so that one table serves all wavelengths:
 //
 //   transmittance = exp(-sum over kinds of extinction_per_km * column),
 //   column = integral of density ds, in km.
@@ -25,25 +26,26 @@ struct ColumnKind {
     config::Layer layer;
 };
 
-// In the order of `names`, all of them layers of the atmosphere.
+// Makes the kinds in the order of `names`, which must all be layers of the atmosphere.
 std::vector<ColumnKind> make_column_kinds(const config::Atmosphere& atmosphere,
                                           const std::vector<std::string>& names);
 
-// Their shell, with altitudes as fine as the thinnest kind asks for: fine_km is twice its mean
-// height, which gave air, dust and fog the least errors among the multiples tried.
+// Returns their shell, with altitudes as fine as the thinnest kind requires: fine_km is twice its
+// mean height, which gave air, dust and fog the least errors among the multiples tried.
 ColumnGeometry column_geometry(const std::vector<ColumnKind>& kinds);
 
 double density_of(const ColumnKind& kind, double altitude_km);
 
-// The column of a path over its length; the density where it has none. Relative error about 1e-14.
+// Returns the column of a path divided by its length, or the density if the path has no length. The
+// relative error is about 1e-14.
 double mean_density(const ColumnKind& kind, const ColumnPath& path);
 
-// The same by adaptive quadrature of the definition, within 1e-10 of itself.
+// Returns the same by adaptive quadrature of the definition, with a relative error of 1e-10.
 double reference_mean_density(const ColumnKind& kind, const ColumnPath& path);
 
-// Columns as sums over shells of the air, one density a shell: what a runtime or an earlier baker
-// does in place of quadrature, kept to be compared with it. After Ai et al. 2014, who choose shells
-// that dim light from straight above equally.
+// Columns as sums over shells of the air with one density per shell, as runtimes and an earlier
+// baker compute them in place of quadrature. They are kept for comparison. The shells are those of
+// Ai et al. 2014, which dim light from straight above equally.
 //
 // With the mean scale height H = sum_k sigma_k H_k / sum_k sigma_k over the kinds, sigma_k the mean
 // extinction over channels, light from above is dimmed through a shell by exp(-(sum_k sigma_k) H
@@ -52,38 +54,36 @@ double reference_mean_density(const ColumnKind& kind, const ColumnPath& path);
 //
 //   h_i = -H ln(1 - i / N (1 - exp(-h_N / H))).
 //
-// Uniform shells have h_i = i h_N / N. Along a ray each shell counts with the density at the middle
-// of the ray's way through it; where the ray passes its nearest point, on either side.
+// Uniform shells have h_i = i h_N / N. Along a ray each shell has the density at the middle of the
+// ray's path through it; where the ray passes its nearest point, the two sides count separately.
 
-// H, in km.
+// Returns H in km.
 double mean_scale_height_km(const std::vector<ColumnKind>& kinds);
 
-// h_0 = 0 .. h_N = max_altitude, ascending.
+// Returns h_0 = 0 to h_N = max_altitude, ascending.
 std::vector<double> equal_attenuation_shells_km(double mean_scale_height_km, double max_altitude_km,
                                                 int count);
 std::vector<double> uniform_shells_km(double max_altitude_km, int count);
 
-// The column of a path over its length, the air above the last boundary left out; the density where
-// it has none.
+// Returns the column of a path divided by its length, without the air above the last boundary, or
+// the density if the path has no length.
 double sampled_mean_density(const ColumnKind& kind, const std::vector<double>& shells_km,
                             const ColumnPath& path);
 
-// What a table of columns is worth, in transmittance: of each kind alone, and of all together, with
-// the layers' own extinction in each colour channel.
-
-// Of the mean densities of each kind, transmittances of a path in this order: all kinds together in
-// each of `channels` colours, then each kind alone.
+// Returns the transmittances of a path from the mean densities of each kind, in this order: all
+// kinds together, with the layers' own extinction in each of `channels` colours, then each kind
+// alone.
 std::vector<double> transmittances(const std::vector<ColumnKind>& kinds, int channels,
                                    double length_km, const std::vector<double>& mean_densities);
 
-// A stored table as a runtime looks it up.
+// A stored table with the lookups that a runtime makes.
 class StoredColumns {
   public:
-    // All must outlive it. `channels` is the count of colours.
+    // The arguments must outlive this object. `channels` is the number of colours.
     StoredColumns(const std::vector<ColumnKind>& kinds, int channels, const ColumnTable& table,
                   const Level& level, config::PixelType type);
 
-    // As transmittances().
+    // Return values in the order of transmittances().
     std::vector<double> transmittances_of(const ColumnPath& path) const;
     std::vector<double> exact_transmittances_of(const ColumnPath& path) const;
 
@@ -98,14 +98,15 @@ class StoredColumns {
 struct ColumnErrors {
     ErrorFigures together;
     std::vector<ErrorFigures> alone;  // of each kind
-    // T(a to c) - T(a to b) T(b to c), b on the way. Of tables to the top the first factor is
-    // exact.
+    // T(a to c) - T(a to b) T(b to c), with b on the path. For tables to the top the first factor
+    // is exact.
     ErrorFigures additivity;
     ErrorFigures symmetry;  // T(a to b) - T(b to a): 0 of tables to the top
     int points = 0;
 };
 
-// At `points` of the fixed set of places, colours and (the last two) kinds pooled.
+// Measures at `points` of the fixed set of places. Colours are pooled, and for the last two figures
+// also kinds.
 ColumnErrors measure_columns(const std::vector<ColumnKind>& kinds, int channels,
                              const ColumnTable& table, bool to_top, const Level& level,
                              config::PixelType type, int points);

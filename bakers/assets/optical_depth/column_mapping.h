@@ -1,14 +1,14 @@
-// Where the column of a path stands in its table.
+// The coordinates of a path in the tables of columns.
 //
 // A path is a straight line in the shell that does not enter the ground. It is an *upward* ray,
-// which rises all along; a *limb* ray, which passes its point nearest to the planet's centre at the
-// altitude h_p; or a *ground* ray, which falls to the ground. Each kind has its own texels along u.
-// What tables must tell apart are altitudes, of the ends and of h_p: thin fog is a few scale
-// heights of 64 km. Altitudes are scaled by
+// which rises along its whole length; a *limb* ray, which passes its point nearest to the planet's
+// centre at the altitude h_p; or a *ground* ray, which falls to the ground. Each kind has its own
+// texels along u. Tables must resolve altitudes, those of the ends and h_p: thin fog is a few scale
+// heights out of 64 km. Altitudes are scaled by
 //
 //   g(h) = sqrt(ln(1 + h / f) / ln(1 + D / f)),   D the shell's thickness, f `fine_km`,
 //
-// which is as sqrt(h), smooth along grazing rays, up to f and as sqrt(ln h) above. With R the
+// which behaves as sqrt(h), smooth along grazing rays, up to f and as sqrt(ln h) above. With R the
 // ground's radius, r = R + h, s = r mu and mu the cosine of the zenith angle, the coordinates in
 // [0, 1] are:
 //
@@ -35,8 +35,8 @@
 //     ground    angle = (rho - d) / (rho - h), d the distance to the ground, rho to the horizon
 //               distance = 1 - sqrt(g(h') / g(h))
 //
-// All are continuous from kind to kind. Hard cases: h = 0 and D, where ranges have no width (the
-// coordinate is 0); paths of no length; h_p = 0; level rays.
+// All coordinates are continuous from kind to kind. Hard cases: h = 0 and D, where ranges have no
+// width (the coordinate is 0); paths of no length; h_p = 0; level rays.
 #pragma once
 
 #include "bakers/air/ray.h"
@@ -45,10 +45,10 @@ namespace skybake {
 
 struct AltitudeScale {
     double thickness_km = 0;
-    double fine_km = 0;  // below it altitudes are as fine as sqrt(h) makes them
+    double fine_km = 0;  // f: below it g behaves as sqrt(h)
 };
 
-// g, from 0 to 1. altitude_at is its inverse.
+// Returns g, from 0 to 1. altitude_at is its inverse.
 double scaled_altitude(const AltitudeScale& scale, double altitude_km);
 double altitude_at(const AltitudeScale& scale, double scaled);
 
@@ -57,7 +57,8 @@ struct ColumnGeometry {
     AltitudeScale scale;
 };
 
-// From an altitude, with s = r mu there. Pairs of points: from the lower one.
+// A path that starts at an altitude, with s = r mu there. A path between two points starts at the
+// lower one.
 struct ColumnPath {
     double altitude_km = 0;
     double s_km = 0;
@@ -82,11 +83,11 @@ struct PairCoordinates {
 };
 ColumnPath path_between(const ColumnGeometry& geometry, const PairCoordinates& x);
 
-// Of a path in either direction.
+// Returns the coordinates of a path in either direction.
 PairCoordinates pair_coordinates(const ColumnGeometry& geometry, const ColumnPath& path);
 
-// The path between two altitudes whose ends are `angle` radians apart at the planet's centre. It
-// must not enter the ground.
+// Returns the path between two altitudes whose ends are `angle` radians apart as seen from the
+// planet's centre. It must not enter the ground.
 ColumnPath path_of_angle(const Shell& shell, double altitude_km, double other_altitude_km,
                          double angle);
 

@@ -1,18 +1,19 @@
-// The texels of a table of columns: where each path has its place, and what is stored there.
+// The texels of a table of columns: the place of each path, the quantity that is stored there, and
+// the places of probes.
 //
-// Stored is the eighth root of the path's mean density (column over length; the density itself
-// where the path has no length), which is 0 exactly where there is nothing. Means of thin layers
-// fall by decades from texel to texel; their eighth roots are near enough to straight lines between
-// texels, and a runtime squares three times to undo it:
+// The stored quantity is the eighth root of the path's mean density (column divided by length, or
+// the density itself if the path has no length), which is 0 exactly where there are no particles.
+// The means of thin layers fall by decades from texel to texel; their eighth roots are close enough
+// to straight lines between texels, and a runtime squares three times to undo the root:
 //
 //   column = t^8 length,   transmittance = exp(-sum over kinds of extinction * column).
 //
-// Texels along u belong to kinds (column_mapping.h), in this order, of N in all:
+// Texels along u belong to kinds of rays (column_mapping.h), in this order, with N texels in all:
 //
 //   to_top, between by altitudes   upward N - N/2, limb N/2
 //   between by distance            upward N/4, limb N/2, ground the rest
 //
-// Coordinates 0 and 1 fall on the centres of the first and last texel of a kind, and of v and w.
+// Coordinates 0 and 1 are the centres of the first and last texel of a kind, and of v and w.
 #pragma once
 
 #include <array>
@@ -48,14 +49,14 @@ class ColumnTable {
     // The path of a texel.
     ColumnPath path_of_texel(const std::array<int, 3>& texel) const;
 
-    // The path at texture coordinates that a lookup may have.
+    // Returns the path at texture coordinates that a lookup may have.
     ColumnPath path_at(const std::array<double, 3>& uvw) const;
 
-    // The nearest texture coordinates that a lookup may have: none come beyond the outer centres,
-    // nor between the texels of two kinds.
+    // Returns the nearest texture coordinates that a lookup may have: none lie beyond the outer
+    // centres or between the texels of two kinds.
     std::array<double, 3> lookup_place(const std::array<double, 3>& uvw) const;
 
-    // Where a path is looked up.
+    // Returns the texture coordinates at which a path is looked up.
     std::array<double, 3> texture_coordinates(const ColumnPath& path) const;
 
   private:
@@ -69,17 +70,15 @@ class ColumnTable {
     std::vector<RayTexels> kinds_;
 };
 
-// Where the probes of a table of columns may lie.
-
-// The path of texture coordinates, kept off the horizon by kHorizonMargin, by what a runtime knows
-// of it:
+// Returns the path of texture coordinates, at least kHorizonMargin away from the horizon, by
+// quantities that a runtime knows:
 //
 //   to_top                    altitude_km, cos_zenith
 //   between by altitudes      low_altitude_km, high_altitude_km, angle_at_centre_deg
 //   between by distance       altitude_km, cos_zenith, length_km
 ProbePlace column_probe_place(const ColumnTable& table, const std::array<double, 3>& uvw);
 
-// The texture coordinates of the place that a probe names.
+// Returns the texture coordinates of the place that a probe names.
 std::array<double, 3> column_texture_coordinates(
     const ColumnTable& table, const std::vector<std::pair<std::string, double>>& at);
 

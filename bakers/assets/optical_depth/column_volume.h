@@ -13,18 +13,19 @@
 
 namespace skybake {
 
-// Channels are the kinds, in their order: Y of one, R, G, B of two (B is 0) or three, R, G, B, A of
-// four. column_table.h says what texels hold of columns; tables of densities hold densities at
-// altitudes, those of phase functions 1/sr at scattering angles (of spheres those of the middle
-// wavelength). The certificate tells errors of transmittance, of all kinds together and of each
-// alone; of densities in shares of the value range, of phase functions relative to their value.
+// Bakes the volume. The channels are the kinds, in their order: Y for one, R, G, B for two (B is 0)
+// or three, R, G, B, A for four. column_table.h defines the texels of columns; tables of densities
+// hold densities at altitudes, and those of phase functions hold 1/sr at scattering angles (for
+// spheres at the middle wavelength). The certificate states errors of transmittance, of all kinds
+// together and of each alone; errors of densities are relative to the value range, those of phase
+// functions to their value.
 //
-// `volume` has its name, parameters and details.
+// `volume` comes with name, parameters and details.
 config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
                                     const config::OpticalDepthBake& bake,
                                     const BakeOptions& options, Baked volume);
 
-// Its texels and how they are measured, without the rest of a bake: for reports.
+// The texels and the way in which they are measured, without the rest of a bake, for reports.
 struct ColumnVoxels {
     std::shared_ptr<const VoxelSource> voxels;
     VolumeReference reference;

@@ -1,5 +1,5 @@
-// Closed forms in place of a phase function: those parameters with which the least light goes
-// elsewhere.
+// Closed forms that replace a phase function, with the parameters for which the least light is
+// scattered to other angles; and the scattering angles of a phase table's texels.
 //
 //   misplaced = 1/2 integral over directions |p_form - p|        a share of the light, in [0, 1]
 //
@@ -23,21 +23,21 @@ struct PhaseFit {
     std::string_view form;           // as above
     std::vector<double> parameters;  // in the order above
     double misplaced = 0;            // share of the light
-    double largest_ratio = 1;        // of form and function, whichever is the larger, at any angle
+    double largest_ratio = 1;        // of the larger to the smaller of both, at any angle
 };
 
-// One fit of each form, the same on every machine.
+// Returns one fit for each form, with the same bits on every machine.
 std::vector<PhaseFit> fit_phase(const PhaseFunction& phase);
 
-// The names of a form's parameters.
+// Returns the names of a form's parameters.
 std::vector<std::string_view> parameter_names(std::string_view form);
 
-// p of a form at an angle, 1/sr.
+// Returns p of a form at an angle, in 1/sr.
 double fitted_value(std::string_view form, const std::vector<double>& parameters,
                     double one_minus_cosine, double one_plus_cosine);
 
-// Which scattering angle a texel of a phase table stands for: x in [0, 1] from straight on to
-// straight back.
+// The scattering angle of a texel of a phase table, for x in [0, 1] from straight on to straight
+// back:
 //
 //   angle    theta = pi x
 //   cosine   cos theta = 1 - 2 x

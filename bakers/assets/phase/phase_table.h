@@ -12,16 +12,17 @@
 
 namespace skybake {
 
-// `table` has its name, channels, parameters and details.
+// Bakes the table. `table` comes with name, channels, parameters and details.
 config::Outcome<Baked> bake_phase(const config::Parameters& parameters,
                                   const config::PhaseBake& bake, const BakeOptions& options,
                                   Baked table);
 
-// p by angle, for any spacing but `best`; errors relative to p itself, which spans decades. The
-// source must outlive both models.
+// The model of p by angle, for any spacing but `best`. Errors are relative to p itself, which spans
+// decades. `source` must outlive both models.
 TableModel phase_model(const PhaseSource& source, config::PhaseSpacing spacing);
 
-// 1 - cos theta by the share of light that is scattered by less than theta; errors in half turns.
+// The model of 1 - cos theta as a function of the share of light that is scattered by less than
+// theta. Errors are in half turns.
 TableModel inverse_phase_model(const PhaseSource& source);
 
 }  // namespace skybake

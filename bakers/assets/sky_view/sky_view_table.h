@@ -11,12 +11,12 @@
 
 namespace skybake {
 
-// The table of one sun as a function: radiance (1/sr) at azimuth and angle of (x, y), by sky_row.h.
-// The reference is SkyIntegrator, ray by ray. All must outlive the model.
+// The table of one sun as a function: radiance (1/sr) at azimuth and angle of (x, y), computed by
+// sky_row.h. The reference is SkyIntegrator, ray by ray. All arguments must outlive the model.
 TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun);
 
-// The sky from one altitude under one sun or several, sky_view_mapping.h. No disc of the sun.
-// `table` brings name, parameters and channel names.
+// Bakes the sky from one altitude under one sun or several (sky_view_mapping.h), without the sun's
+// disc. `table` comes with name, parameters and channel names.
 config::Outcome<Baked> bake_sky_view(const SkyLight& light, const config::SkyViewBake& bake,
                                      const BakeOptions& options, Baked table);
 

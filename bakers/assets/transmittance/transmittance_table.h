@@ -1,4 +1,4 @@
-// The baker of `asset = "transmittance"`.
+// The baker of `asset = "transmittance"`, and the baselines with which its kernel is compared.
 #pragma once
 
 #include <string>
@@ -16,20 +16,20 @@ namespace skybake {
 // reference is optical_depth.h. `medium` must outlive the model.
 TableModel transmittance_model(const Medium& medium, const config::TransmittanceBake& bake);
 
-// Transmittance from a point to the top of the atmosphere, transmittance_mapping.h. `table` brings
-// name, parameters and channel names.
+// Bakes the transmittance from a point to the top of the atmosphere (transmittance_mapping.h).
+// `table` comes with name, parameters and channel names.
 config::Outcome<Baked> bake_transmittance(const Medium& medium,
                                           const config::TransmittanceBake& bake,
                                           const BakeOptions& options, Baked table);
 
 // Optical depth by equal steps along the ray, as the papers and their samples compute it: the
-// baselines that the exact kernel (optical_depth.h) is a ratio to.
+// baselines to which figures of the exact kernel (optical_depth.h) are ratios.
 
-// Where a step of length L / n, L the distance to the top, takes its extinction.
+// The place in a step of length L / n, with L the distance to the top, where its extinction is
+// evaluated.
 enum class StepRule {
-    // At its end, step i ending at (i + 0.3) L / n: the sample of Hillaire 2020, n = 40. Density
-    // falls
-    // along most rays, so it finds too little air. First order.
+    // At its end, where step i ends at (i + 0.3) L / n: the sample of Hillaire 2020, n = 40.
+    // Density falls along most rays, so the result is too small. First order.
     end_point,
     // In its middle. Second order.
     midpoint,
@@ -37,8 +37,8 @@ enum class StepRule {
     trapezoid,
 };
 
-// From an altitude with s = r mu to the top of the atmosphere; the ray must not hit the ground.
-// One sample after the other, without vectors; steps >= 1.
+// Returns the optical depth from an altitude with s = r mu to the top of the atmosphere. The ray
+// must not hit the ground. It takes one sample after the other, without vectors; steps >= 1.
 Spectrum optical_depth_by_steps(const Medium& medium, double altitude_km, double s_km, int steps,
                                 StepRule rule);
 

@@ -14,7 +14,6 @@ namespace skybake {
 //
 // The generator is Philox-4x32-10 (Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as
 // easy as 1, 2, 3").
-
 using RandomWords = std::array<std::uint32_t, 4>;
 
 inline RandomWords philox_4x32_10(RandomWords counter, std::array<std::uint32_t, 2> key) {

@@ -25,7 +25,6 @@ namespace skybake {
 // have taken. The moments are T_sun tau_s chi_l Y_lm(sun), where tau_s is the layer's scattering
 // depth towards the sun and chi_l are the peak's moments. This neglects that the light differs
 // within 10 degrees of the sun.
-
 struct SplitPhase {
     WidePhase wide;
     std::vector<Spectrum> peak;  // chi_0 to chi_degree of the peak, chi_0 its share; or empty
