@@ -1,5 +1,7 @@
 #include "bakers/air/optical_depth.h"
 
+#include <cassert>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bakers/air/optical_depth.cpp"
 #include <hwy/foreach_target.h>
@@ -39,6 +41,7 @@ HWY_EXPORT(OpticalDepthRow);
 
 void optical_depth_to_top(const Medium& medium, double altitude_km, const double* s_km, int count,
                           double* optical_depth) {
+    assert(count >= 0);
     HWY_DYNAMIC_DISPATCH(OpticalDepthRow)(medium, altitude_km, s_km, count, optical_depth);
 }
 

@@ -1,5 +1,6 @@
 #include "bakers/air/optical_depth.h"
 
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
@@ -17,6 +18,7 @@ constexpr double kNegligibleDepth = 1e-17;
 
 Spectrum reference_optical_depth_along(const Medium& medium, double altitude_km, double s_km,
                                        double distance_km, double relative) {
+    assert(relative > 0);
     const Shell shell = shell_of(medium);
     const auto extinction = [&](double x) {
         return extinction_at(medium, altitude_along_km(shell, altitude_km, s_km, x));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -35,6 +36,7 @@ AzimuthRule make_lit_part_rule(int count) {
 }  // namespace
 
 const AzimuthRule& full_circle_rule(int count) {
+    assert(count == 1 || count == 2 || count == 4 || count == 8);
     static const std::array<AzimuthRule, 4> rules = {
         make_full_circle_rule(1), make_full_circle_rule(2), make_full_circle_rule(4),
         make_full_circle_rule(8)};
@@ -42,6 +44,7 @@ const AzimuthRule& full_circle_rule(int count) {
 }
 
 const AzimuthRule& lit_part_rule(int count) {
+    assert(count == 1 || count == 2 || count == 4 || count == 8);
     static const std::array<AzimuthRule, 4> rules = {make_lit_part_rule(4), make_lit_part_rule(4),
                                                      make_lit_part_rule(4), make_lit_part_rule(8)};
     return rules[index_of(count)];
@@ -61,6 +64,7 @@ const ClimbRule& climb_rule() {
 }
 
 std::vector<ZenithPart> zenith_parts(double horizon, double height, int zenith_nodes) {
+    assert(horizon >= -1 && horizon <= 0 && zenith_nodes >= 1);
     const auto share = [&](double part) {
         return std::max(2, static_cast<int>(std::lround(part * zenith_nodes)));
     };

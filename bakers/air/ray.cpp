@@ -1,6 +1,7 @@
 #include "bakers/air/ray.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -24,6 +25,7 @@ std::vector<double> break_altitudes_km(const Medium& medium,
 
 std::vector<RayBreak> ray_breaks(const Shell& shell, double altitude_km, double s_km,
                                  double length_km, const std::vector<double>& altitudes_km) {
+    assert(std::is_sorted(altitudes_km.begin(), altitudes_km.end()));
     std::vector<RayBreak> breaks = {{0, -1}};
     const auto add = [&](double distance, int level) {
         if (distance > 0 && distance < length_km) breaks.push_back({distance, level});

@@ -1,6 +1,7 @@
 #include "bakers/air/transmittance_field.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -36,6 +37,8 @@ TransmittanceField::TransmittanceField(const Medium& medium,
                                        const std::vector<double>& altitudes_km, Size size,
                                        int threads)
     : shell_(shell_of(medium)), channels_(medium.channels), columns_(size.columns) {
+    assert(size.columns >= 8 && size.columns % 8 == 0 && altitudes_km.size() >= 2);
+    assert(std::is_sorted(altitudes_km.begin(), altitudes_km.end()));
     const double top_distance = horizon_distance_km(shell_, shell_.thickness_km);
     const auto x_of = [&](double altitude_km) {
         return horizon_distance_km(shell_, altitude_km) / top_distance;

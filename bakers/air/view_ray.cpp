@@ -1,6 +1,7 @@
 #include "bakers/air/view_ray.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -123,6 +124,7 @@ bool too_coarse(const RayCell& cell, const Spectrum& whole, double tolerance) {
 
 ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
                        double altitude_km, double s_km, bool hits_ground) {
+    assert(std::is_sorted(break_altitudes_km.begin(), break_altitudes_km.end()));
     const Shell shell = shell_of(medium);
     ViewRay ray;
     ray.altitude_km = altitude_km;
@@ -138,6 +140,7 @@ ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_al
 }
 
 void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray) {
+    assert(tolerance > 0);
     halve_cells(medium, ray,
                 [&](const RayCell& cell) { return too_coarse(cell, whole, tolerance); });
 }

@@ -1,6 +1,7 @@
 #include "bakers/clouds/cloud_plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -78,6 +79,7 @@ Noise cloud_noise(const Noise& noise, const std::array<int, 3>& scale, CloudChan
 
 CloudPlan make_cloud_plan(const Cloud& cloud, const Noise& base, const Noise* detail,
                           const std::array<int, 3>& size, CloudMaps maps) {
+    assert(size[0] >= 1 && size[1] >= 1 && size[2] >= 1);
     using noise::make_noise_plan;
     using noise::NoiseField;
     const Noise shape = cloud_noise(base, cloud.noise_scale, cloud.channels);

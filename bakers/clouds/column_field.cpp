@@ -1,6 +1,7 @@
 #include "bakers/clouds/column_field.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <vector>
 
@@ -33,6 +34,7 @@ void fill_maps(const CloudPlan& plan, const std::vector<double>& x, double y, st
 }  // namespace
 
 Columns make_columns(const CloudPlan& plan, int first_x, int width, int first_y, int rows) {
+    assert(width >= 0 && rows >= 0);
     Columns columns;
     columns.first_x = first_x;
     columns.first_y = first_y;

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <cassert>
 #include <cstring>
 
 #include "bakers/clouds/shape_kernel.h"
@@ -126,6 +127,7 @@ HWY_EXPORT(Finish);
 
 bool shape_base(const SliceShape& slice, const ColumnRow& columns, float level, std::size_t count,
                 float* values) {
+    assert(level >= 0);
     return HWY_DYNAMIC_DISPATCH(ShapeBase)(slice, columns, level, count, values);
 }
 

@@ -1,6 +1,7 @@
 #include "bakers/clouds/tower_field.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -128,6 +129,7 @@ void TowerField::add_waves(const Waves& tower, double y, std::span<const double>
 }
 
 void TowerField::add_row(double y, std::span<const double> x, double* sums) const {
+    assert(std::is_sorted(x.begin(), x.end()));
     if (x.empty()) return;
     for (const Images& tower : narrow_) add_images(tower, y, x, sums);
     for (const Waves& tower : wide_) add_waves(tower, y, x, sums);

@@ -1,6 +1,7 @@
 #include "bakers/light/higher_orders.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -88,6 +89,7 @@ SolvedOrders::SolvedOrders(const SkyMedium& medium, const SolvedLight& light, in
 
 Spectrum SolvedOrders::scattered(const ScatteringPoint& point,
                                  const std::vector<Spectrum>& scattering_per_km) const {
+    assert(scattering_per_km.size() == phase_moments_.size());
     std::vector<Spectrum> moments(static_cast<std::size_t>(moment_count(light_.degree())));
     light_.moments_at(point.altitude_km, point.sun_cos_zenith, moments.data());
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree_)));
@@ -172,6 +174,7 @@ SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double 
                            const std::vector<Spectrum>& scattering,
                            const std::vector<std::vector<Spectrum>>& phase_moments)
     : light_(light) {
+    assert(scattering.size() == phase_moments.size());
     const int degree = light.degree();
     const auto orders = static_cast<std::size_t>(degree) + 1;
     const LevelPlace at = light.level_at(altitude_km);

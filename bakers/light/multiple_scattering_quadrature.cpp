@@ -1,6 +1,7 @@
 #include "bakers/light/multiple_scattering_quadrature.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -45,6 +46,8 @@ std::vector<double> quadrature_altitudes_km(const Medium& medium) {
 
 RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double>& altitudes_km,
                                   double altitude_km, const QuadratureLevel& level) {
+    assert(std::is_sorted(altitudes_km.begin(), altitudes_km.end()));
+    assert(level.zenith_nodes >= 1);
     const Shell shell = shell_of(medium);
     const double r = shell.ground_radius_km + altitude_km;
     const double horizon = -horizon_distance_km(shell, altitude_km) / r;

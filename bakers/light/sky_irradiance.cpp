@@ -1,6 +1,7 @@
 #include "bakers/light/sky_irradiance.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -103,6 +104,7 @@ Spectrum multiple_irradiance(const SkyLight& light, double altitude_km, const Su
 
 Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
                         const IrradianceNodes& nodes) {
+    assert(sun_cos_zenith >= -1 && sun_cos_zenith <= 1);
     const SunZenith sun = sun_of_cosine(sun_cos_zenith);
     Spectrum sum{};
     if (light.orders() != config::SkyOrders::multiple) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -154,6 +155,7 @@ SkyRadiance SkyIntegrator::radiance(const SkyRay& ray) const {
 
 std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
                                               const std::vector<double>& distances_km) const {
+    assert(std::is_sorted(distances_km.begin(), distances_km.end()));
     std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{0};
     cuts.insert(cuts.end(), distances_km.begin(), distances_km.end());
     std::sort(cuts.begin(), cuts.end());

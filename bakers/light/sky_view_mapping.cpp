@@ -1,6 +1,7 @@
 #include "bakers/light/sky_view_mapping.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -89,6 +90,7 @@ SkyRay SkyViewCamera::ray(double y, const SunZenith& sun, double azimuth_cosine)
 }
 
 double sky_view_v(double y, int rows) {
+    assert(rows >= 1);
     const double v = texture_coordinate(TexelConvention::end_points_on_texel_centres, y, rows);
     const int first_of_sky = rows / 2;
     if (!SkyViewCamera::meets_ground(y)) return std::max(v, (first_of_sky + 0.5) / rows);

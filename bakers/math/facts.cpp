@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 
 namespace skybake {
@@ -35,6 +36,7 @@ std::string fact_named(const Facts& facts, const std::string& name) {
 }
 
 double to_digits(double value, int digits) {
+    assert(digits >= 1);
     return number_of(fmt::format("{:.{}g}", value, digits));
 }
 

@@ -1,6 +1,7 @@
 // The same loops on std::thread, for ThreadSanitizer: Debian's TBB is not instrumented.
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <condition_variable>
 #include <mutex>
 #include <set>
@@ -94,6 +95,7 @@ void parallel_for(int count, int threads, const std::function<void(int)>& tile) 
 void ordered_pipeline(int count, int threads, int slots,
                       const std::function<void(int index, int slot)>& produce,
                       const std::function<bool(int index, int slot)>& consume) {
+    assert(slots >= 1);
     Pipeline pipeline(count, slots, produce, consume);
     run_on_threads(std::min({thread_count(threads), count, slots}) - 1, [&] { pipeline.work(); });
 }

@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <atomic>
+#include <cassert>
 #include <cstddef>
 
 #include "bakers/math/parallel.h"
@@ -40,6 +41,7 @@ void parallel_for(int count, int threads, const std::function<void(int)>& tile) 
 void ordered_pipeline(int count, int threads, int slots,
                       const std::function<void(int index, int slot)>& produce,
                       const std::function<bool(int index, int slot)>& consume) {
+    assert(slots >= 1);
     if (thread_count(threads) == 1 || slots == 1 || count <= 1) {
         for (int i = 0; i < count; ++i) {
             produce(i, 0);

@@ -1,5 +1,4 @@
-#include "bakers/math/quadrature.h"
-
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -29,6 +28,7 @@ Legendre legendre(int n, double x) {
 }  // namespace
 
 QuadratureRule gauss_legendre(int count) {
+    assert(count >= 1);
     const auto size = static_cast<std::size_t>(count);
     QuadratureRule rule{std::vector<double>(size, 0.5), std::vector<double>(size, 1.0)};
     if (count == 1) return rule;
@@ -60,6 +60,7 @@ double member(double step, int index) {
 }  // namespace
 
 std::vector<PointRow> low_discrepancy_points(int rows, int per_row) {
+    assert(rows >= 0 && per_row >= 0);
     // 1 / g and 1 / g^2, g = 1.3247... the real root of g^3 = g + 1.
     constexpr double kStepX = 0.7548776662466927;
     constexpr double kStepY = 0.5698402909980532;
@@ -73,6 +74,7 @@ std::vector<PointRow> low_discrepancy_points(int rows, int per_row) {
 }
 
 std::array<double, 3> low_discrepancy_point(int index) {
+    assert(index >= 0);
     // Powers of 1 / g, g = 1.2207... the real root of g^4 = g + 1.
     return {member(0.8191725133961645, index), member(0.6710436067037893, index),
             member(0.5497004779019703, index)};

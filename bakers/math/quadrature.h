@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -29,6 +30,7 @@ QuadratureRule gauss_legendre(int count);
 template <class T, class Function>
 T adaptive_integral(const Function& f, double a, double b, double relative, double absolute,
                     int depth = 30) {
+    assert(relative >= 0 && absolute >= 0 && depth >= 0);
     // The nodes and weights are those of Kronrod 1965, as in QUADPACK's qk15.
     constexpr std::array<double, 8> kNodes = {
         0.991455371120812639206854697526329, 0.949107912342758524526189684047851,

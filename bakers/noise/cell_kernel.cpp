@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 #include <limits>
 
@@ -429,6 +430,8 @@ LatticePlanes make_cell_planes(const CellField& field, const VoxelBox& box, int 
 
 void fill_cell_field(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
                      LatticePlanes& planes, CellCandidates& candidates, float* out) {
+    assert(row_stride % kLanePadding == 0);
+    assert(row_stride >= static_cast<std::size_t>(chunk.size[0]));
     HWY_DYNAMIC_DISPATCH(fill_field)(field, chunk, row_stride, planes, candidates, out);
 }
 

@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "bakers/noise/gradient_kernel.h"
 #include "bakers/noise/lattice_planes-inl.h"
@@ -264,6 +265,7 @@ std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, 
 
 void fill_gradient_stack(const GradientStack& stack, const VoxelBox& chunk,
                          std::vector<GradientLattice>& lattices, const SumTarget& target) {
+    assert(lattices.size() == stack.octaves.size());
     HWY_DYNAMIC_DISPATCH(fill_stack)(stack, chunk, lattices, target);
 }
 

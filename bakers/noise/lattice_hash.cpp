@@ -1,6 +1,7 @@
 #include "bakers/noise/lattice_hash.h"
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 namespace skybake::noise {
@@ -8,6 +9,7 @@ namespace skybake::noise {
 LatticePlanes make_lattice_planes(const std::array<int, 3>& frequency, std::uint64_t key,
                                   const std::array<AxisCells, 3>& cells, const VoxelBox& box,
                                   int chunk_depth, int before, int after) {
+    assert(chunk_depth >= 1 && before >= 0 && after >= 0);
     LatticePlanes planes;
     planes.frequency = frequency;
     planes.key = key;

@@ -1,6 +1,7 @@
 #include "bakers/noise/noise_plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -208,6 +209,7 @@ double smooth_step(const std::array<double, 2>& edges, double value) {
 }  // namespace
 
 NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size) {
+    assert(size[0] >= 1 && size[1] >= 1 && size[2] >= 1);
     NoisePlan plan;
     plan.axes = tile_axes(size, noise.sampling);
     plan.pack = noise.pack;

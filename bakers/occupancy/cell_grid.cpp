@@ -1,5 +1,6 @@
 #include "bakers/occupancy/cell_grid.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace skybake::occupancy {
@@ -18,6 +19,7 @@ std::array<double, 4> spline_weights(double f) {
 }  // namespace
 
 AxisTaps filter_taps(OccupancyFilter filter, double position, int size, bool repeats) {
+    assert(size >= 1);
     AxisTaps taps;
     const double from_centre = filter == OccupancyFilter::nearest ? position : position - 0.5;
     const double below = std::floor(from_centre);

@@ -1,6 +1,7 @@
 #include "bakers/occupancy/cell_range.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "bakers/occupancy/cell_blocks.h"
@@ -205,6 +206,7 @@ BlockWork ranges_into(CellRanges& ranges, const CellGrid& grid, OccupancyFilter 
 
 CellRanges cell_ranges(const float* voxels, const CellGrid& grid, OccupancyFilter filter,
                        int threads) {
+    assert(grid.cell >= 1);
     CellRanges ranges = zero_ranges(grid);
     for_each_block(voxels, grid, voxels_beyond(filter), threads, ranges_into(ranges, grid, filter));
     return ranges;
@@ -212,6 +214,7 @@ CellRanges cell_ranges(const float* voxels, const CellGrid& grid, OccupancyFilte
 
 CellRanges cell_ranges(const ChannelSource& source, const CellGrid& grid, OccupancyFilter filter,
                        const BakeOptions& options) {
+    assert(grid.cell >= 1 && source.channel >= 0 && source.channel < source.channels);
     CellRanges ranges = zero_ranges(grid);
     for_each_block(source, grid, voxels_beyond(filter), options, ranges_into(ranges, grid, filter));
     return ranges;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <limits>
 
 #include "bakers/occupancy/cell_row_kernel.h"
@@ -362,6 +363,7 @@ bool means_are_exact(const Magnitudes& magnitudes) {
 }
 
 void face_means(const float* voxels, std::size_t length, int cell, double* means) {
+    assert(length >= 1 && cell >= 1);
     const auto edge = static_cast<std::size_t>(cell);
     means[0] = (double{voxels[length - 1]} + double{voxels[0]}) * 0.5;
     std::size_t k = 1;
@@ -433,6 +435,7 @@ void trilinear_row(const RowBundle& bundle, const std::array<const NodeExtremes*
 
 void footprint_row(const RowBundle& bundle, int halo, RowScratch& scratch, float* least,
                    float* most) {
+    assert(halo >= 0);
     const std::size_t length = bundle.length;
     const auto beyond = static_cast<std::size_t>(halo);
     const auto edge = static_cast<std::size_t>(bundle.cell);

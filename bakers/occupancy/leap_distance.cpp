@@ -5,6 +5,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -231,6 +232,7 @@ int wrapped_distance(int a, int b, int size) {
 }  // namespace
 
 std::vector<std::uint8_t> leap_distance(const OccupiedCells& cells) {
+    assert(cells.occupied.size() == count_of(cells.size));
     return LeapDistance(cells).run();
 }
 

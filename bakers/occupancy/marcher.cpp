@@ -1,6 +1,7 @@
 #include "bakers/occupancy/marcher.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -173,6 +174,8 @@ class March {
 MarchResult march(const MarchedVolume& volume, const Ray& ray, double length, double step,
                   Skipping skipping, const OccupiedCells& cells,
                   const std::vector<std::uint8_t>& leaps) {
+    assert(step > 0 && length >= 0);
+    assert(std::fabs(std::hypot(ray.direction[0], ray.direction[1], ray.direction[2]) - 1) < 1e-6);
     March march(volume, ray, length, step);
     if (skipping == Skipping::none) return march.straight();
     return march.skipping(skipping, cells, leaps);

@@ -1,6 +1,7 @@
 #include "bakers/air/particles/lorenz_mie.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -87,6 +88,7 @@ int mie_term_count(double x) {
 }
 
 MieCoefficients mie_coefficients(double size_parameter, ComplexNumber refractive_index) {
+    assert(size_parameter > 0 && squared_modulus(refractive_index) > 0);
     const double x = size_parameter;
     const int count = mie_term_count(x);
     const SineCosine at_x = sine_and_cosine(x);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -136,6 +137,11 @@ MieTerms mie_terms(const MieCoefficients& coefficients) {
 void add_mie_intensities(std::span<const MieTerms> spheres, std::span<const double> weights,
                          const std::vector<double>& one_minus_cosines, int threads,
                          MieIntensities& sums) {
+    assert(spheres.size() == weights.size());
+    assert(sums.perpendicular.size() == one_minus_cosines.size() &&
+           sums.parallel.size() == one_minus_cosines.size() &&
+           sums.back_perpendicular.size() == one_minus_cosines.size() &&
+           sums.back_parallel.size() == one_minus_cosines.size());
     const std::size_t angles = one_minus_cosines.size();
     const std::array<std::vector<double>*, 4> outputs = {
         &sums.perpendicular, &sums.parallel, &sums.back_perpendicular, &sums.back_parallel};

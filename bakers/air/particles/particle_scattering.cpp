@@ -1,6 +1,7 @@
 #include "bakers/air/particles/particle_scattering.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -186,6 +187,7 @@ double largest_size_parameter(const config::Particles& particles, config::Length
 
 ParticleScattering particle_scattering(const config::Particles& particles,
                                        config::Length wavelength, double accuracy, int threads) {
+    assert(accuracy >= 1e-6 && accuracy < 1);
     const double wave_number = 2 * std::numbers::pi / wavelength.meters;
     const ComplexNumber index = refractive_index(particles, wavelength);
     SizeAverage average =

@@ -1,5 +1,6 @@
 #include "bakers/air/particles/phase_function.h"
 
+#include <cassert>
 #include <cstddef>
 #include <numbers>
 
@@ -44,6 +45,7 @@ double draine(double g, double alpha, double one_minus_cosine, double one_plus_c
 double rayleigh_phase(double nu) { return 3 / (16 * std::numbers::pi) * (1 + nu * nu); }
 
 std::vector<double> legendre_moments(const PhaseFunction& phase, int degree) {
+    assert(degree >= 0);
     if (phase.table) return tabulated_moments(*phase.table, degree);
     const double g = phase.g;
     // g^l of degrees up to degree + 2.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -142,6 +143,7 @@ std::vector<double> interleaved(const std::vector<double>& nodes, const double* 
 }  // namespace
 
 TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double> backward) {
+    assert(forward.size() >= 2 && forward.size() == backward.size());
     TabulatedPhase phase;
     phase.cells = static_cast<int>(forward.size()) - 1;
     const double total = half_shares(forward).back() + half_shares(backward).back();
@@ -162,6 +164,7 @@ double tabulated_phase_value(const TabulatedPhase& phase, double one_minus_cosin
 }
 
 std::vector<double> tabulated_moments(const TabulatedPhase& phase, int degree) {
+    assert(degree >= 0);
     std::vector<double> moments = half_moments(phase.forward, degree);
     const std::vector<double> backward = half_moments(phase.backward, degree);
     for (std::size_t l = 0; l < moments.size(); ++l) {
@@ -175,6 +178,7 @@ double tabulated_mean_cosine(const TabulatedPhase& phase) {
 }
 
 ScatteringAngle sample_tabulated_phase(const TabulatedPhase& phase, double share) {
+    assert(share >= 0 && share < 1);
     if (share < phase.forward_share.back()) {
         return node_angle(half_offset(phase.forward, phase.forward_share, share), false);
     }
@@ -255,6 +259,8 @@ std::vector<double> interleaved(const std::vector<double>& nodes,
 }  // namespace
 
 double largest_difference(const PhaseHalves& before, const PhaseHalves& after) {
+    assert(before.forward.size() == after.forward.size());
+    assert(before.backward.size() == after.backward.size());
     return std::max(largest_difference(before.forward, after.forward),
                     largest_difference(before.backward, after.backward));
 }
@@ -264,6 +270,8 @@ PhaseHalves interpolated_middles(const PhaseHalves& nodes) {
 }
 
 PhaseHalves interleaved(const PhaseHalves& nodes, const PhaseHalves& middles) {
+    assert(nodes.forward.size() == middles.forward.size() + 1);
+    assert(nodes.backward.size() == middles.backward.size() + 1);
     return {interleaved(nodes.forward, middles.forward),
             interleaved(nodes.backward, middles.backward)};
 }

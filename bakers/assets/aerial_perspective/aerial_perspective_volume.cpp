@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -203,6 +204,7 @@ void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>&
 std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialCamera& camera,
                                             double u, double v,
                                             const std::vector<double>& distances_km) {
+    assert(std::is_sorted(distances_km.begin(), distances_km.end()));
     const ViewDirection direction = camera.direction(u, v);
     const CameraRay ray = ray_towards(light.shell(), camera, direction);
     const double horizon_km = horizon_distance_km(light.shell(), camera.altitude_km());

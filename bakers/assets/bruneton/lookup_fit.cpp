@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 
 #include "bakers/math/parallel.h"
@@ -43,6 +44,7 @@ double middle_share(const std::vector<double>& logarithms, const std::vector<boo
 }  // namespace
 
 std::vector<double> lookup_scales(const std::vector<double>& line) {
+    assert(std::all_of(line.begin(), line.end(), [](double value) { return value >= 0; }));
     const std::size_t count = line.size();
     std::vector<double> scales(count, 1.0);
     std::vector<double> logarithms(count);

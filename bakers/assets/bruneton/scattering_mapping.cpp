@@ -1,5 +1,6 @@
 #include "bakers/assets/bruneton/scattering_mapping.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "bakers/air/transmittance_mapping.h"
@@ -21,7 +22,9 @@ ScatteringMapping::ScatteringMapping(const Shell& shell, const std::array<int, 3
       sun_cos_zenith_min_(sun_cos_zenith_min),
       top_distance_km_(horizon_distance_km(shell, shell.thickness_km)),
       largest_share_(
-          share_of(distance_to_top_km(shell, 0, shell.ground_radius_km * sun_cos_zenith_min))) {}
+          share_of(distance_to_top_km(shell, 0, shell.ground_radius_km * sun_cos_zenith_min))) {
+    assert(nu_size >= 1 && size[0] % nu_size == 0 && size[1] % 2 == 0);
+}
 
 double ScatteringMapping::share_of(double distance_km) const {
     return (distance_km - shell_.thickness_km) / (top_distance_km_ - shell_.thickness_km);

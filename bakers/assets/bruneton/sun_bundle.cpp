@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -201,6 +202,7 @@ SunBundle::SunBundle(const std::vector<double>& cosines, const std::vector<doubl
       count((wanted + kBundleStep - 1) / kBundleStep * kBundleStep),
       sun_cosines(cosines),
       nu(cosines_to_sun) {
+    assert(!cosines.empty() && cosines.size() == cosines_to_sun.size());
     sun_cosines.resize(static_cast<std::size_t>(count), cosines.back());
     nu.resize(static_cast<std::size_t>(count), cosines_to_sun.back());
 }

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 #include "bakers/air/quadrature_rules.h"
@@ -203,6 +204,7 @@ HWY_EXPORT(IntegrateRow);
 
 void integrate_row(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
                    const double* sun_cos_zenith, int count, double* psi) {
+    assert(count >= 0);
     HWY_DYNAMIC_DISPATCH(IntegrateRow)(medium, sunlight, row, sun_cos_zenith, count, psi);
 }
 

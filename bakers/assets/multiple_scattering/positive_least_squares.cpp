@@ -1,6 +1,7 @@
 #include "bakers/assets/multiple_scattering/positive_least_squares.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace skybake {
 
@@ -66,6 +67,8 @@ Vector diagonal_of(const SparseEquations& equations, const Restraint& restraint)
 
 std::vector<double> positive_least_squares(const SparseEquations& equations,
                                            const Restraint& restraint, double tolerance) {
+    assert(equations.first_term.size() == equations.count() + 1);
+    assert(equations.weights.size() == equations.unknowns.size());
     const std::size_t size = restraint.towards_one.size();
     const Vector diagonal = diagonal_of(equations, restraint);
     Vector above_one(size);  // x - 1, so that what is drawn to 1 alone stays there exactly

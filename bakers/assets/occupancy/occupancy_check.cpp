@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -37,6 +38,8 @@ OccupancyCheck::OccupancyCheck(const CellGrid& grid, const std::vector<std::uint
       channel_(static_cast<std::size_t>(channel)),
       channels_(static_cast<std::size_t>(channels)),
       planes_(count_of({grid.voxels[0], grid.voxels[1], kPlanes})) {
+    assert(occupied.size() == count_of(grid.size()));
+    assert(channel >= 0 && channel < channels);
     sort_points(points);
 }
 

@@ -1,6 +1,7 @@
 #include "bakers/assets/optical_depth/column_kinds.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -117,6 +118,7 @@ double mean_scale_height_km(const std::vector<ColumnKind>& kinds) {
 
 std::vector<double> equal_attenuation_shells_km(double mean_scale_height_km, double max_altitude_km,
                                                 int count) {
+    assert(mean_scale_height_km > 0 && count >= 1);
     const double whole = 1 - exponential(-max_altitude_km / mean_scale_height_km);
     return boundaries_km(max_altitude_km, count, [&](double part) {
         return part > 0 ? -mean_scale_height_km * logarithm(1 - part * whole) : 0.0;
@@ -124,6 +126,7 @@ std::vector<double> equal_attenuation_shells_km(double mean_scale_height_km, dou
 }
 
 std::vector<double> uniform_shells_km(double max_altitude_km, int count) {
+    assert(count >= 1);
     return boundaries_km(max_altitude_km, count,
                          [&](double part) { return part * max_altitude_km; });
 }
@@ -168,6 +171,7 @@ void add_differences(const std::vector<double>& a, const std::vector<double>& b,
 
 std::vector<double> transmittances(const std::vector<ColumnKind>& kinds, int channels,
                                    double length_km, const std::vector<double>& mean_densities) {
+    assert(mean_densities.size() == kinds.size());
     const auto colours = static_cast<std::size_t>(channels);
     std::vector<double> depths((kinds.size() + 1) * colours);
     for (std::size_t k = 0; k < kinds.size(); ++k) {

@@ -1,6 +1,7 @@
 #include "bakers/assets/transmittance/transmittance_table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -180,6 +181,7 @@ class SampledRay {
 
 Spectrum optical_depth_by_steps(const Medium& medium, double altitude_km, double s_km, int steps,
                                 StepRule rule) {
+    assert(steps >= 1);
     SampledRay ray(medium, altitude_km, s_km);
     const double step = ray.length_km() / steps;
     switch (rule) {

@@ -1,6 +1,7 @@
 #include "bakers/light/path_tracer/path_tracer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -138,6 +139,7 @@ glm::dvec3 view_vector(const SunZenith& sun, const SkyDirection& direction) {
 PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads) {
+    assert(settings.paths >= 2);
     const PathStart start = {{0, 0, 1}, view_vector(sun, direction), altitude_km};
     const bool walks_first = !settings.deterministic_first_order || settings.sun_radius > 0;
     PathTracedRadiance result = trace({tracer.walker(),
@@ -161,6 +163,7 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
 PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude_km,
                                        double cos_zenith, const PathTracerSettings& settings,
                                        int threads) {
+    assert(settings.paths >= 2 && cos_zenith >= -1 && cos_zenith <= 1);
     const double sine = std::sqrt((1 - cos_zenith) * (1 + cos_zenith));
     const PathStart start = {{0, 0, 1}, {sine, 0, cos_zenith}, altitude_km};
     return trace({tracer.walker(),
@@ -175,6 +178,7 @@ PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude
 PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude_km,
                                        const SunZenith& sun, const PathTracerSettings& settings,
                                        int threads) {
+    assert(settings.paths >= 2);
     return trace({tracer.walker(),
                   {false, sun_vector(sun), settings.sun_radius},
                   {{0, 0, 1}, {0, 0, 1}, altitude_km},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -279,6 +280,7 @@ void search_directions(const NextOrder& next, LightField residual, const std::ve
 
 OrderSum sum_of_orders(const LightField& first, const NextOrder& next, const SumSettings& settings,
                        Progress* progress) {
+    assert(settings.slowest_ratio <= 1);
     OrderSum sum;
     sum.light = first;
     LightField before = first;
@@ -323,6 +325,7 @@ OrderSum sum_of_orders(const LightField& first, const NextOrder& next, const Sum
 
 OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
                              Progress* progress) {
+    assert(orders >= 1);
     OrderSum sum;
     sum.light = first;
     LightField before = first;

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -329,6 +330,7 @@ HWY_EXPORT(GatherFirstLight);
 void gather_first_light(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
                         const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
                         int degree, double* out, double* sky_irradiance) {
+    assert(phases.size() == medium.layers.size() && degree >= 0);
     HWY_DYNAMIC_DISPATCH(GatherFirstLight)
     (medium, phases, fan, sunlight, suns, degree, out, sky_irradiance);
     add_forward_peaks(medium, phases, fan.altitude_km, suns, degree, out, sky_irradiance);

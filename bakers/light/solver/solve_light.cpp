@@ -1,6 +1,7 @@
 #include "bakers/light/solver/solve_light.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <mutex>
@@ -65,6 +66,8 @@ SolverSettings finer(SolverSettings settings) {
 
 SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
                         Progress* progress) {
+    assert(settings.degree >= 2 && settings.suns >= 8 && settings.suns % 8 == 0);
+    assert(settings.orders >= 0);
     SolvedLight solved;
     solved.channels = medium.air.channels;
     solved.altitudes_km = solution_levels_km(medium.air, settings.level_scale);

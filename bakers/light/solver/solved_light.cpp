@@ -1,6 +1,7 @@
 #include "bakers/light/solver/solved_light.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -34,10 +35,12 @@ void harmonics(int degree, double mu, double sine, double* values) {
 }  // namespace
 
 void zenith_harmonics(int degree, double mu, double* values) {
+    assert(degree >= 0);
     harmonics(degree, mu, std::sqrt(std::fmax(0.0, (1 - mu) * (1 + mu))), values);
 }
 
 void harmonics_over_sines(int degree, double mu, double* values) {
+    assert(degree >= 0);
     harmonics(degree, mu, 1, values);
 }
 

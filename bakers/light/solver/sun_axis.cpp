@@ -1,6 +1,7 @@
 #include "bakers/light/solver/sun_axis.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -37,6 +38,7 @@ double SunAxis::position(double sun_cos_zenith) const {
 }
 
 SunAxis make_sun_axis(const Shell& shell, int count) {
+    assert(count >= 8);
     const double top_radius = shell.ground_radius_km + shell.thickness_km;
     const double dip_sine = horizon_distance_km(shell, shell.thickness_km) / top_radius;
     const double night = kDarkestDips * arc_cosine(shell.ground_radius_km / top_radius);

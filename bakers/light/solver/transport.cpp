@@ -1,6 +1,7 @@
 #include "bakers/light/solver/transport.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -100,6 +101,8 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
 
 RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
                     int zenith_nodes, double tolerance) {
+    assert(level >= 0 && static_cast<std::size_t>(level) < levels_km.size());
+    assert(std::is_sorted(levels_km.begin(), levels_km.end()) && zenith_nodes >= 1);
     const Shell shell = shell_of(medium.air);
     const double altitude = levels_km[static_cast<std::size_t>(level)];
     const double r = shell.ground_radius_km + altitude;
@@ -160,6 +163,7 @@ int azimuth_count(double turn_sine, double dip_sine, int degree) {
 }  // namespace
 
 LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree) {
+    assert(degree >= 0);
     const Shell shell = shell_of(medium.air);
     const double r = shell.ground_radius_km + fan.altitude_km;
     const double dip_sine = horizon_distance_km(shell, shell.thickness_km) /

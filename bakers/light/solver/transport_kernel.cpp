@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -225,6 +226,7 @@ HWY_EXPORT(ApplyTransport);
 void apply_transport(const LevelTransport& transport, const SunAxis& suns,
                      const std::vector<double>& steep, const LightField& light, double* out,
                      double* sky_irradiance) {
+    assert(light.suns == suns.count() && steep.size() >= suns.cosines.size() - 3);
     HWY_DYNAMIC_DISPATCH(ApplyTransport)(transport, suns, steep, light, out, sky_irradiance);
 }
 
