@@ -5,8 +5,7 @@
 
 namespace skybake {
 
-// Receives the progress of a long bake and tells the bake when it should stop.
-
+// Receives the progress of a long bake, and tells the bake when it should stop.
 class Progress {
   public:
     virtual ~Progress() = default;

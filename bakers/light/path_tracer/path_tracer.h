@@ -20,7 +20,7 @@ struct PathTracerSettings {
     std::uint32_t ray = 0;   // rays of one seed have random numbers of their own
     std::int64_t paths = 0;  // at least 2; each serves all channels
     // Takes the first order from the quadrature of sky_radiance.h (within 2e-4 of its value), whose
-    // error is not counted. Not allowed for a sun with a disc.
+    // error is not counted. A sun with a disc has its first order traced in any case.
     bool deterministic_first_order = true;
     double sun_radius = 0;  // in radians
     // True if a ray that hits the ground sees it, that is, includes light that came from there
