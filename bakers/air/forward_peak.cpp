@@ -11,7 +11,7 @@ namespace skybake {
 
 namespace {
 
-// 1 - cos of 10 degrees: fans have a ray in every 5 to 10 degrees.
+// 1 - cos of 10 degrees: ray bundles have a ray in every 5 to 10 degrees.
 constexpr double kPeakAngle = 0.0151922469877920;
 
 // The table with no value above that at the peak's edge, and the share of light that it keeps.

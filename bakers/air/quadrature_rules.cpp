@@ -13,7 +13,7 @@ namespace skybake {
 
 namespace {
 
-// Rules for 1, 2, 4 and 8 nodes stand at 0, 1, 2 and 3.
+// Returns the index of the rule: 0, 1, 2 and 3 for 1, 2, 4 and 8 nodes.
 std::size_t index_of(int count) { return count >= 8 ? 3U : count >= 4 ? 2U : count >= 2 ? 1U : 0U; }
 
 AzimuthRule make_full_circle_rule(int count) {

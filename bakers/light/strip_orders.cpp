@@ -25,10 +25,10 @@ constexpr auto kStripConvention = TexelConvention::end_points_on_texel_centres;
 
 SunZenith strip_sun(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
 
-// The cosine of the azimuth at which a strip has its middle.
+// The cosine of the azimuth of a sector's middle.
 double middle_cosine(int strip) { return sine_and_cosine((strip + 0.5) * kStripWidth).cosine; }
 
-// A direction of the quadrature over a strip.
+// A direction of the quadrature over a sector.
 struct StripNode {
     int strip = 0;
     double mu = 0;
@@ -38,7 +38,7 @@ struct StripNode {
     double solid_angle = 0;
 };
 
-// Of the strips on one side of the sun.
+// Returns the nodes of the sectors on one side of the sun.
 std::vector<StripNode> make_nodes() {
     constexpr int kZenithNodes = 4;
     constexpr int kAzimuthNodes = 4;
@@ -138,7 +138,7 @@ Spectrum StripOrders::scattered(const ScatteringPoint& point,
 }
 
 Spectrum StripOrders::sky_irradiance(double sun_cos_zenith) const {
-    // The integral of mu over a strip is half its width in azimuth; each is there twice.
+    // The integral of mu over a sector is half its width in azimuth. Each sector occurs twice.
     Spectrum sum{};
     for (const Spectrum& radiance : radiances(0, sun_cos_zenith)) {
         sum += kStripWidth * radiance;

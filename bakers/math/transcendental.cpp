@@ -58,7 +58,8 @@ SineCosine sine_and_cosine(double x) {
     const double n = std::floor(x * 0.63661977236758134308 + 0.5);
     const double r = ((x - n * kHigh) - n * kMiddle) - n * kLow;
     const double z = r * r;
-    // Taylor's series: the first terms left out are (pi/4)^19 / 19! and (pi/4)^18 / 18! < 3e-18.
+    // The Taylor series are truncated; their errors start at (pi/4)^19 / 19! and (pi/4)^18 / 18! <
+    // 3e-18.
     double s = 1.0 / 355687428096000.0;
     s = s * z - 1.0 / 1307674368000.0;
     s = s * z + 1.0 / 6227020800.0;

@@ -44,7 +44,7 @@ HWY_INLINE float margin_of(const Extent& extent, int rings) {
            std::min(extent.low, static_cast<float>(extent.cells) - extent.high);
 }
 
-// Whether no point beyond one ring of cells is within the squared distance of a voxel. The slack
+// True if no point beyond one ring of cells is within the squared distance of a voxel. The slack
 // is far above what rounding does.
 HWY_INLINE bool reaches(float squared_distance, const std::array<Extent, 3>& block) {
     const float margin =

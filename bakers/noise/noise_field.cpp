@@ -23,7 +23,7 @@ constexpr std::size_t kChunkFloats = 1 << 14;
 // Fewer voxels than this are not worth the set-up of the kernels that share work.
 constexpr std::int64_t kPointwiseVoxels = 512;
 
-// What becomes of the chunk's voxels on their way out.
+// Fills a box of voxels, chunk by chunk.
 class BoxFiller {
   public:
     BoxFiller(const NoisePlan& plan, const VoxelBox& box, const std::vector<float*>& channels)

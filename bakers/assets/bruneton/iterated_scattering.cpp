@@ -61,7 +61,7 @@ class Iteration {
                 static_cast<std::size_t>(v)) *
                width_;
     }
-    // nu of a texel, where there is none the nearest.
+    // nu of a texel, or the nearest nu that directions can have.
     double nu_of(int u, double view_cosine) const {
         const FeasibleCosines feasible = feasible_cosines(view_cosine, mapping_.sun_of_texel(u));
         return std::clamp(mapping_.nu_of_texel(u), std::max(feasible.low, -1.0),

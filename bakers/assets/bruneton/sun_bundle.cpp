@@ -75,7 +75,7 @@ void AddSunlight(const TransmittanceField& field, const ScatteringView& view,
     }
 }
 
-// The solved light of one node, as higher_orders.h has it, for the suns of a fan.
+// The solved light of one node, as in higher_orders.h, for the suns of a bundle.
 class SolvedNode {
   public:
     SolvedNode(const SolvedLight& light, const NodePlace& place, const SunBundle& suns)
@@ -128,7 +128,8 @@ void SolvedNode::place_suns() {
     }
 }
 
-// What the node sends along the ray for each sun of the solution that the fan's suns are between.
+// The light that the node sends along the ray for each sun of the solution between which the
+// bundle's suns lie.
 void SolvedNode::gather_rows(const BundleNode& node,
                              const std::vector<std::vector<Spectrum>>& phase_moments) {
     const int degree = light_.degree();

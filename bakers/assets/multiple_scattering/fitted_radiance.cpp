@@ -129,7 +129,7 @@ std::vector<bool> seen_texels(std::size_t texels, const std::vector<ViewEquation
     return seen;
 }
 
-// The width that each of ascending places stands for.
+// Returns the width of the interval that each of the ascending places represents.
 std::vector<double> widths_of(const std::vector<double>& places) {
     if (places.size() == 1) return {1};
     std::vector<double> widths(places.size());

@@ -15,7 +15,8 @@ namespace skybake {
 
 namespace {
 
-// 1 - e^-x: where the difference would cancel by its series, whose first term left out is x^8 / 9!.
+// Returns 1 - e^-x. Where the difference would cancel it is summed as a series, whose truncation
+// error starts at x^8 / 9!.
 double one_minus_exponential(double x) {
     if (x > 0.03) return 1 - exponential(-x);
     double series = 1;
@@ -150,7 +151,7 @@ RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_k
 
 namespace {
 
-// Nodes that add less than this share of the light from all around are left out.
+// Nodes that contribute less than this share of the light from all directions are left out.
 constexpr double kLeastShare = 1e-6;
 
 // Moments up to a degree are told apart by as many azimuths over half a turn, and one more. Where
