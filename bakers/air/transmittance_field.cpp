@@ -14,19 +14,19 @@ namespace skybake {
 
 namespace {
 
-// A cubic between two nodes is monotone while its slopes have the sign of the difference and at
-// most three times its size (Fritsch & Carlson 1980).
+// A cubic between two nodes is monotone if its slopes have the sign of the difference and are at
+// most three times as large (Fritsch & Carlson 1980).
 double within_three_times(double slope, double difference) {
     if (slope * difference <= 0) return 0;
     return std::fabs(slope) > 3 * std::fabs(difference) ? 3 * difference : slope;
 }
 
-// Slope at a node between two differences: that of the parabola through three nodes.
+// Returns the slope at a node between two differences: that of the parabola through three nodes.
 double monotone_slope(double before, double after) {
     return within_three_times(within_three_times(0.5 * (before + after), before), after);
 }
 
-// The same at an end, from the two differences inwards.
+// Returns the slope at an end, from the two nearest differences, the outer one first.
 double monotone_end_slope(double nearest, double next) {
     return within_three_times(1.5 * nearest - 0.5 * next, nearest);
 }
@@ -92,7 +92,7 @@ void TransmittanceField::fill_slopes(const Block& block) {
         const double* row = values_.data() + offset;
         double* slope = slopes_.data() + offset;
         for (std::size_t i = 0; i < n; ++i) {
-            // Rows of this block alone: at its ends from the two differences inwards.
+            // Only rows of this block are used: at its ends, the two nearest differences.
             if (y == 0) {
                 slope[i] = monotone_end_slope(row[i + n] - row[i], row[i + 2 * n] - row[i + n]);
             } else if (y + 1 == block.rows) {
@@ -112,7 +112,7 @@ TransmittanceField::Row TransmittanceField::row_at(double altitude_km) const {
     const Block& block = above == blocks_.begin() ? blocks_.front() : *(above - 1);
     const double x_r =
         horizon_distance_km(shell_, altitude_km) / horizon_distance_km(shell_, shell_.thickness_km);
-    // Rounding alone leaves the block at its ends.
+    // The position leaves the block at its ends only by rounding.
     const double share =
         std::clamp((x_r - block.x_begin) / (block.x_end - block.x_begin), 0.0, 1.0);
     const double position = share * (block.rows - 1);

@@ -26,7 +26,7 @@ double altitude_on(const Shell& shell, const ViewRay& ray, double distance_km) {
                       shell.thickness_km);  // rounding at the ends of the ray
 }
 
-// Integrates the cells between neighbouring breaks, which begin with the ray.
+// Integrates the cells between neighbouring breaks; the first break is the ray's beginning.
 std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
                                      const std::vector<RayBreak>& breaks) {
     const Shell shell = shell_of(medium);
@@ -98,7 +98,7 @@ std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
     return cells;
 }
 
-// Halves the cells of which `split` says so, until it says so of none.
+// Halves cells until `split` returns false for all of them.
 template <class Predicate>
 void halve_cells(const Medium& medium, ViewRay& ray, const Predicate& split) {
     for (int pass = 0; pass < kMostPasses; ++pass) {

@@ -52,8 +52,8 @@ std::vector<config::Tower> all_towers(const Cloud& cloud) {
     return towers;
 }
 
-// The noise's bound as a real number, and room for a kernel's float: the kernels stay within 2e-7
-// of their values, shares of 1.
+// The noise's bound in exact arithmetic, plus a margin for a kernel's float: kernels are within
+// 2e-7 of their values, as a share of 1.
 float bound_of(const Noise& base, int shaped_channels) {
     constexpr double kRoom = 1e-5;
     double bound = 0;
@@ -113,7 +113,7 @@ namespace {
 
 using config::HeightPoint;
 
-// Heights at which a type begins, is full, begins to thin, ends.
+// The heights at which a type begins, is full, begins to thin, and ends.
 struct Heights {
     double begin, full, thin, end;
 };
@@ -130,8 +130,9 @@ double classic_profile(const Heights& heights, double h) {
            (1 - smooth_ramp(heights.thin, heights.end, h));
 }
 
-// 1 - e^-x for x >= 0, without cancellation: e^-x = u is off by a rounding, and so is ln u, alike
-// (Kahan's device; Higham 2002, Accuracy and Stability of Numerical Algorithms, section 1.14.1).
+// Returns 1 - e^-x for x >= 0 without cancellation: the rounding errors of e^-x = u and of ln u are
+// the same and cancel (Kahan's method; Higham 2002, Accuracy and Stability of Numerical Algorithms,
+// section 1.14.1).
 double one_minus_exponential(double x) {
     const double u = exponential(-x);
     if (u == 1) return x;
@@ -202,8 +203,8 @@ int nearest_pixel(double within, int size) {
     return std::min(static_cast<int>(within * size), size - 1);
 }
 
-// The two pixels about a place on one axis, and how far it is from the first to the second, in
-// [0, 1).
+// The two pixels around a place on one axis, and the place's distance from the first, in [0, 1) of
+// the distance to the second.
 struct Neighbours {
     int first = 0;
     int second = 0;
@@ -220,8 +221,9 @@ Neighbours neighbours(double within, int size, MapWrap wrap) {
     return {first < 0 ? size - 1 : first, second == size ? 0 : second, fraction};
 }
 
-// In this form equal ends give themselves, and rounding leads beyond no end: b - a may round up by
-// half an ulp, but its product with a fraction below 1 is then rounded to less than b - a itself.
+// In this form equal ends give exactly their value, and rounding leads beyond neither end: b - a
+// may round up by half an ulp, but its product with a fraction below 1 is then rounded to less than
+// b - a itself.
 double mixed(double a, double b, double fraction) { return a + (b - a) * fraction; }
 
 }  // namespace

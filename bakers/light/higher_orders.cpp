@@ -18,16 +18,17 @@ namespace skybake {
 
 namespace {
 
-// What a km of air scatters towards an eye, from moments of the light (solved_light.h).
+// The light that one km of air scatters towards an eye, from moments of the light (solved_light.h).
 
-// A moment L_lm, and the factor of cos(m phi) that it stands with for the view at hand.
+// A moment L_lm, and the factor by which cos(m phi) is multiplied for the current view.
 struct WeightedMoment {
     double weight = 0;
     Spectrum value{};
 };
 
-// Sum over layers of sigma_s sum over l of chi_l sum over m of weight L_lm cos(m phi), l up to the
-// degree. `phase_moments` are chi of each layer, `moment(l, m)` gives a WeightedMoment.
+// Returns the sum over layers of sigma_s times the sum over l up to the degree of chi_l times the
+// sum over m of weight L_lm cos(m phi). `phase_moments` are chi of each layer; `moment(l, m)`
+// returns a WeightedMoment.
 template <class Moment>
 Spectrum moment_sum(int degree, double azimuth_cosine,
                     const std::vector<Spectrum>& scattering_per_km,
@@ -148,7 +149,8 @@ Spectrum TableOrders::sky_irradiance(double sun_cos_zenith) const {
 
 namespace {
 
-// Sum over layers of scattering and phase moment, times the view's harmonic: [lm].
+// Returns the sum over layers of scattering times phase moment, multiplied by the view's harmonic:
+// [lm].
 std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
                                    const std::vector<Spectrum>& scattering,
                                    const std::vector<std::vector<Spectrum>>& phase_moments) {

@@ -21,7 +21,7 @@ struct WeightedAngle {
     double weight;  // of an integral over the angle
 };
 
-// From `from` to `to`, gathered at `from`: angle = from + (to - from) t^2.
+// Nodes from `from` to `to`, densest at `from`: angle = from + (to - from) t^2.
 void add_gathered(double from, double to, int nodes, std::vector<WeightedAngle>& angles) {
     if (from == to) return;
     const QuadratureRule rule = gauss_legendre(nodes);
@@ -34,7 +34,7 @@ void add_gathered(double from, double to, int nodes, std::vector<WeightedAngle>&
 
 SunZenith sun_of_cosine(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
 
-// Over zenith angles and azimuths, both sides of the sun.
+// Integrates over zenith angles and azimuths, on both sides of the sun.
 Spectrum integrate(const SkyLight& light, const SkyMedium& medium,
                    const HigherOrders* higher_orders, double altitude_km, const SunZenith& sun,
                    const std::vector<WeightedAngle>& zenith_angles,
@@ -76,8 +76,8 @@ Spectrum single_irradiance(const SkyLight& light, double altitude_km, const SunZ
                      &SkyRadiance::single);
 }
 
-// What the peaks of spheres send on from next to the sun: sunlight that would not have come without
-// them. No nodes would find it.
+// Adds the light that the peaks of spheres scatter forward from next to the sun: sunlight that
+// would not arrive without them. No nodes would find it.
 void add_aureole(const SkyLight& light, double altitude_km, const SunZenith& sun, Spectrum& sum) {
     if (sun.cosine <= 0) return;
     const double s_km = (light.shell().ground_radius_km + altitude_km) * sun.cosine;

@@ -55,7 +55,7 @@ ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double a
     return point;
 }
 
-// Ascending, with both ends.
+// Returns the distances at which the ray is cut, ascending, with both ends.
 std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
     std::vector<double> cuts;
     for (const RayBreak& at :

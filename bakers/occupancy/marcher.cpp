@@ -12,7 +12,7 @@ namespace skybake::occupancy {
 
 namespace {
 
-// An axis of cells without end: tile after tile of `cells` cells, the last of each smaller.
+// An infinite axis of cells: tile after tile of `cells` cells, the last of each smaller.
 struct EndlessAxis {
     int voxels = 1;
     int cell = 1;
@@ -62,7 +62,7 @@ class March {
         }
     }
 
-    // Fetches above and below the volume, too: nothing says that they are in vain.
+    // Fetches above and below the volume count too: nothing shows that they are unnecessary.
     MarchResult straight() {
         sample_until(0, samples_);
         density_fetches_ = static_cast<int>(samples_);
@@ -120,9 +120,10 @@ class March {
         return true;
     }
 
-    // The first sample after k that is beyond the box of cells within `reach` of the cell of k, or
-    // beyond the ray. Positions go one way along each axis, their rounding too, so that samples
-    // within the box follow each other. Geometry says about where they end, cells say exactly.
+    // Returns the first sample after k that is beyond the box of cells within `reach` of the cell
+    // of k, or beyond the ray. Positions, even rounded, change in one direction along each axis, so
+    // that samples within the box follow each other. Geometry gives their approximate end, cells
+    // the exact one.
     std::int64_t first_beyond(std::int64_t k, const CellIndex& cell, std::int64_t reach) const {
         double exit = std::numeric_limits<double>::infinity();
         for (std::size_t a = 0; a < 3; ++a) {
