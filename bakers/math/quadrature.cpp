@@ -1,3 +1,5 @@
+#include "bakers/math/quadrature.h"
+
 #include <cassert>
 #include <cmath>
 #include <cstddef>

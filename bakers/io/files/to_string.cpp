@@ -63,7 +63,9 @@ std::string_view to_string(TexelConvention end_points) {
 
 std::string_view to_string(AxisWrap wrap) { return wrap_words[static_cast<std::size_t>(wrap)]; }
 
-std::string_view to_string(AxisFilter filter) { return filter_words[static_cast<std::size_t>(filter)]; }
+std::string_view to_string(AxisFilter filter) {
+    return filter_words[static_cast<std::size_t>(filter)];
+}
 
 std::optional<TexelConvention> end_points_of(std::string_view word) {
     return value_among<TexelConvention>(end_point_words, word);
