@@ -35,6 +35,20 @@ inline void flatten_stencil(const SunAxis& axis, int column, double fraction, do
     weights[at - column + 1] = share;
 }
 
+// Replaces the weights of those suns of a vector whose stencils are steep. Such suns are rare, so
+// this is a function of its own, out of the way of the others.
+HWY_NOINLINE inline void flatten_steep(const SunAxis& axis, const std::vector<double>& steep,
+                                       Lanes fractions, const std::int64_t* columns,
+                                       double* weights) {
+    double beyond[Lanes::kCount];
+    fractions.store(beyond);
+    for (std::size_t k = 0; k < Lanes::kCount; ++k) {
+        const auto first = static_cast<int>(columns[k]);
+        if (!(steep[static_cast<std::size_t>(first)] > 0)) continue;
+        flatten_stencil(axis, first, beyond[k], weights + 4 * k);
+    }
+}
+
 // Computes SolvedLight::stencil for a vector of suns with cosines in [axis.darkest, 1]: the first
 // of four columns for each sun, and the four weights, sun by sun.
 HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& steep, Lanes cosines,
@@ -59,13 +73,8 @@ HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& st
     const Lanes w2 = inner * t * Lanes(0.5);
     const Lanes w3 = outer * after * Lanes(1.0 / 6);
     hn::StoreInterleaved4(w0.v, w1.v, w2.v, w3.v, Lanes::Tag(), weights);
-    if (!any(Lanes(hn::GatherIndex(Lanes::Tag(), steep.data(), index)) > Lanes(0.0))) return;
-    double fractions[Lanes::kCount];
-    t.store(fractions);
-    for (std::size_t k = 0; k < Lanes::kCount; ++k) {
-        const auto first = static_cast<int>(columns[k]);
-        if (!(steep[static_cast<std::size_t>(first)] > 0)) continue;
-        flatten_stencil(axis, first, fractions[k], weights + 4 * k);
+    if (any(Lanes(hn::GatherIndex(Lanes::Tag(), steep.data(), index)) > Lanes(0.0))) {
+        flatten_steep(axis, steep, t, columns, weights);
     }
 }
 
