@@ -116,11 +116,12 @@ std::optional<std::vector<SkyTruth>> truth_of(const Scenario& scenario, const Sk
     if (const auto text = read_file(path); text.value) return parse_sky_truth_csv(*text.value);
     const auto truth =
         rounded(*trace_sky_truth_within(medium, directions_of(scenario), mean_paths, 0, nullptr));
-    write_file_atomically(
+    const auto written = write_file_atomically(
         path, sky_truth_csv(truth, fmt::format("rad in 1/sr, E_sun = 1; {}; {} paths a direction "
                                                "on average, more where they are needed; view "
                                                "rays never include the ground they hit",
                                                settings_text(scenario), mean_paths)));
+    if (!written.value) return std::nullopt;
     return truth;
 }
 
@@ -176,7 +177,7 @@ int run(const std::filesystem::path& folder, std::int64_t mean_paths,
         const SkyMedium medium = make_sky_medium(recipe.value->parameters.atmosphere);
         const auto truth = truth_of(scenario, medium, folder, mean_paths);
         if (!truth) {
-            fmt::print(stderr, "{}: not a table of a sky\n", scenario.name);
+            fmt::print(stderr, "{}: its table cannot be read or written\n", scenario.name);
             return 1;
         }
         const auto methods = make_sky_methods(sky_methods(medium, false), kRepetitions, nullptr);
