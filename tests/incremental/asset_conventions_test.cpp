@@ -443,7 +443,9 @@ TEST_F(AssetConventions, AxesWrapAsLookupsAreMade) {
     for (const ManifestAsset& entry : manifest().assets) {
         const bool is_tile = entry.mapping == "tile";
         const bool is_layer = entry.mapping == "layer";
-        const std::array<bool, 3> repeats = {is_tile || is_layer, is_tile || is_layer, is_tile};
+        const bool is_around = entry.mapping == "longitude_latitude";
+        const std::array<bool, 3> repeats = {is_tile || is_layer || is_around, is_tile || is_layer,
+                                             is_tile};
         for (std::size_t i = 0; i < entry.axes.size(); ++i) {
             EXPECT_EQ(entry.axes[i].wrap == AxisWrap::repeat, repeats[i]) << entry.name << i;
             const bool says_edges =
