@@ -67,6 +67,51 @@ TEST(OpticalDepth, AgreesWithTheAdaptiveReferenceAtEveryTexelOfAllPresets) {
     }
 }
 
+// The least and the greatest scale height that a recipe may name, and planets of a metre and of a
+// kilometre. Rays that pass a metre above the ground from far above have altitudes there that are
+// differences of a thousand kilometres: a reference that computes them so does not end, because the
+// rounding of a density that falls by e in a millimetre is greater than what it is to agree within.
+TEST(OpticalDepth, TheReferenceEndsAndAgreesAtTheExtremesOfRecipes) {
+    const auto exponential = [](double radius_km, double thickness_km, double scale_height_km) {
+        Medium medium;
+        medium.channels = 1;
+        medium.ground_radius_km = radius_km;
+        medium.thickness_km = thickness_km;
+        medium.exponential_layers = {{scale_height_km, {}, {1, 0, 0, 0}}};
+        return medium;
+    };
+    const std::vector<Medium> media = {exponential(6360, 100, 1e-6), exponential(6360, 100, 1e-3),
+                                       exponential(6360, 100, 1e3),  exponential(1e-3, 1, 1e-6),
+                                       exponential(1, 1, 1e-3),      exponential(1e6, 100, 8)};
+    for (const Medium& medium : media) {
+        for (const Ray& ray : table_rays(medium, 21)) {
+            const double tau = optical_depth_to_top(medium, ray.altitude_km, ray.s_km)[0];
+            const double expected =
+                reference_optical_depth_to_top(medium, ray.altitude_km, ray.s_km, 1e-10)[0];
+            EXPECT_NEAR(tau, expected, 2e-7 * expected + 1e-16)
+                << medium.ground_radius_km << " altitude " << ray.altitude_km << " s " << ray.s_km;
+        }
+    }
+}
+
+// The lower end of a path that falls is where the air is densest.
+TEST(OpticalDepth, TheReferenceIsTheSameFromBothEndsOfAPath) {
+    const Medium earth =
+        test::preset_medium("earth", {"atmosphere.layers.mie.scale_height=\"1 mm\""});
+    const Shell shell = shell_of(earth);
+    for (const double s : {6360.0, 5000.0, 600.0, 10.0}) {
+        for (const double length : {1e-6, 1e-3, 1.0, 90.0}) {
+            const double end = altitude_along_km(shell, 0, s, length);
+            const Spectrum up = reference_optical_depth_along(earth, 0, s, length, 1e-10);
+            const Spectrum down =
+                reference_optical_depth_along(earth, end, -(s + length), length, 1e-10);
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(down[c], up[c], 1e-6 * up[c]) << s << " " << length;
+            }
+        }
+    }
+}
+
 // Independent anchors: optical lengths of the three layers to 1e-13, of another program.
 TEST(OpticalDepth, AgreesWithTheAnchors) {
     std::ifstream file(SKYBAKE_TEST_DATA "/exact_transmittance_setH.csv");
