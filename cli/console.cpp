@@ -2,6 +2,7 @@
 
 #include <signal.h>
 #include <sys/ioctl.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,11 +33,37 @@ int columns_of_terminal(int descriptor) {
 std::atomic<bool> signal_arrived{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-// The handler only does what is allowed in one: it uses an atomic, unlink and _exit.
-void on_signal(int) {
-    if (!signal_arrived.exchange(true)) return;
-    unlink_current_temporaries();
+// A process that has not ended by itself so long after the first signal is ended.
+constexpr long patience_ns = 800'000'000;
+constexpr long pause_ns = 5'000'000;  // while files get their names
+timer_t patience;
+bool has_patience = false;
+
+// The handlers only do what is allowed in one: they use atomics and timers, unlink, rmdir and
+// _exit.
+void end_at_once() {
+    remove_unfinished_files();
     ::_exit(static_cast<int>(ExitCode::interrupted));
+}
+
+void end_after(long nanoseconds) {
+    itimerspec once{};
+    once.it_value.tv_nsec = nanoseconds;
+    if (!has_patience || ::timer_settime(patience, 0, &once, nullptr) != 0) ::alarm(1);
+}
+
+void on_signal(int) {
+    if (signal_arrived.exchange(true)) end_at_once();
+    const int error = errno;
+    end_after(patience_ns);
+    errno = error;
+}
+
+void on_end_of_patience(int) {
+    if (!is_renaming_files()) end_at_once();
+    const int error = errno;
+    end_after(pause_ns);
+    errno = error;
 }
 
 }  // namespace
@@ -138,8 +165,11 @@ ExitCode Console::exit_code(ExitCode code) const {
 
 void install_signal_handlers() {
     struct sigaction action {};
-    action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
+    action.sa_handler = on_end_of_patience;
+    ::sigaction(SIGALRM, &action, nullptr);
+    has_patience = ::timer_create(CLOCK_MONOTONIC, nullptr, &patience) == 0;  // it sends SIGALRM
+    action.sa_handler = on_signal;
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         // Under nohup the loss of the terminal (SIGHUP) stays ignored. Ctrl-C (SIGINT) is handled
         // even where it was ignored. Shells ignore it for commands that a script starts in the

@@ -108,9 +108,10 @@ class Console {
 
 // --- Signals such as Ctrl-C ----------------------------------------------------------------------
 
-// Takes over SIGINT, SIGTERM and SIGHUP, and ignores SIGPIPE and SIGXFSZ, whose errors the writes
-// report. The first signal asks the bake to stop and leave no partial file. A second one ends the
-// process at once, and leaves no partial file either.
+// Takes over SIGINT, SIGTERM, SIGHUP and SIGALRM, and ignores SIGPIPE and SIGXFSZ, whose errors the
+// writes report. The first signal asks the bake to stop and leave no partial file. If the process
+// has not ended 0.8 s later, or when a second signal arrives, it is ended at once, and leaves no
+// partial file either: whatever is being computed or read, a signal is obeyed within a second.
 void install_signal_handlers();
 
 // True once a signal has arrived.

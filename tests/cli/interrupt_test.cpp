@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/output_folder.h"
 #include "tests/cli/program.h"
 
 namespace skybake::cli {
@@ -74,6 +75,42 @@ TEST(Interrupt, TheSecondSignalEndsAtOnceAndLeavesNoTemporary) {
         const TemporaryFolder folder;
         EXPECT_EQ(stop_a_writer(folder, SIGINT, 2, false), 130);
         for (const std::string& name : folder.names()) EXPECT_EQ(name, "a");
+    }
+}
+
+// Makes a folder and begins a file in it, then computes for a minute without asking whether it was
+// interrupted.
+[[noreturn]] void compute_for_a_minute(const TemporaryFolder& folder, int says) {
+    install_signal_handlers();
+    const auto made = create_output_folder(folder / "made");
+    AtomicFiles files;
+    const auto write = [says](const std::filesystem::path&) {
+        for (int tenths = ::write(says, "r", 1) == 1 ? 600 : 0; tenths > 0; --tenths) {
+            ::usleep(100000);
+        }
+        return config::Outcome<bool>{false, {}};
+    };
+    static_cast<void>(files.stage(folder / "made/a", write));
+    ::_exit(made.value ? 7 : 8);
+}
+
+TEST(Interrupt, OneSignalEndsAProcessThatDoesNotListen) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+        const TemporaryFolder folder;
+        int ends[2] = {-1, -1};
+        ASSERT_EQ(::pipe(ends), 0);
+        const pid_t child = ::fork();
+        if (child == 0) compute_for_a_minute(folder, ends[1]);
+        ::close(ends[1]);
+        char byte = 0;
+        EXPECT_EQ(::read(ends[0], &byte, 1), 1);
+        ::kill(child, signal);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        ::close(ends[0]);
+        ASSERT_TRUE(WIFEXITED(status));
+        EXPECT_EQ(WEXITSTATUS(status), 130);
+        EXPECT_EQ(folder.names(), std::vector<std::string>());
     }
 }
 

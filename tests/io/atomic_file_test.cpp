@@ -359,7 +359,7 @@ class UnlinkingProgress : public Progress {
   public:
     void advance(std::string_view, double) override {}
     bool cancelled() const override {
-        if (++looks_ == 2) unlink_current_temporaries();
+        if (++looks_ == 2) remove_unfinished_files();
         return looks_ >= 3;
     }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <iterator>
 #include <optional>
@@ -163,6 +164,16 @@ void rename_in_text(std::string& text, const std::string& temporary, const std::
     }
 }
 
+std::atomic<int> commits_in_progress{0};
+static_assert(std::atomic<int>::is_always_lock_free);  // a signal handler reads it
+
+struct CommitInProgress {
+    CommitInProgress() { ++commits_in_progress; }
+    CommitInProgress(const CommitInProgress&) = delete;
+    CommitInProgress& operator=(const CommitInProgress&) = delete;
+    ~CommitInProgress() { --commits_in_progress; }
+};
+
 }  // namespace
 
 struct AtomicFiles::Staged {
@@ -232,7 +243,10 @@ void AtomicFiles::take(AtomicFiles&& others) {
     others.staged_.clear();
 }
 
+bool is_renaming_files() noexcept { return commits_in_progress > 0; }
+
 std::vector<config::Diagnostic> AtomicFiles::commit() {
+    const CommitInProgress in_progress;
     for (; !staged_.empty(); staged_.pop_back()) {
         Staged& last = *staged_.back();
         if (!last.temporary.rename_to(last.path)) return failure(last.path, errno).diagnostics;

@@ -75,8 +75,12 @@ config::Outcome<WriteResult> write_file_atomically(const std::filesystem::path& 
                                                    std::string_view bytes,
                                                    const Progress* progress = nullptr);
 
-// Unlinks the temporaries that this process is writing now. The function is async-signal-safe; call
-// _exit after it.
-void unlink_current_temporaries() noexcept;
+// Unlinks the temporaries that this process is writing now, and removes the folders that it made and
+// that are still empty. The function is async-signal-safe; call _exit after it.
+void remove_unfinished_files() noexcept;
+
+// True while files that belong together get their names, which takes milliseconds. A process that
+// ended meanwhile would leave some of them old. The function is async-signal-safe.
+bool is_renaming_files() noexcept;
 
 }  // namespace skybake

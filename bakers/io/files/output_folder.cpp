@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/files/temporary_file.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/bruneton.h"
 
@@ -112,6 +113,7 @@ config::Outcome<std::vector<fs::path>> create_output_folder(const fs::path& fold
         missing = missing.parent_path();
     }
     error.clear();
+    for (const fs::path& name : made) remember_made_folder(name);
     fs::create_directories(folder, error);
     // It does not matter if another process has made the folder in the meantime.
     std::error_code ignored;

@@ -12,6 +12,7 @@
 #include <charconv>
 #include <cstring>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,32 +27,32 @@ namespace fs = std::filesystem;
 // --- What the signal handler removes ------------------------------------------------------------
 
 // The paths are in static memory, because a signal handler must neither lock nor allocate.
-struct CurrentTemporary {
+struct CurrentPath {
     enum State : int { unused, claimed, active };
     std::atomic<int> state{unused};
     std::array<char, 4096> path{};
 };
 static_assert(std::atomic<int>::is_always_lock_free);
-std::array<CurrentTemporary, 64> current_temporaries;
+std::array<CurrentPath, 64> current_temporaries;
+std::array<CurrentPath, 16> made_folders;
 
-// Returns a slot of the table above, or -1 if none is left, because very many files are being
-// written at once. Then a second Ctrl-C leaves that temporary to the next run.
-int enter(const fs::path& path) {
-    if (path.native().size() >= current_temporaries[0].path.size()) return -1;
-    for (std::size_t i = 0; i < current_temporaries.size(); ++i) {
-        CurrentTemporary& entry = current_temporaries[i];
-        int unused = CurrentTemporary::unused;
-        if (!entry.state.compare_exchange_strong(unused, CurrentTemporary::claimed)) continue;
+// Returns a slot of the table, or -1 if none is left, because very many files are being written or
+// very many folders were made. Then a process that ends at once leaves that path to the next run.
+int enter(std::span<CurrentPath> table, const fs::path& path) {
+    if (path.native().size() >= table[0].path.size()) return -1;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        CurrentPath& entry = table[i];
+        int unused = CurrentPath::unused;
+        if (!entry.state.compare_exchange_strong(unused, CurrentPath::claimed)) continue;
         std::memcpy(entry.path.data(), path.c_str(), path.native().size() + 1);
-        entry.state = CurrentTemporary::active;
+        entry.state = CurrentPath::active;
         return static_cast<int>(i);
     }
     return -1;
 }
 
 void leave(int slot) {
-    if (slot >= 0)
-        current_temporaries[static_cast<std::size_t>(slot)].state = CurrentTemporary::unused;
+    if (slot >= 0) current_temporaries[static_cast<std::size_t>(slot)].state = CurrentPath::unused;
 }
 
 // --- Names of temporaries -----------------------------------------------------------------------
@@ -129,7 +130,8 @@ TemporaryFile::TemporaryFile(const fs::path& target) {
         leave(slot_);
         path_ = target.parent_path() / fmt::format("{}{}-{}{}", temporary_prefix(target),
                                                    ::getpid(), counter++, temporary_suffix);
-        slot_ = enter(path_);  // entered before opening, so that a signal never misses the file
+        slot_ = enter(current_temporaries,
+                      path_);  // entered before opening, so that a signal never misses the file
         file_ =
             FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     } while (file_.valid() ? !lock_unless_removed(file_.get()) : errno == EINTR || errno == EEXIST);
@@ -153,9 +155,14 @@ void remove_stale_temporaries(const fs::path& target) {
 
 void remove_stale_temporaries_in(const fs::path& folder) { remove_stale(folder, own_prefix); }
 
-void unlink_current_temporaries() noexcept {
-    for (const CurrentTemporary& entry : current_temporaries) {
-        if (entry.state == CurrentTemporary::active) ::unlink(entry.path.data());
+void remember_made_folder(const fs::path& folder) { enter(made_folders, folder); }
+
+void remove_unfinished_files() noexcept {
+    for (const CurrentPath& entry : current_temporaries) {
+        if (entry.state == CurrentPath::active) ::unlink(entry.path.data());
+    }
+    for (const CurrentPath& entry : made_folders) {
+        if (entry.state == CurrentPath::active) ::rmdir(entry.path.data());
     }
 }
 

@@ -39,4 +39,8 @@ void remove_stale_temporaries(const std::filesystem::path& target);
 // Does the same for all targets in a folder.
 void remove_stale_temporaries_in(const std::filesystem::path& folder);
 
+// Remembers a folder that this process has made, the deepest of several first, for
+// remove_unfinished_files of atomic_file.h.
+void remember_made_folder(const std::filesystem::path& folder);
+
 }  // namespace skybake
