@@ -1,6 +1,11 @@
 #include "bakers/assets/registry.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "bakers/air/particles/layer_phase.h"
@@ -45,6 +50,56 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     return any;
 }
 
+// Returns where a value stands, "earth.toml:14", or no place for a default.
+config::SourceRange recipe_place(const config::ResolvedValue& value) {
+    config::SourceRange place;
+    const std::size_t colon = value.origin.rfind(':');
+    if (colon == std::string::npos) return place;
+    const char* const end = value.origin.data() + value.origin.size();
+    const auto read = std::from_chars(value.origin.data() + colon + 1, end, place.line);
+    if (read.ec != std::errc{} || read.ptr != end) return {};
+    place.source = value.origin.substr(0, colon);
+    return place;
+}
+
+// Gives a diagnostic of a baker its place in the recipe: the line of a key of the section that it
+// speaks of, else the section's first line.
+void add_recipe_place(const config::Recipe& recipe, const Bake& bake,
+                      config::Diagnostic& diagnostic) {
+    if (!diagnostic.where.source.empty()) return;
+    const std::string section = config::join_path("bake", bake.name);
+    for (const config::ResolvedValue& value : recipe.values) {
+        if (value.section != section) continue;
+        const config::SourceRange place = recipe_place(value);
+        if (place.source.empty()) continue;
+        const std::string key = value.path.substr(std::min(section.size() + 1, value.path.size()));
+        const bool is_named = diagnostic.message.find(key) != std::string::npos ||
+                              diagnostic.label.find(key) != std::string::npos;
+        const bool is_first = diagnostic.where.source.empty() || place.line < diagnostic.where.line;
+        if (is_named || is_first) diagnostic.where = place;
+        if (is_named) return;
+    }
+}
+
+// Returns a warning if lookups are so far off that the asset is of no use: by 0.3 of what its
+// errors are relative to in the mean of squares, or by 4 times it somewhere.
+std::optional<config::Diagnostic> large_lookup_errors(const Baked& baked) {
+    constexpr double kLargeRms = 0.3;
+    constexpr double kLargeMax = 4;
+    const Certificate& certificate = baked.certificate;
+    const ErrorFigures& lookup = certificate.lookup;
+    if (!baked.certified || !(lookup.rms >= kLargeRms || lookup.max >= kLargeMax)) return {};
+    config::Diagnostic warning;
+    warning.severity = config::Severity::warning;
+    warning.code = "W0214";
+    warning.message =
+        fmt::format("`{}`: lookups are off by up to {:.3g}, root mean square {:.3g} (scale: {})",
+                    baked.name, lookup.max, lookup.rms, certificate.scale);
+    if (!certificate.worst.empty()) warning.message += "; most at " + certificate.worst;
+    warning.label = "use a larger size or another mapping, or thicker layers of air";
+    return warning;
+}
+
 }  // namespace
 
 std::span<const AnyBaker> bakers() {
@@ -79,7 +134,14 @@ Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
     label.name = bake.name;
     label.parameters = asset_parameters(recipe, bake);
     label.details.emplace_back("baker_version", static_cast<double>(baker.version));
-    return baker.bake(recipe.parameters, bake, options, std::move(label));
+    Outcome<Baked> outcome = baker.bake(recipe.parameters, bake, options, std::move(label));
+    if (outcome.value) {
+        if (auto warning = large_lookup_errors(*outcome.value)) {
+            outcome.diagnostics.push_back(std::move(*warning));
+        }
+    }
+    for (config::Diagnostic& found : outcome.diagnostics) add_recipe_place(recipe, bake, found);
+    return outcome;
 }
 
 }  // namespace skybake

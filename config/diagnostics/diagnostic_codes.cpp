@@ -543,6 +543,14 @@ constexpr std::array codes = {
                    "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
                    "layout = \"atlas\"\ncolumns = 8",
                    0},
+    DiagnosticCode{"W0214", "lookups far from the truth",
+                   "Between its texels the asset is so far off that it is of little use: the root "
+                   "mean square of the lookup errors is 0.3 or more, or one of them is 4 or more, "
+                   "where 1 is what the error figures are relative to. Its texels are right; they "
+                   "are too few for how fast the light changes between them, as it does in layers "
+                   "of a metre, on planets as large as their air, or in tables of a few texels. "
+                   "Choose a larger size, or a mapping with more texels where the message says.",
+                   "size = [2, 2]", "size = [64, 32]", 0},
     DiagnosticCode{
         "W0301", "the cache could not keep an asset",
         "The bake succeeded, but its assets could not be put into the cache: its folder may not be "

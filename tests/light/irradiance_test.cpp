@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "bakers/assets/irradiance/irradiance_table.h"
+#include "bakers/assets/registry.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/irradiance.h"
@@ -141,6 +142,42 @@ TEST(IrradianceTable, HoldsItsErrorAndAddsUp) {
     }
     const Shell& shell = sky.light().shell();
     EXPECT_DOUBLE_EQ(irradiance_coordinate(shell, irradiance_altitude_km(shell, 0.3)), 0.3);
+}
+
+// Four texels of sunlight, and a table as it is by default: only one of them warns.
+TEST(Irradiance, LookupsThatAreFarOffAreWarnedOf) {
+    const auto codes = [](const std::string& size) {
+        const config::Recipe recipe =
+            test::recipe_of("preset = \"earth\"\n[bake.irradiance]\ncontent = \"direct\"\n" + size);
+        const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});
+        EXPECT_TRUE(baked.value);
+        std::string found;
+        for (const config::Diagnostic& diagnostic : baked.diagnostics) {
+            EXPECT_EQ(diagnostic.severity, config::Severity::warning);
+            found += diagnostic.code + " ";
+        }
+        return found;
+    };
+    EXPECT_EQ(codes("size = [2, 2]\n"), "W0214 ");
+    EXPECT_EQ(codes(""), "");
+}
+
+// The line of the key that a diagnostic names: of one that is too strict, and of the size.
+TEST(Irradiance, FaultsOfABakeNameTheirLine) {
+    const auto fault = [](const std::string& section) {
+        const config::Recipe recipe = test::recipe_of("preset = \"earth\"\n" + section);
+        const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});
+        return baked.diagnostics.at(0);
+    };
+    const config::Diagnostic strict =
+        fault("[bake.transmittance]\npixel_type = \"half\"\nmax_error = 1e-7\n");
+    EXPECT_EQ(strict.code, "E0403");
+    EXPECT_EQ(strict.where.source, "test.toml");
+    EXPECT_EQ(strict.where.line, 4);
+    const config::Diagnostic coarse =
+        fault("[bake.irradiance]\ncontent = \"direct\"\nsize = [2, 2]\n");
+    EXPECT_EQ(coarse.code, "W0214");
+    EXPECT_EQ(coarse.where.line, 4);
 }
 
 }  // namespace
