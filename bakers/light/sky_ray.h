@@ -133,6 +133,22 @@ inline constexpr double kLastLight = 25;
 // The largest number of halvings of a piece: 2^-20 of a ray is a few metres.
 inline constexpr int kMostHalvings = 20;
 
+// Over a piece of a row of rays the vertical turns by less than this, about a degree. Along a
+// horizontal ray at dusk the sun's rays graze one scale height after the other, a few degrees apart.
+inline constexpr double kLongestTurn = 1.0 / 48;
+
+// Returns the greatest length of the piece of a ray between two distances from its start, in km. It
+// grows with the distance from the planet's centre only far outside of the planet: in air that is a
+// hundred radii deep a ray would otherwise have thousands of pieces.
+inline double longest_piece_km(const Shell& shell, double altitude_km, double s_km, double from_km,
+                               double to_km) {
+    const double r = shell.ground_radius_km + altitude_km;
+    const double square = (r - s_km) * (r + s_km);
+    const double nearest = std::max({s_km + from_km, -(s_km + to_km), 0.0});
+    const double r_nearest = std::sqrt(std::max(square, 0.0) + nearest * nearest);
+    return kLongestTurn * std::max(shell.ground_radius_km, 0.5 * r_nearest);
+}
+
 // Returns the greatest optical depth of a piece, from the depths at its ends, over the channels
 // whose light still reaches it; nothing if no light does.
 inline std::optional<double> lit_depth(const Spectrum& from, const Spectrum& to, int channels) {

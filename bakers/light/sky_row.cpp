@@ -15,10 +15,6 @@ namespace skybake {
 
 namespace {
 
-// In radii of the planet: about a degree. Along a horizontal ray at dusk the sun's rays graze one
-// scale height after the other, a few degrees apart.
-constexpr double kLongestRowPiece = 1.0 / 48;
-
 // Chebyshev points of the second kind, cos(pi k / (n - 1)), with the weights of the barycentric
 // formula: alternating, halved at both ends.
 double chebyshev_point(int k, int count) {
@@ -71,7 +67,8 @@ void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from
                         const Spectrum& depth_to, int halvings) {
     const auto depth = ray_pieces::lit_depth(depth_from, depth_to, medium_.air.channels);
     if (!depth) return;
-    const bool is_long = to_km - from_km > kLongestRowPiece * shell_.ground_radius_km;
+    const bool is_long = to_km - from_km > ray_pieces::longest_piece_km(shell_, any_.altitude_km,
+                                                                        any_.s_km, from_km, to_km);
     if ((*depth > ray_pieces::kLargestDepth || is_long) && halvings < ray_pieces::kMostHalvings) {
         const double middle = 0.5 * (from_km + to_km);
         const Spectrum depth_middle = depth_km(middle);

@@ -79,6 +79,47 @@ TEST(SkyRow, IsWhatItsRaysAre) {
     }
 }
 
+// The number of pieces that the greatest length of a piece asks for along a ray.
+int pieces_of(const Shell& shell, const SkyRay& ray, double from_km, double to_km) {
+    const double longest =
+        ray_pieces::longest_piece_km(shell, ray.altitude_km, ray.s_km, from_km, to_km);
+    if (to_km - from_km <= longest) return 1;
+    const double middle = 0.5 * (from_km + to_km);
+    return pieces_of(shell, ray, from_km, middle) + pieces_of(shell, ray, middle, to_km);
+}
+
+// A planet of a metre in air of a hundred metres.
+TEST(SkyRow, IsWhatItsRaysAreInAirManyRadiiDeep) {
+    const TestSky sky(
+        test::preset_atmosphere(
+            "earth", {"atmosphere.ground_radius=\"1 m\"", "atmosphere.top_radius=\"101 m\"",
+                      "atmosphere.layers.rayleigh.scale_height=\"10 m\"",
+                      "atmosphere.layers.mie.scale_height=\"30 m\""}),
+        SkyOrders::all);
+    const Shell shell = sky.light().shell();
+    for (const double altitude_km : {0.0, 0.5e-3, 20e-3}) {
+        const SkyViewCamera camera(shell, altitude_km);
+        for (const double elevation : {90.0, 30.0, 3.0}) {
+            const SunZenith sun = sun_at_elevation(elevation * kDegree);
+            for (const double y : {0.0, 0.3, 0.51, 0.8, 1.0}) {
+                EXPECT_LT(error_of_row(sky.light(), camera, y, sun, azimuths(9)), 4e-3)
+                    << altitude_km << " sun " << elevation << " y " << y;
+                const SkyRay ray = camera.ray(y, sun, 1);
+                EXPECT_LT(pieces_of(shell, ray, 0, ray.length_km), 1500) << altitude_km << ' ' << y;
+            }
+        }
+    }
+}
+
+// In air that is less deep than the planet is large, pieces are as long everywhere.
+TEST(SkyRow, PiecesAreTheSameAroundPlanetsWithThinAir) {
+    const Shell shell{6360, 6360};
+    for (const double s_km : {-8000.0, -300.0, 0.0, 9000.0}) {
+        EXPECT_EQ(ray_pieces::longest_piece_km(shell, 3000, s_km, 10, 200), 6360.0 / 48);
+    }
+    EXPECT_GT(ray_pieces::longest_piece_km({1, 100}, 50, 51, 0, 1), 0.5);
+}
+
 RC_GTEST_PROP(SkyRow, IsWhatItsRaysAreInAnyAtmosphere, ()) {
     const TestSky sky(test::random_atmosphere(), SkyOrders::all);
     const SkyViewCamera camera(sky.light().shell(),

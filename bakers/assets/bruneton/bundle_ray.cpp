@@ -13,8 +13,6 @@ namespace skybake {
 
 namespace {
 
-// As in sky_row.cpp, in radii of the planet: about a degree, so that sunlight is smooth over it.
-constexpr double kLongestPiece = 1.0 / 48;
 constexpr std::size_t kRayNodes = kBundleNodes;
 constexpr std::array<std::size_t, 3> kCoarse = {0, 2, 4};
 
@@ -61,7 +59,9 @@ class BundleRayMaker {
              int halvings) {
         const auto deepest = ray_pieces::lit_depth(depth_from, depth_to, medium_.air.channels);
         if (!deepest) return;
-        const bool is_long = to_km - from_km > kLongestPiece * shell_.ground_radius_km;
+        const bool is_long =
+            to_km - from_km >
+            ray_pieces::longest_piece_km(shell_, view_.altitude_km, view_.s_km, from_km, to_km);
         if ((*deepest > ray_pieces::kLargestDepth || is_long) &&
             halvings < ray_pieces::kMostHalvings) {
             const double middle = 0.5 * (from_km + to_km);
