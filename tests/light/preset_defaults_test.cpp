@@ -1,0 +1,62 @@
+// Every preset of an atmosphere bakes every asset of the air with the defaults of its keys: no
+// default asks for an accuracy that the asset's quadratures do not reach.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "bakers/assets/registry.h"
+#include "config/presets/presets.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake {
+namespace {
+
+// Sizes are small, and keys without a default are given; everything else is as it is by default.
+constexpr const char* all_assets = R"(
+[bake.transmittance]
+size = [16, 8]
+[bake.multiple_scattering]
+[bake.sky_view]
+size = [16, 16]
+altitude = "0.5 m"
+sun_elevations = ["10 deg"]
+[bake.environment]
+size = [16, 8]
+altitude = "0.5 m"
+sun_elevation = "10 deg"
+[bake.aerial_perspective]
+size = [4, 4, 4]
+altitude = "0.5 m"
+sun_elevation = "10 deg"
+[bake.irradiance]
+size = [8, 4]
+[bake.bruneton]
+size = [32, 16, 4]
+)";
+constexpr const char* of_layers = "[bake.optical_depth]\nsize = [16, 8, 1]\n";
+
+class PresetDefaults : public ::testing::TestWithParam<std::string_view> {};
+
+TEST_P(PresetDefaults, BakeEveryAsset) {
+    std::string text = "preset = \"" + std::string(GetParam()) + "\"\n" + all_assets;
+    const bool has_layers =
+        !test::recipe_of(text).parameters.atmosphere.layers.empty();  // the vacuum has none
+    if (has_layers) text += of_layers;
+    const config::Recipe recipe = test::recipe_of(text);
+    ASSERT_EQ(recipe.parameters.bakes.size(), has_layers ? 8U : 7U);
+    for (const config::Bake& bake : recipe.parameters.bakes) {
+        const auto baked = bake_asset(recipe, bake, {.certification = Certification::off});
+        EXPECT_TRUE(baked.value) << bake.name;
+        for (const config::Diagnostic& found : baked.diagnostics) {
+            EXPECT_EQ(found.severity, config::Severity::warning)
+                << bake.name << ": " << found.message;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllPresets, PresetDefaults, ::testing::ValuesIn(config::preset_names()),
+                         [](const auto& of) { return std::string(of.param); });
+
+}  // namespace
+}  // namespace skybake
