@@ -128,7 +128,7 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {.version = 2,
+    static const Baker<config::BrunetonBake> row = {.version = 3,
                                                     .bake = bake,
                                                     .estimate = estimate,
                                                     .places = places,

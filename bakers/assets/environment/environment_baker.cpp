@@ -59,7 +59,7 @@ void draft(EnvironmentBake& asset, int) {
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 1,
+    static const Baker<EnvironmentBake> row = {.version = 2,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .places = places,

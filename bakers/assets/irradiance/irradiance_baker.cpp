@@ -71,7 +71,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {.version = 2,
+    static const Baker<config::IrradianceBake> row = {.version = 3,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .places = places,
