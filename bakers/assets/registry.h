@@ -38,7 +38,8 @@ const AnyBaker& baker_of(const config::Bake& bake);
 // Returns the resolved parameters on which an asset depends, as TOML. Its files carry them.
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
 
-// Bakes one section of a recipe. W0214 if its lookups are measured and far off. Diagnostics name
+// Bakes one section of a recipe. E0405 if it needs solved light of air that scatters over a zenith
+// optical depth above 1000. W0214 if its lookups are measured and far off. Diagnostics name
 // the line of the section, or of its key that they speak of.
 config::Outcome<Baked> bake_asset(const config::Recipe& recipe, const config::Bake& bake,
                                   const BakeOptions& options);

@@ -180,5 +180,22 @@ TEST(Irradiance, FaultsOfABakeNameTheirLine) {
     EXPECT_EQ(coarse.where.line, 4);
 }
 
+// Air of a depth of 80000, whose light would be solved for in hours; its sunlight is a closed form.
+TEST(Irradiance, OfAirThatIsTooOpaqueIsRefused) {
+    const auto bake = [](const std::string& keys) {
+        const config::Recipe recipe =
+            test::recipe_of("preset = \"earth\"\n[bake.irradiance]\nsize = [2, 2]\n" + keys,
+                            {"atmosphere.layers.rayleigh.scattering=\"10 /m\""});
+        return bake_asset(recipe, recipe.parameters.bakes.at(0),
+                          {.threads = 1, .certification = Certification::off});
+    };
+    const auto refused = bake("");
+    EXPECT_FALSE(refused.value);
+    ASSERT_EQ(refused.diagnostics.size(), 1U);
+    EXPECT_EQ(refused.diagnostics[0].code, "E0405");
+    EXPECT_EQ(refused.diagnostics[0].where.line, 3);
+    EXPECT_TRUE(bake("content = \"direct\"\n").value);
+}
+
 }  // namespace
 }  // namespace skybake
