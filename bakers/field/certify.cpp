@@ -143,17 +143,6 @@ std::vector<double> look_up(const StoredVoxels& voxels, const Level& level,
     return result;
 }
 
-std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
-                                    const std::vector<double>& wanted) {
-    std::vector<double> errors;
-    for (std::size_t c = 0; c < found.size(); ++c) {
-        const double range = level.statistics[c].max - level.statistics[c].min;
-        // A channel that has one value everywhere is compared by absolute differences.
-        errors.push_back((found[c] - wanted[c]) / (range > 0 ? range : 1));
-    }
-    return errors;
-}
-
 // Compares lookups with the reference at places, in tiles.
 VolumeErrors measure(const Level& level, config::PixelType type, const VolumeReference& reference,
                      const std::vector<Coordinates>& places, const VolumeComparison& comparison,
@@ -186,6 +175,16 @@ VolumeErrors measure(const Level& level, config::PixelType type, const VolumeRef
 }
 
 }  // namespace
+
+std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
+                                    const std::vector<double>& wanted) {
+    std::vector<double> errors;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+        const double range = level.statistics[c].max - level.statistics[c].min;
+        errors.push_back((found[c] - wanted[c]) / (range > 0 ? range : 1));
+    }
+    return errors;
+}
 
 std::vector<double> look_up(const Level& level, config::PixelType type,
                             const std::array<double, 3>& uvw) {

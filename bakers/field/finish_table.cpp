@@ -11,6 +11,7 @@
 #include "bakers/field/smallest_table.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
+#include "bakers/field/table_search.h"
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
@@ -26,6 +27,10 @@ Diagnostic failure(std::string code, std::string message, std::string label = {}
 
 PointCounts points_of(const AccuracyRequest& request, Certification certification) {
     return certification == Certification::full ? request.full : request.quick;
+}
+
+SearchCounts search_of(const AccuracyRequest& request, Certification certification) {
+    return certification == Certification::full ? request.full_search : request.quick_search;
 }
 
 // The cheapest quadrature level whose kernel keeps within the bound at the measured texels.
@@ -123,15 +128,19 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     const bool certify = options.certification != Certification::off;
     Outcome<TablePart> outcome;
 
-    // The choice uses its own points, because the kind of certification must not change the texels.
+    // The choice uses its own points and the quick search, whatever the kind of certification, which
+    // must not change the texels.
     std::array<int, 2> size = request.size;
     int level = 0;
     if (request.max_error) {
         const ReferencePoints points = reference_points(model, request.choice, options);
         // After an interruption, tiles were skipped, so results must not be read.
         if (options.cancelled()) return outcome;
+        const auto check = [&](int at_level, const Image2<float>& image) {
+            return search_table(model, at_level, image, request.quick_search, options);
+        };
         const TableSearch search =
-            smallest_table(model, *request.max_error, table.pixel_type, points, options);
+            smallest_table(model, *request.max_error, table.pixel_type, points, options, check);
         if (options.cancelled()) return outcome;
         if (!search.found) {
             outcome.diagnostics.push_back(failure(
@@ -190,18 +199,21 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     }
     table.certified = certify;
     if (certify) {
-        const ReferencePoints points = reference_points(model, counts, options);
         // Choosing the level has already evaluated the texels of the quick certificate.
         if (!texels || options.certification == Certification::full) {
             texels = reference_texels(model, size, counts, options);
         }
         if (options.cancelled()) return outcome;
-        const MeasuredErrors lookup = measure_lookups(model, table.image(), points);
+        const FoundErrors lookup = search_table(model, level, table.image(),
+                                                search_of(request, options.certification), options);
+        if (options.cancelled()) return outcome;
         table.certificate.texel = measure_lookups(model, table.image(), *texels).figures;
         table.certificate.texel_points = texels->count();
         table.certificate.lookup = lookup.figures;
-        table.certificate.lookup_points = points.count();
-        table.certificate.worst = place_text(place_of(lookup.worst[0], lookup.worst[1]));
+        table.certificate.lookup_points = lookup.points;
+        table.certificate.worst = place_text(place_of(
+            model.x_of_point ? model.x_of_point(lookup.worst_point[0]) : lookup.worst_point[0],
+            lookup.worst_row[0]));
     }
     outcome.value = TablePart{std::move(table), table_space(model, size, place_of)};
     return outcome;
@@ -240,17 +252,17 @@ ProbePlaces below_each_other(ProbePlaces place, int part, int parts) {
 constexpr int kTableProbes = 24;
 constexpr int kProbesOfPart = 12;
 
-// Adds the figures of `part_points` points to the figures of `points` points.
-void add_errors(const ErrorFigures& part, int part_points, ErrorFigures& sum, int points) {
+// Adds the figures of one part to the figures of `parts` parts of the same size.
+void add_errors(const ErrorFigures& part, ErrorFigures& sum, int parts) {
     sum.max = std::fmax(sum.max, part.max);
-    const double squares = sum.rms * sum.rms * points + part.rms * part.rms * part_points;
-    sum.rms = points + part_points > 0 ? std::sqrt(squares / (points + part_points)) : 0;
+    const double squares = sum.rms * sum.rms * parts + part.rms * part.rms;
+    sum.rms = std::sqrt(squares / (parts + 1));
 }
 
-void add_certificate(const Certificate& part, Certificate& sum) {
+void add_certificate(const Certificate& part, Certificate& sum, int parts) {
     if (part.lookup.max > sum.lookup.max) sum.worst = part.worst;
-    add_errors(part.texel, part.texel_points, sum.texel, sum.texel_points);
-    add_errors(part.lookup, part.lookup_points, sum.lookup, sum.lookup_points);
+    add_errors(part.texel, sum.texel, parts);
+    add_errors(part.lookup, sum.lookup, parts);
     sum.texel_points += part.texel_points;
     sum.lookup_points += part.lookup_points;
 }
@@ -354,7 +366,7 @@ Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& opt
         table.range.below_normal += part.range.below_normal;
         table.range.above_range += part.range.above_range;
         table.bake_seconds += part.bake_seconds;
-        add_certificate(part.certificate, table.certificate);
+        add_certificate(part.certificate, table.certificate, static_cast<int>(k));
     }
     if (stack) set_image(std::move(*stack), table);
     add_levels(table);

@@ -12,6 +12,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/choose_probes.h"
+#include "bakers/field/error_search.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
@@ -24,8 +25,10 @@ struct AccuracyRequest {
     std::optional<double> max_error;        // replaces size
     std::optional<double> max_texel_error;  // chooses the quadrature level if size is given
     PointCounts choice;  // points for choosing size and level; independent of --certify
-    PointCounts quick;   // how many points --certify=quick means
+    PointCounts quick;   // how many texels --certify=quick compares
     PointCounts full;
+    SearchCounts quick_search;  // how far --certify=quick searches the errors of lookups
+    SearchCounts full_search;
 };
 
 // Returns the physical coordinates for the table coordinates (x, y).

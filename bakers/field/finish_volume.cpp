@@ -12,6 +12,7 @@
 
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
+#include "bakers/field/volume_search.h"
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
@@ -20,6 +21,14 @@ namespace {
 
 std::string place_text(const std::array<double, 3>& uvw) {
     return fmt::format("u {:.6g}, v {:.6g}, w {:.6g}", uvw[0], uvw[1], uvw[2]);
+}
+
+SearchCounts search_counts(const VolumeFinish& finish, Certification certification) {
+    // Rows, one point in each, rows through peaks, climbs, and points of an expensive reference.
+    if (certification == Certification::full) return {8192, 1, 2048, 64, finish.estimate ? 512 : 0};
+    if (finish.estimate) return {384, 1, 64, 6, 32};
+    if (finish.expensive) return {40, 1, 8, 1, 0};
+    return {640, 1, 96, 12, 0};
 }
 
 void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volume) {
@@ -33,8 +42,15 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volu
         static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
     const VolumeErrors texel = measure_voxels(level, volume.pixel_type, finish.reference, voxels,
                                               options, finish.comparison);
-    const VolumeErrors lookup = measure_lookups(level, volume.pixel_type, finish.reference, points,
-                                                options, finish.comparison);
+    // Volumes that repeat look alike everywhere, so that points spread evenly see what there is.
+    const VolumeErrors lookup =
+        level.repeats[0]
+            ? measure_lookups(level, volume.pixel_type, finish.reference, points, options,
+                              finish.comparison)
+            : search_volume(level, volume.pixel_type, finish.reference, finish.estimate,
+                            search_counts(finish, options.certification), options,
+                            finish.comparison);
+    if (options.cancelled()) return;
     Certificate& certificate = volume.certificate;
     certificate.texel = texel.figures;
     certificate.texel_points = texel.points;

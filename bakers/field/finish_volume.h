@@ -25,6 +25,8 @@ struct VolumeFinish {
     VolumeReference reference;                            // empty: no certificate
     std::string reference_name;
     bool expensive = false;  // the reference is expensive: --certify=quick takes fewer points
+    // Approximates an expensive reference. It is searched for the largest errors in its place.
+    VolumeReference estimate = {};
     VolumeComparison comparison = {};
     // Replaces the reference for volumes that a runtime does not look up between the eight nearest
     // voxels.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
@@ -104,10 +105,25 @@ double lookup_error(const TableModel& model, const Candidate& candidate, config:
     return largest;
 }
 
+// Adds the place of the largest error that a check found.
+PointIndex add_point(const TableModel& model, const FoundErrors& found, ReferencePoints& points) {
+    const double x =
+        model.x_of_point ? model.x_of_point(found.worst_point[0]) : found.worst_point[0];
+    std::vector<double> values(static_cast<std::size_t>(model.channels));
+    model.reference(found.worst_row[0], {x}, values.data());
+    for (std::size_t c = 0; c < values.size(); ++c) {
+        points.scale[c] = std::max(points.scale[c], values[c]);
+    }
+    points.rows.push_back({found.worst_row[0], {x}});
+    points.values.push_back(std::move(values));
+    return {points.rows.size() - 1, 0};
+}
+
 }  // namespace
 
 TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
-                           const ReferencePoints& points, const BakeOptions& options) {
+                           ReferencePoints points, const BakeOptions& options,
+                           const TableCheck& check) {
     // No table keeps within the bound if the kernel's error at that level exceeds it. If the
     // kernel's error is an eighth of the bound, a more expensive level gains almost nothing.
     const int levels = static_cast<int>(model.cost_per_texel.size());
@@ -135,6 +151,18 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
             if (!(error <= max_error)) {
                 const auto refuted = order.begin() + static_cast<std::ptrdiff_t>(k);
                 std::rotate(order.begin(), refuted, refuted + 1);
+            }
+        }
+        if (largest <= max_error && check) {
+            RangeCounts range;
+            const Image2<float> image = store_texels(
+                bake_texels(model, candidate.level, candidate.size, options), type, range);
+            if (options.cancelled()) break;
+            const FoundErrors found = check(candidate.level, image);
+            if (options.cancelled()) break;
+            largest = std::max(largest, found.figures.max);
+            if (!(largest <= max_error)) {
+                order.insert(order.begin(), add_point(model, found, points));
             }
         }
         if (largest <= max_error) {

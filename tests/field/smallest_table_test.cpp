@@ -57,5 +57,24 @@ TEST(SmallestTable, CountsThePixelType) {
     EXPECT_FALSE(search(model_of(1), 1e-4, config::PixelType::half).found);
 }
 
+// A check that wants the table wider than the points show: errors hide where no point is.
+TEST(SmallestTable, HoldsWhereACheckLooks) {
+    const TableModel model = model_of(1);
+    int checked = 0;
+    const TableCheck check = [&](int, const Image2<float>& image) {
+        ++checked;
+        FoundErrors found;
+        found.figures.max = image.width < 16 ? 1 : 0;
+        found.worst_point[0] = 0.3;
+        return found;
+    };
+    const ReferencePoints points = reference_points(model, {256, 1}, BakeOptions{1});
+    const TableSearch found =
+        smallest_table(model, 1.2e-2, config::PixelType::float32, points, BakeOptions{1}, check);
+    ASSERT_TRUE(found.found);
+    EXPECT_GE(found.found->size[0], 16);
+    EXPECT_GT(checked, 1);
+}
+
 }  // namespace
 }  // namespace skybake

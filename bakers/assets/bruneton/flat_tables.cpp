@@ -59,6 +59,18 @@ ProbePlace probe_place_of(const FlatPlace& place, const std::array<int, 3>& size
     return result;
 }
 
+// The values of a row's function at texture coordinates, 1 in channels after the colours.
+VolumeReference flat_values(const FlatTable& table, const FlatRow& row,
+                            const std::array<int, 3>& size, std::size_t channels) {
+    return [&row, colours = table.colours, size, channels](const std::array<double, 3>& uvw) {
+        std::vector<double> values(channels, 1);
+        std::vector<double> found(colours);
+        row(coordinate_of(uvw[1], size[1]), {coordinate_of(uvw[0], size[0])}, found.data());
+        std::copy(found.begin(), found.end(), values.begin());
+        return values;
+    };
+}
+
 config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
                                  const config::BrunetonBake& bake, const BakeOptions& options,
                                  Baked volume) {
@@ -72,6 +84,7 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
     finish.reference_name = volume.certificate.reference;
     finish.expensive = bake.table == config::BrunetonTable::irradiance;
     finish.reference = flat_reference(table, bake.size, channels);
+    if (finish.expensive) finish.estimate = flat_values(table, table.row, bake.size, channels);
     finish.probe_place = [&place, &bake](const std::array<double, 3>& uvw, int) {
         return probe_place_of(place, bake.size, uvw);
     };
@@ -111,14 +124,7 @@ DenseVolume flat_texels(const FlatTable& table, const std::array<int, 3>& size,
 
 VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>& size,
                                std::size_t channels) {
-    return [&table, size, channels](const std::array<double, 3>& uvw) {
-        std::vector<double> values(channels, 1);
-        std::vector<double> found(table.colours);
-        table.reference(coordinate_of(uvw[1], size[1]), {coordinate_of(uvw[0], size[0])},
-                        found.data());
-        std::copy(found.begin(), found.end(), values.begin());
-        return values;
-    };
+    return flat_values(table, table.reference, size, channels);
 }
 
 FlatTable flat_transmittance(const Medium& medium) {

@@ -9,7 +9,9 @@
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/assets/bruneton/sun_bundle.h"
 #include "bakers/field/certify.h"
+#include "bakers/field/error_search.h"
 #include "bakers/field/image.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
@@ -46,23 +48,68 @@ class ScatteringErrors {
 
     Direction direction(int index) const {
         const std::array<double, 3> point = low_discrepancy_point(index);
-        const bool meets_ground = point[1] < 0.5;
+        const double share = (index + 0.5) * kGoldenSection;
+        return direction({point[1], point[2], 0}, {point[0], share - std::floor(share), 0});
+    }
+
+    // `view` is the view's place on its axis, the ground's half first, and x_r; `sun` is x_mu_s and
+    // the share of the cosines to the sun that directions can have.
+    Direction direction(const SearchPlace& view, const SearchPlace& sun) const {
         Direction result;
-        result.view = mapping_.view(std::fabs(2 * point[1] - 1), meets_ground, point[2]);
-        result.sun_cos_zenith = mapping_.sun_cos_zenith(point[0]);
+        result.view = mapping_.view(std::fabs(2 * view[0] - 1), view[0] < 0.5, view[1]);
+        result.sun_cos_zenith = mapping_.sun_cos_zenith(sun[0]);
         const FeasibleCosines feasible =
             feasible_cosines(view_cosine(mapping_.shell(), result.view), result.sun_cos_zenith);
-        const double share = (index + 0.5) * kGoldenSection;
-        result.nu = std::clamp(
-            feasible.low + (share - std::floor(share)) * (feasible.high - feasible.low), -1.0, 1.0);
+        result.nu = std::clamp(feasible.low + sun[1] * (feasible.high - feasible.low), -1.0, 1.0);
         return result;
     }
 
     // Of each channel.
-    std::vector<double> lookup(const Direction& at) const {
-        return errors(look_up(table_, mapping_,
-                              mapping_.coordinates(at.view, at.sun_cos_zenith, at.nu), type_),
-                      at);
+    std::vector<double> lookup(const Direction& at) const { return errors(found(at), at); }
+
+    // Of lookups of one view against a row's values.
+    void lookups(const TexelRow& row, const std::vector<Direction>& at, PointError* result) const {
+        std::vector<double> suns;
+        std::vector<double> nu;
+        for (const Direction& direction : at) {
+            suns.push_back(direction.sun_cos_zenith);
+            nu.push_back(direction.nu);
+        }
+        const std::vector<Texel> wanted = row(at.front().view, suns, nu);
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            const std::vector<double> each = errors(found(at[i]), wanted[i]);
+            result[i] = PointError::of(each.data(), each.size());
+        }
+    }
+
+    // What the texels around a direction let expect of lookups: the error of a value that is off by
+    // an eighth of the second differences along all axes.
+    double expected(const Direction& at) const {
+        const ScatteringCoordinates x = mapping_.coordinates(at.view, at.sun_cos_zenith, at.nu);
+        const std::array<int, 4> sizes = {mapping_.nu_size(), mapping_.sun_size(),
+                                          mapping_.half_size(), mapping_.size()[2]};
+        const std::array<double, 4> places = {x.x_nu, x.x_mu_s, x.x_mu, x.x_r};
+        std::array<int, 4> texel{};
+        for (std::size_t a = 0; a < 4; ++a) texel[a] = nearest(places[a], sizes[a]);
+        double most = 0;
+        for (std::size_t c = 0; c < table_.channels(); ++c) {
+            const double value = value_of(texel, x.meets_ground, c);
+            double off = 0;
+            for (std::size_t a = 0; a < 4; ++a) {
+                if (sizes[a] < 3) continue;
+                std::array<int, 4> middle = texel;
+                middle[a] = std::clamp(middle[a], 1, sizes[a] - 2);
+                std::array<int, 4> before = middle;
+                std::array<int, 4> after = middle;
+                --before[a];
+                ++after[a];
+                off += std::fabs(value_of(before, x.meets_ground, c) -
+                                 2 * value_of(middle, x.meets_ground, c) +
+                                 value_of(after, x.meets_ground, c));
+            }
+            most = std::max(most, std::fabs(relative_error(value + off / 8, value, largest_[c])));
+        }
+        return most;
     }
 
     // Of the texel next to it; none where its nu is not feasible.
@@ -97,8 +144,23 @@ class ScatteringErrors {
   private:
     static int nearest(double x, int count) { return static_cast<int>(x * (count - 1) + 0.5); }
 
+    Texel found(const Direction& at) const {
+        return look_up(table_, mapping_, mapping_.coordinates(at.view, at.sun_cos_zenith, at.nu),
+                       type_);
+    }
+
+    // `texel` holds the indices along nu, the sun, the view's half and the altitude.
+    double value_of(const std::array<int, 4>& texel, bool meets_ground, std::size_t channel) const {
+        return double{table_.channel(
+            channel)[table_.offset(texel[0] * mapping_.sun_size() + texel[1],
+                                   mapping_.v_of(texel[2], meets_ground), texel[3])]};
+    }
+
     std::vector<double> errors(const Texel& value, const Direction& at) const {
-        const Texel wanted = exact_(at.view, at.sun_cos_zenith, at.nu);
+        return errors(value, exact_(at.view, at.sun_cos_zenith, at.nu));
+    }
+
+    std::vector<double> errors(const Texel& value, const Texel& wanted) const {
         std::vector<double> result;
         for (std::size_t c = 0; c < table_.channels(); ++c) {
             result.push_back(relative_error(value[c], wanted[c], largest_[c]));
@@ -163,6 +225,77 @@ Certificate measure_scattering(const DenseVolume& table, const ScatteringMapping
         "quadrature along each view ray, exact sunlight and transmittance, solved light";
     certificate.scale = kRelativeErrorScale;
     return certificate;
+}
+
+namespace {
+
+// Rows, points in each, peak rows, climbs, and points of the reference.
+constexpr SearchCounts kQuickSearch = {256, 96, 24, 6, 128};
+constexpr SearchCounts kFullSearch = {1024, 256, 256, 32, 4096};
+
+std::vector<double> even_edges(int texels) {
+    const int cells = std::max(texels - 1, 1);
+    std::vector<double> edges;
+    for (int i = 0; i <= cells; ++i) edges.push_back(static_cast<double>(i) / cells);
+    return edges;
+}
+
+// The cells of both halves of the view's axis, that of the ground, which runs backwards, first.
+std::vector<double> view_edges(int half_size) {
+    const std::vector<double> half = even_edges(half_size);
+    std::vector<double> edges;
+    for (auto x = half.rbegin(); x != half.rend(); ++x) edges.push_back(0.5 - 0.5 * *x);
+    for (auto x = half.begin() + 1; x != half.end(); ++x) edges.push_back(0.5 + 0.5 * *x);
+    return edges;
+}
+
+}  // namespace
+
+TexelRow texel_row(const ScatteringContent& content, const ScatteringRows& rows) {
+    return [&content, &rows](const ScatteringView& view, const std::vector<double>& suns,
+                             const std::vector<double>& nu) {
+        const ScatteringRow row = rows.row(view, SunBundle(suns, nu));
+        std::vector<Texel> texels;
+        for (std::size_t i = 0; i < suns.size(); ++i) {
+            texels.push_back(content.texel(content.parts(row, i, nu[i])));
+        }
+        return texels;
+    };
+}
+
+void search_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
+                       const ExactTexel& exact, const TexelRow& row,
+                       const std::vector<double>& largest, config::PixelType type,
+                       const BakeOptions& options, Certificate& certificate) {
+    const ScatteringErrors errors(table, mapping, exact, largest, type);
+    LookupSearch search = {
+        SearchGrid({view_edges(mapping.half_size()), even_edges(mapping.size()[2])}),
+        SearchGrid({even_edges(mapping.sun_size()), even_edges(mapping.nu_size())}),
+        {},
+        {},
+        {}};
+    search.exact = [&](const SearchPlace& view, const std::vector<SearchPlace>& suns,
+                       PointError* result) {
+        for (const SearchPlace& sun : suns) {
+            const std::vector<double> each = errors.lookup(errors.direction(view, sun));
+            *result++ = PointError::of(each.data(), each.size());
+        }
+    };
+    search.estimate = [&](const SearchPlace& view, const std::vector<SearchPlace>& suns,
+                          PointError* result) {
+        std::vector<Direction> directions;
+        for (const SearchPlace& sun : suns) directions.push_back(errors.direction(view, sun));
+        errors.lookups(row, directions, result);
+    };
+    search.expected = [&](std::size_t view, std::size_t sun) {
+        return errors.expected(
+            errors.direction(search.rows.middle(view), search.points.middle(sun)));
+    };
+    const bool full = options.certification == Certification::full;
+    const FoundErrors found = search_errors(search, full ? kFullSearch : kQuickSearch, options);
+    certificate.lookup = found.figures;
+    certificate.lookup_points = found.points;
+    certificate.worst = errors.place_text(errors.direction(found.worst_row, found.worst_point));
 }
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
+#include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/higher_orders.h"
@@ -49,6 +50,21 @@ std::vector<double> largest_values(const DenseVolume& table);
 
 // Returns the number of points of a certificate.
 int scattering_points(Certification certification);
+
+// Returns exact channels too, from a row of suns that share the work along their view ray:
+// values[i] for each sun_cos_zenith[i] and nu[i]. It approximates what ExactTexel returns.
+using TexelRow = std::function<std::vector<Texel>(
+    const ScatteringView& view, const std::vector<double>& suns, const std::vector<double>& nu)>;
+
+// Makes that function of the rows that texels are made of. The arguments must outlive it.
+TexelRow texel_row(const ScatteringContent& content, const ScatteringRows& rows);
+
+// Searches the errors of lookups (error_search.h) over the same measure as measure_scattering, in
+// place of its lookups. `row` is the estimate that is searched.
+void search_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
+                       const ExactTexel& exact, const TexelRow& row,
+                       const std::vector<double>& largest, config::PixelType type,
+                       const BakeOptions& options, Certificate& certificate);
 
 // Measures at points spread evenly over x_mu_s, x_mu of both halves and x_r, and over the nu that
 // directions can have. The texels that are measured are those next to the points whose own nu is

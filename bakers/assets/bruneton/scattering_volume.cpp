@@ -129,9 +129,16 @@ config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
     finish.measure = [&](const Baked& baked, const BakeOptions& how) {
-        return measure_scattering(*table, mapping, exact_texel(content, reference),
-                                  largest_values(*table), baked.pixel_type,
-                                  scattering_points(how.certification), how);
+        const ExactTexel exact = exact_texel(content, reference);
+        const std::vector<double> largest = largest_values(*table);
+        Certificate certificate =
+            measure_scattering(*table, mapping, exact, largest, baked.pixel_type,
+                               scattering_points(how.certification), how);
+        if (how.cancelled()) return certificate;
+        const ScatteringRows rows(medium, wanted, content.wants_single(), how.threads);
+        search_scattering(*table, mapping, exact, texel_row(content, rows), largest,
+                          baked.pixel_type, how, certificate);
+        return certificate;
     };
     finish.probe_place = [&mapping](const std::array<double, 3>& uvw, int) {
         return scattering_probe_place(mapping, uvw);

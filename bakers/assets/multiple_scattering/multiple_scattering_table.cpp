@@ -173,6 +173,8 @@ config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
     request.choice = {32, 16};
     request.quick = {8, 8};
     request.full = {1024, 16};
+    request.quick_search = {16, 64, 4, 4, 64};
+    request.full_search = {256, 256, 32, 16, 16384};
     const auto place_of = [mapping, thickness_km](double x, double y) {
         return Place{{"altitude_km", y * thickness_km},
                      {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};

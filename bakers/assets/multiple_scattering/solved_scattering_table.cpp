@@ -233,6 +233,8 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     request.choice = {32, 16};
     request.quick = {32, 16};
     request.full = {1024, 16};
+    request.quick_search = {128, 64, 16, 32, 0};
+    request.full_search = {1024, 256, 64, 128, 0};
     std::vector<TablePart> parts;
     for (int l = 0; l <= degree; ++l) {
         for (int m = 0; m <= l; ++m) {

@@ -215,6 +215,8 @@ config::Outcome<Baked> bake_phase(const config::Parameters& parameters, const Ph
     request.choice = kChoice;
     request.quick = {1024, 1};
     request.full = {16384, 1};
+    request.quick_search = {1, 4096, 0, 32, 0};
+    request.full_search = {1, 65536, 0, 128, 0};
     const auto place_of = [inverse, spacing](double x, double) {
         if (inverse) return Place{{"share", x}};
         return Place{{"scattering_angle_deg",

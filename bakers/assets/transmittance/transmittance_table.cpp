@@ -124,6 +124,9 @@ config::Outcome<Baked> bake_transmittance(const Medium& medium, const Transmitta
     request.choice = {4096, 1};
     request.quick = {1024, 1};
     request.full = {16384, 1};
+    // Rows, points in each, peak rows, climbs, and points of the reference.
+    request.quick_search = {512, 48, 16, 32, 384};
+    request.full_search = {1024, 256, 64, 128, 16384};
     const auto place_of = [shell](double x, double y) {
         const TransmittanceRay ray = transmittance_ray(shell, {x, y});
         return Place{{"altitude_km", ray.altitude_km}, {"cos_zenith", cos_zenith_of(shell, ray)}};
