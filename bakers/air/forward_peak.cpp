@@ -1,11 +1,14 @@
 #include "bakers/air/forward_peak.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
+
+#include "bakers/air/optical_depth.h"
 
 namespace skybake {
 
@@ -59,6 +62,27 @@ Medium together(Medium air, const std::vector<SkyLayer>& layers) {
     return air;
 }
 
+double light_beyond_degree(const SkyLayer& layer, int degree) {
+    const Spectrum next = scattered_moments(layer, degree + 1).back();
+    const Spectrum depth = scattering_depth(layer, 0, layer.alone.ground_radius_km);
+    double most = 0;
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        most = std::max(most, std::fabs(next[c]) * std::min(depth[c], 1.0));
+    }
+    return most;
+}
+
+// Takes what moments up to a degree cannot represent out of the layer. A negative moment is no
+// peak: such phase functions scatter backwards.
+void scale(int degree, SkyLayer& layer) {
+    const Spectrum more = maximum(scattered_moments(layer, degree + 1).back(), Spectrum(0.0));
+    if (!(largest(more) > 0)) return;
+    if (layer.first_phase.functions.empty()) layer.first_phase = layer.phase;
+    layer.forward_share = 1.0 - (1.0 - layer.forward_share) * (1.0 - more);
+    layer.first_factor /= 1.0 - more;
+    take_peak_out(1.0 - more, layer.alone);
+}
+
 }  // namespace
 
 WidePhase without_peak(const LayerPhase& phase) {
@@ -73,32 +97,62 @@ WidePhase without_peak(const LayerPhase& phase) {
     return wide;
 }
 
+double light_beyond_degree(const SkyMedium& medium, int degree) {
+    double most = 0;
+    for (const SkyLayer& layer : medium.layers) {
+        if (layer.scatters) most = std::max(most, light_beyond_degree(layer, degree));
+    }
+    return most;
+}
+
 SkyMedium without_forward_peaks(SkyMedium medium) {
     bool any = false;
     for (SkyLayer& layer : medium.layers) {
+        if (!layer.scatters) continue;
         WidePhase wide = without_peak(layer.phase);
-        if (!wide.has_peak || !layer.scatters) continue;
-        any = true;
-        layer.first_phase = std::move(layer.phase);
-        layer.first_factor = 1.0 / wide.share;
-        layer.phase = std::move(wide.phase);
-        take_peak_out(wide.share, layer.alone);
+        if (wide.has_peak) {
+            layer.first_phase = std::move(layer.phase);
+            layer.first_factor = 1.0 / wide.share;
+            layer.phase = std::move(wide.phase);
+            take_peak_out(wide.share, layer.alone);
+        } else if (light_beyond_degree(layer, kLargestDegree) > kNegligibleLight) {
+            scale(kLargestDegree, layer);
+        }
+        any = any || !layer.first_phase.functions.empty();
     }
     if (any) medium.air = together(std::move(medium.air), medium.layers);
     return medium;
 }
 
-config::Layer without_scattering(config::Layer layer) {
-    layer = with_coefficients(std::move(layer));
-    if (layer.phase == config::Phase::mie) {
-        const WidePhase wide = without_peak(layer_phase(layer));
-        for (std::size_t c = 0; c < layer.extinction.size(); ++c) {
-            layer.extinction[c].per_meter -= (1 - wide.share[c]) * layer.scattering[c].per_meter;
-        }
-        layer.phase = config::Phase::isotropic;
+SkyMedium delta_scaled(SkyMedium medium, int degree) {
+    for (SkyLayer& layer : medium.layers) {
+        if (layer.scatters) scale(degree, layer);
     }
-    for (config::InverseLength& scattering : layer.scattering) scattering = {};
-    return layer;
+    medium.air = together(std::move(medium.air), medium.layers);
+    return medium;
+}
+
+SkyMedium scattering_only(SkyMedium medium, const std::vector<std::string>& layers) {
+    if (layers.empty()) return medium;
+    for (SkyLayer& layer : medium.layers) {
+        if (std::find(layers.begin(), layers.end(), layer.name) != layers.end()) continue;
+        for (ExponentialLayer& part : layer.alone.exponential_layers) part.scattering_per_km = {};
+        for (PiecewiseLayer& part : layer.alone.piecewise_layers) part.scattering_per_km = {};
+        layer.scatters = false;
+    }
+    medium.air = together(std::move(medium.air), medium.layers);
+    return medium;
+}
+
+Spectrum scattering_depth(const SkyLayer& layer, double altitude_km, double s_km) {
+    const Medium& alone = layer.alone;
+    const bool is_exponential = !alone.exponential_layers.empty();
+    const Spectrum& scattering = is_exponential ? alone.exponential_layers[0].scattering_per_km
+                                                : alone.piecewise_layers[0].scattering_per_km;
+    const Spectrum& extinction = is_exponential ? alone.exponential_layers[0].extinction_per_km
+                                                : alone.piecewise_layers[0].extinction_per_km;
+    // The same share of extinction at all altitudes.
+    return share_of(scattering, extinction) * optical_depth_to_top(alone, altitude_km, s_km);
 }
 
 }  // namespace skybake

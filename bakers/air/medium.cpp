@@ -196,4 +196,12 @@ Spectrum first_phase_values(const SkyLayer& layer, double one_minus_cosine,
     return values;
 }
 
+std::vector<Spectrum> scattered_moments(const SkyLayer& layer, int degree) {
+    std::vector<Spectrum> moments = legendre_moments(layer.phase, degree);
+    for (Spectrum& moment : moments) {
+        moment = (moment - layer.forward_share) / (1.0 - layer.forward_share);
+    }
+    return moments;
+}
+
 }  // namespace skybake

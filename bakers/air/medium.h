@@ -91,12 +91,19 @@ struct SkyLayer {
     // `phase`. It is multiplied by first_factor (forward_peak.h).
     LayerPhase first_phase;
     Spectrum first_factor = Spectrum(1.0);
+    // The share of `phase` that counts as not scattered (delta-M, forward_peak.h): the light that
+    // is scattered again has the moments of scattered_moments.
+    Spectrum forward_share{};
     bool operator==(const SkyLayer&) const = default;
 };
 
 // Returns the phase function's values for light that is scattered for the first time, per channel,
 // in 1/sr.
 Spectrum first_phase_values(const SkyLayer& layer, double one_minus_cosine, double one_plus_cosine);
+
+// Returns the moments chi_0 to chi_degree with which a layer scatters light again: (chi_l - f) /
+// (1 - f), where f is its forward_share.
+std::vector<Spectrum> scattered_moments(const SkyLayer& layer, int degree);
 
 // The air with its layers. Layers without extinction are left out.
 struct SkyMedium {

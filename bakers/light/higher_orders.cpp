@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -53,7 +54,107 @@ Spectrum moment_sum(int degree, double azimuth_cosine,
     return sum;
 }
 
+// Returns the sum over layers of scattering times phase moment, multiplied by the view's harmonic:
+// [lm].
+std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
+                                   const std::vector<Spectrum>& scattering,
+                                   const std::vector<std::vector<Spectrum>>& phase_moments) {
+    const auto count = static_cast<std::size_t>(moment_count(degree));
+    std::vector<double> harmonics(count);
+    zenith_harmonics(degree, view_cos_zenith, harmonics.data());
+    std::vector<Spectrum> factors(count);
+    for (int l = 0; l <= degree; ++l) {
+        for (int m = 0; m <= l; ++m) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            for (std::size_t k = 0; k < scattering.size(); ++k) {
+                const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
+                factors[lm] += scattering[k] * chi * harmonics[lm];
+            }
+        }
+    }
+    return factors;
+}
+
+// Adds what the light of one column sends along the view, by azimuthal order, to values[m].
+void add_column(const SolvedLight& light, const LevelPlace& at, int sun, int degree,
+                const std::vector<Spectrum>& factors, Spectrum* values) {
+    const double* below = light.light.at(at.level, sun);
+    const double* over = light.light.at(at.level + 1, sun);
+    for (int l = 0; l <= degree; ++l) {
+        for (int m = 0; m <= l; ++m) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            values[m] += factors[lm] * ((1 - at.fraction) * packet_at(below + lm * kChannelSlots) +
+                                        at.fraction * packet_at(over + lm * kChannelSlots));
+        }
+    }
+}
+
+// Returns the light for a sun between columns. `columns` has the values of its four columns, one
+// after the other.
+Spectrum between_columns(const SunStencil& stencil, const Spectrum* columns, std::size_t orders,
+                         double sun_cos_zenith, double azimuth_cosine) {
+    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
+    Spectrum sum{};
+    double power = 1;  // sine^m
+    double last = 1;   // cos(m phi), by Chebyshev's recursion
+    double before = azimuth_cosine;
+    for (std::size_t m = 0; m < orders; ++m) {
+        const Spectrum* of = columns + m;
+        sum += power * last *
+               (stencil.weights[0] * of[0] + stencil.weights[1] * of[orders] +
+                stencil.weights[2] * of[2 * orders] + stencil.weights[3] * of[3 * orders]);
+        const double next = 2 * azimuth_cosine * last - before;
+        before = last;
+        last = next;
+        power *= sine;
+    }
+    return sum;
+}
+
+// SolvedSource for few suns: it evaluates the columns that they need.
+class NearbySuns {
+  public:
+    NearbySuns(const SolvedLight& light, int degree, LevelPlace at, std::vector<Spectrum> factors)
+        : light_(light),
+          degree_(degree),
+          at_(at),
+          factors_(std::move(factors)),
+          known_(static_cast<std::size_t>(light.suns.count())),
+          values_(known_.size() * orders()) {}
+
+    Spectrum scattered(double sun_cos_zenith, double azimuth_cosine) {
+        const SunStencil stencil = light_.stencil(sun_cos_zenith);
+        const auto first = static_cast<std::size_t>(stencil.column);
+        for (std::size_t column = first; column < first + 4; ++column) {
+            if (known_[column]) continue;
+            known_[column] = true;
+            add_column(light_, at_, static_cast<int>(column), degree_, factors_,
+                       values_.data() + column * orders());
+        }
+        return between_columns(stencil, values_.data() + first * orders(), orders(), sun_cos_zenith,
+                               azimuth_cosine);
+    }
+
+  private:
+    std::size_t orders() const { return static_cast<std::size_t>(degree_) + 1; }
+
+    const SolvedLight& light_;
+    int degree_;
+    LevelPlace at_;
+    std::vector<Spectrum> factors_;
+    std::vector<bool> known_;
+    std::vector<Spectrum> values_;  // [column * orders + m]
+};
+
 }  // namespace
+
+HigherOrders::OfSun HigherOrders::at(double altitude_km, double view_cos_zenith,
+                                     const std::vector<Spectrum>& scattering_per_km) const {
+    return [=, this](double sun_cos_zenith, double azimuth_cosine) {
+        return scattered({altitude_km, sun_cos_zenith, view_cos_zenith, azimuth_cosine},
+                         scattering_per_km);
+    };
+}
 
 IsotropicOrders::IsotropicOrders(const Medium& medium, MeanRadiance mean_radiance)
     : medium_(medium), mean_radiance_(std::move(mean_radiance)) {}
@@ -84,7 +185,7 @@ Spectrum IsotropicOrders::sky_irradiance(double sun_cos_zenith) const {
 SolvedOrders::SolvedOrders(const SkyMedium& medium, const SolvedLight& light, int degree)
     : light_(light), degree_(std::min(degree, light.degree())) {
     for (const SkyLayer& layer : medium.layers) {
-        phase_moments_.push_back(legendre_moments(layer.phase, degree_));
+        phase_moments_.push_back(scattered_moments(layer, degree_));
     }
 }
 
@@ -102,6 +203,17 @@ Spectrum SolvedOrders::scattered(const ScatteringPoint& point,
                       });
 }
 
+HigherOrders::OfSun SolvedOrders::at(double altitude_km, double view_cos_zenith,
+                                     const std::vector<Spectrum>& scattering_per_km) const {
+    assert(scattering_per_km.size() == phase_moments_.size());
+    auto suns = std::make_shared<NearbySuns>(
+        light_, degree_, light_.level_at(altitude_km),
+        view_factors(degree_, view_cos_zenith, scattering_per_km, phase_moments_));
+    return [suns](double sun_cos_zenith, double azimuth_cosine) {
+        return suns->scattered(sun_cos_zenith, azimuth_cosine);
+    };
+}
+
 Spectrum SolvedOrders::sky_irradiance(double sun_cos_zenith) const {
     return light_.sky_irradiance_at(sun_cos_zenith);
 }
@@ -115,7 +227,7 @@ TableOrders::TableOrders(const SkyMedium& medium, const Image2<float>& table, in
           return moment_at({altitude_km, sun_cos_zenith, 0, 0}, 0);
       }) {
     for (const SkyLayer& layer : medium.layers) {
-        phase_moments_.push_back(legendre_moments(layer.phase, degree));
+        phase_moments_.push_back(scattered_moments(layer, degree));
     }
 }
 
@@ -147,31 +259,6 @@ Spectrum TableOrders::sky_irradiance(double sun_cos_zenith) const {
     return mean_.sky_irradiance(sun_cos_zenith);
 }
 
-namespace {
-
-// Returns the sum over layers of scattering times phase moment, multiplied by the view's harmonic:
-// [lm].
-std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
-                                   const std::vector<Spectrum>& scattering,
-                                   const std::vector<std::vector<Spectrum>>& phase_moments) {
-    const auto count = static_cast<std::size_t>(moment_count(degree));
-    std::vector<double> harmonics(count);
-    zenith_harmonics(degree, view_cos_zenith, harmonics.data());
-    std::vector<Spectrum> factors(count);
-    for (int l = 0; l <= degree; ++l) {
-        for (int m = 0; m <= l; ++m) {
-            const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            for (std::size_t k = 0; k < scattering.size(); ++k) {
-                const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
-                factors[lm] += scattering[k] * chi * harmonics[lm];
-            }
-        }
-    }
-    return factors;
-}
-
-}  // namespace
-
 SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
                            const std::vector<Spectrum>& scattering,
                            const std::vector<std::vector<Spectrum>>& phase_moments)
@@ -184,40 +271,17 @@ SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double 
         view_factors(degree, view_cos_zenith, scattering, phase_moments);
     values_.resize(static_cast<std::size_t>(light.suns.count()) * orders);
     for (int sun = 0; sun < light.suns.count(); ++sun) {
-        const double* below = light.light.at(at.level, sun);
-        const double* over = light.light.at(at.level + 1, sun);
-        Spectrum* values = values_.data() + static_cast<std::size_t>(sun) * orders;
-        for (int l = 0; l <= degree; ++l) {
-            for (int m = 0; m <= l; ++m) {
-                const auto lm = static_cast<std::size_t>(moment_index(l, m));
-                values[m] +=
-                    factors[lm] * ((1 - at.fraction) * packet_at(below + lm * kChannelSlots) +
-                                   at.fraction * packet_at(over + lm * kChannelSlots));
-            }
-        }
+        add_column(light, at, sun, degree, factors,
+                   values_.data() + static_cast<std::size_t>(sun) * orders);
     }
 }
 
 Spectrum SolvedSource::scattered(double sun_cos_zenith, double azimuth_cosine) const {
     const SunStencil stencil = light_.stencil(sun_cos_zenith);
     const auto orders = static_cast<std::size_t>(light_.degree()) + 1;
-    const Spectrum* values = values_.data() + static_cast<std::size_t>(stencil.column) * orders;
-    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
-    Spectrum sum{};
-    double power = 1;  // sine^m
-    double last = 1;   // cos(m phi), by Chebyshev's recursion
-    double before = azimuth_cosine;
-    for (std::size_t m = 0; m < orders; ++m) {
-        const Spectrum* at = values + m;
-        sum += power * last *
-               (stencil.weights[0] * at[0] + stencil.weights[1] * at[orders] +
-                stencil.weights[2] * at[2 * orders] + stencil.weights[3] * at[3 * orders]);
-        const double next = 2 * azimuth_cosine * last - before;
-        before = last;
-        last = next;
-        power *= sine;
-    }
-    return sum;
+    return between_columns(stencil,
+                           values_.data() + static_cast<std::size_t>(stencil.column) * orders,
+                           orders, sun_cos_zenith, azimuth_cosine);
 }
 
 }  // namespace skybake

@@ -32,9 +32,19 @@ class HigherOrders {
     virtual Spectrum scattered(const ScatteringPoint& point,
                                const std::vector<Spectrum>& scattering_per_km) const = 0;
 
+    // Returns `scattered` for one point of a view ray under many suns. The result must not outlive
+    // this object, and only one thread may call it.
+    using OfSun = std::function<Spectrum(double sun_cos_zenith, double azimuth_cosine)>;
+    virtual OfSun at(double altitude_km, double view_cos_zenith,
+                     const std::vector<Spectrum>& scattering_per_km) const;
+
     // Returns the irradiance of level ground by the sky, without sunlight that comes straight from
     // the sun.
     virtual Spectrum sky_irradiance(double sun_cos_zenith) const = 0;
+
+    // Returns the degree of `scattered` as a polynomial in the azimuth's cosine; 0 if it is none, but
+    // as smooth as one of degree 8.
+    virtual int azimuth_degree() const { return 0; }
 };
 
 // --- The mean radiance ---------------------------------------------------------------------------
@@ -73,7 +83,10 @@ class SolvedOrders : public HigherOrders {
 
     Spectrum scattered(const ScatteringPoint& point,
                        const std::vector<Spectrum>& scattering_per_km) const override;
+    OfSun at(double altitude_km, double view_cos_zenith,
+             const std::vector<Spectrum>& scattering_per_km) const override;
     Spectrum sky_irradiance(double sun_cos_zenith) const override;
+    int azimuth_degree() const override { return degree_; }
 
   private:
     const SolvedLight& light_;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bakers/air/forward_peak.h"
 #include "bakers/light/sky_row.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/quadrature.h"
@@ -15,6 +16,10 @@
 namespace skybake {
 
 namespace {
+
+// Higher orders of at most this degree in the azimuth's cosine have few azimuths, whose number is
+// chosen by its error (IrradianceNodes).
+constexpr int kSmoothDegree = 8;
 
 struct WeightedAngle {
     double angle;
@@ -71,19 +76,28 @@ Spectrum single_irradiance(const SkyLight& light, double altitude_km, const SunZ
     std::vector<WeightedAngle> azimuths;
     add_gathered(0, std::numbers::pi, nodes, azimuths);
     SkyMedium medium = light.medium();
-    for (SkyLayer& layer : medium.layers) layer.first_phase = {};
+    for (SkyLayer& layer : medium.layers) {
+        if (!(largest(layer.forward_share) > 0)) layer.first_phase = {};
+    }
     return integrate(light, medium, nullptr, altitude_km, sun, zenith_angles, azimuths,
                      &SkyRadiance::single);
 }
 
-// Adds the light that the peaks of spheres scatter forward from next to the sun: sunlight that
-// would not arrive without them. No nodes would find it.
+// Replaces the light that peaks scatter forward from next to the sun by sunlight that would not
+// arrive without them. No nodes would find the peaks of spheres, so they are not in the sum; those
+// of delta_scaled are, and are taken out: of what such a layer scatters in the medium without peaks,
+// f / (1 - f) went into its peak.
 void add_aureole(const SkyLight& light, double altitude_km, const SunZenith& sun, Spectrum& sum) {
     if (sun.cosine <= 0) return;
     const double s_km = (light.shell().ground_radius_km + altitude_km) * sun.cosine;
     const Spectrum with_peaks = light.integrator().sunlight(altitude_km, s_km);
     const Spectrum without = light.sun_transmittance(altitude_km, s_km);
     sum += sun.cosine * (with_peaks - without);
+    for (const SkyLayer& layer : light.medium().layers) {
+        if (!layer.scatters || !(largest(layer.forward_share) > 0)) continue;
+        sum -= sun.cosine * with_peaks * scattering_depth(layer, altitude_km, s_km) *
+               layer.forward_share / (1.0 - layer.forward_share);
+    }
 }
 
 // Gauss' rule for the integral over azimuths of a polynomial in their cosine: evenly spaced ones.
@@ -92,9 +106,12 @@ Spectrum multiple_irradiance(const SkyLight& light, double altitude_km, const Su
     std::vector<WeightedAngle> zenith_angles;
     add_gathered(std::numbers::pi / 2, 0, nodes.zenith_angles, zenith_angles);
     std::vector<WeightedAngle> azimuths;
-    for (int i = 0; i < nodes.azimuths; ++i) {
-        azimuths.push_back(
-            {std::numbers::pi * (i + 0.5) / nodes.azimuths, std::numbers::pi / nodes.azimuths});
+    // The mean over evenly spaced azimuths is exact below twice their number.
+    const int degree = light.higher_orders()->azimuth_degree();
+    const int count =
+        degree > kSmoothDegree ? std::max(nodes.azimuths, degree / 2 + 1) : nodes.azimuths;
+    for (int i = 0; i < count; ++i) {
+        azimuths.push_back({std::numbers::pi * (i + 0.5) / count, std::numbers::pi / count});
     }
     return integrate(light, light.medium(), light.higher_orders(), altitude_km, sun, zenith_angles,
                      azimuths, &SkyRadiance::multiple);

@@ -23,21 +23,21 @@ std::shared_ptr<const SolvedLight> solve_unless_single(const SkyMedium& medium, 
                                                        const BakeOptions& options) {
     if (orders == SkyOrders::single) return nullptr;
     SolverSettings settings;
-    settings.degree = kSkyDegree;
+    settings.degree = sky_degree(medium);
     return remembered_light(medium, settings, options.threads, options.progress);
 }
 
 std::unique_ptr<const HigherOrders> solved_orders(const SkyMedium& medium, SkyOrders orders,
                                                   const SolvedLight* light) {
     if (orders == SkyOrders::single) return nullptr;
-    return std::make_unique<SolvedOrders>(medium, *light, kSkyDegree);
+    return std::make_unique<SolvedOrders>(medium, *light, light->degree());
 }
 
 }  // namespace
 
 SkyLight::SkyLight(const config::Atmosphere& atmosphere, SkyOrders orders,
                    const std::vector<std::string>& layers, const BakeOptions& options)
-    : medium_(without_forward_peaks(make_sky_medium(scattering_only(atmosphere, layers)))),
+    : medium_(scattering_only(without_forward_peaks(make_sky_medium(atmosphere)), layers)),
       whole_air_(make_medium(atmosphere)),
       shell_(shell_of(medium_.air)),
       orders_(orders),
@@ -78,16 +78,6 @@ Spectrum SkyLight::wanted(const SkyRadiance& radiance) const {
 
 Spectrum not_negative(const Spectrum& higher_orders) {
     return maximum(higher_orders, Spectrum(0.0));
-}
-
-config::Atmosphere scattering_only(config::Atmosphere atmosphere,
-                                   const std::vector<std::string>& layers) {
-    if (layers.empty()) return atmosphere;
-    for (config::Layer& layer : atmosphere.layers) {
-        if (std::find(layers.begin(), layers.end(), layer.name) != layers.end()) continue;
-        layer = without_scattering(std::move(layer));
-    }
-    return atmosphere;
 }
 
 std::string light_text(SkyOrders orders, const std::vector<std::string>& layers) {

@@ -17,10 +17,6 @@
 
 namespace skybake {
 
-// The degree of the moments by which light is scattered once more. With it, light that haze
-// scatters forward repeatedly is within 0.15 % of path tracing in the median of Earth's sky.
-inline constexpr int kSkyDegree = 8;
-
 class SkyLight {
   public:
     // Solves for all orders unless `orders` is single. `layers` names the layers that scatter; if
@@ -68,11 +64,6 @@ class SkyLight {
 // Replaces negative values by 0. Moments that end at a degree, and interpolation between azimuths,
 // leave slightly negative values at night and in deep twilight, where there is hardly any light.
 Spectrum not_negative(const Spectrum& higher_orders);
-
-// Returns the atmosphere with the extinction of all layers but only the scattering of the named
-// ones; with no names, returns the atmosphere unchanged.
-config::Atmosphere scattering_only(config::Atmosphere atmosphere,
-                                   const std::vector<std::string>& layers);
 
 // Returns a description for output files, for instance "all orders" or "single scattering by mie".
 std::string light_text(config::SkyOrders orders, const std::vector<std::string>& layers);

@@ -173,16 +173,26 @@ void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance
     }
 }
 
-Spectrum SkyRow::multiple(const SkyRay& ray) const {
-    Spectrum sum{};
+std::vector<Spectrum> SkyRow::multiple(const std::vector<SkyRay>& rays) const {
+    std::vector<Spectrum> sums(rays.size());
     for (const Node& node : nodes_) {
-        const double s = ray.sun_s_km + node.distance_km * ray.cosine_to_sun;
-        const Spectrum again = higher_orders_->scattered(
-            scattering_point(shell_, ray, node.altitude_km, s, node.distance_km), node.scattering);
-        sum += node.weight * again;
+        const double view_cosine = std::clamp(
+            (any_.s_km + node.distance_km) / (shell_.ground_radius_km + node.altitude_km), -1.0,
+            1.0);  // rounding
+        const HigherOrders::OfSun of_sun =
+            higher_orders_->at(node.altitude_km, view_cosine, node.scattering);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const double s = rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun;
+            const ScatteringPoint point =
+                scattering_point(shell_, rays[i], node.altitude_km, s, node.distance_km);
+            sums[i] += node.weight * of_sun(point.sun_cos_zenith, point.azimuth_cosine);
+        }
     }
-    return sum;
+    return sums;
 }
+
+// Along a ray the sun moves, so that the light is not quite a polynomial of its degree.
+int SkyRow::azimuth_nodes() const { return std::max(higher_orders_->azimuth_degree(), 8) + 8; }
 
 std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
                                           const std::vector<double>& azimuth_cosines) const {
@@ -192,14 +202,15 @@ std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
     for (SkyRadiance& sum : sums) sum.transmittance = transmittance_;
     add_single(rays, sums);
     if (higher_orders_ != nullptr) {
-        const bool interpolates = rays.size() > kAzimuthNodes;
-        std::vector<Spectrum> at_nodes;
-        for (int k = 0; interpolates && k < kAzimuthNodes; ++k) {
-            at_nodes.push_back(multiple(ray_at(chebyshev_point(k, kAzimuthNodes))));
+        const int count = azimuth_nodes();
+        const bool interpolates = rays.size() > static_cast<std::size_t>(count);
+        std::vector<SkyRay> at_nodes;
+        for (int k = 0; interpolates && k < count; ++k) {
+            at_nodes.push_back(ray_at(chebyshev_point(k, count)));
         }
+        const std::vector<Spectrum> values = multiple(interpolates ? at_nodes : rays);
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            sums[i].multiple =
-                interpolates ? interpolate(at_nodes, azimuth_cosines[i]) : multiple(rays[i]);
+            sums[i].multiple = interpolates ? interpolate(values, azimuth_cosines[i]) : values[i];
         }
     }
     for (std::size_t i = 0; i < rays.size() && any_.meets_ground; ++i) {

@@ -5,8 +5,8 @@
 // Nodes, transmittances and densities are computed once for the row. Sunlight is exact and is
 // computed for all rays of a node at once (optical_depth.h). Only pieces that the edge of the
 // planet's shadow crosses are left to SkyIntegrator, ray by ray. The light of higher orders is a
-// smooth function of the azimuth's cosine: with more than kAzimuthNodes rays it is computed at that
-// many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
+// smooth function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
+// that many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
 //
 // tests/light/sky_row_test.cpp compares the results with SkyIntegrator's.
 #pragma once
@@ -25,8 +25,6 @@ using RayOfAzimuth = std::function<SkyRay(double azimuth_cosine)>;
 
 class SkyRow {
   public:
-    static constexpr int kAzimuthNodes = 16;
-
     // The arguments except `any` must outlive this object. `any` may be any ray of the row: only
     // what all rays share is used.
     SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
@@ -54,7 +52,8 @@ class SkyRow {
     void add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const;
     void add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& rays,
                             const std::vector<bool>& is_cut, std::vector<SkyRadiance>& sums) const;
-    Spectrum multiple(const SkyRay& ray) const;
+    int azimuth_nodes() const;
+    std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;
 
     const SkyIntegrator& integrator_;
     const SkyMedium& medium_;

@@ -32,8 +32,9 @@ struct Scenario {
     std::vector<std::string> settings;
     enum class Suns {
         all,
-        to_the_horizon,  // below it, dense air is dark and its truth takes hours
-        two_domes,       // at 45 and 89 degrees, in 89 directions each
+        to_the_horizon,     // below it, dense air is dark and its truth takes hours
+        two_domes,          // at 45 and 89 degrees, in 89 directions each
+        three_near_ground,  // at 30, 80 and 89 degrees, in 39 directions each from 50 m
     } suns = Suns::all;
 };
 
@@ -62,6 +63,29 @@ const std::vector<Scenario>& scenarios() {
         {"mie_10x_g095",
          "earth",
          {black, mie_scattering, mie_extinction, "atmosphere.layers.mie.g=0.95"}},
+        {"haze_g09",
+         "earth",
+         {"atmosphere.layers.mie.scattering=\"0.1 /km\"",
+          "atmosphere.layers.mie.extinction=\"0.104 /km\"", "atmosphere.layers.mie.g=0.9"},
+         Suns::three_near_ground},
+        {"haze_g097",
+         "earth",
+         {"atmosphere.layers.mie.scattering=\"0.048 /km\"",
+          "atmosphere.layers.mie.extinction=\"0.05 /km\"", "atmosphere.layers.mie.g=0.97"},
+         Suns::three_near_ground},
+        {"ground_fog",
+         "earth",
+         {"atmosphere.layers.mie.scattering=\"3 /km\"",
+          "atmosphere.layers.mie.extinction=\"3 /km\"",
+          "atmosphere.layers.mie.phase=\"henyey_greenstein\"",
+          "atmosphere.layers.mie.scale_height=\"0.1 km\"", "atmosphere.layers.mie.g=0.85"},
+         Suns::three_near_ground},
+        {"mars_storm",
+         "mars",
+         {"atmosphere.layers.dust.scattering=[\"1.75695e-4 /m\", \"1.67586e-4 /m\", "
+          "\"1.36952e-4 /m\"]",
+          "atmosphere.layers.dust.g=0.75"},
+         Suns::three_near_ground},
     };
     return all;
 }
@@ -79,7 +103,21 @@ std::vector<SkyTruthDirection> dome_directions() {
     return directions;
 }
 
+std::vector<SkyTruthDirection> near_ground_directions() {
+    std::vector<SkyTruthDirection> directions;
+    for (const double sun : {30., 80., 89.}) {
+        for (const double view :
+             {10., 30., 45., 60., 70., 75., 80., 83., 85., 87., 88., 89., 89.3}) {
+            for (const double azimuth : {0., 60., 180.}) {
+                directions.push_back({0.05, sun, view, azimuth});
+            }
+        }
+    }
+    return directions;
+}
+
 std::vector<SkyTruthDirection> directions_of(const Scenario& scenario) {
+    if (scenario.suns == Scenario::Suns::three_near_ground) return near_ground_directions();
     if (scenario.suns == Scenario::Suns::two_domes) return dome_directions();
     std::vector<SkyTruthDirection> directions = sky_truth_directions(kAltitudeKm);
     if (scenario.suns == Scenario::Suns::to_the_horizon) {

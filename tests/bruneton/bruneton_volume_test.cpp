@@ -163,7 +163,7 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
     const SkyMedium medium =
         make_sky_medium(test::preset_atmosphere("earth", {"atmosphere.ground_albedo=0"}));
     SolverSettings settings;
-    settings.degree = kSkyDegree;
+    settings.degree = sky_degree(medium);
     const auto light = remembered_light(medium, settings, 2, nullptr);
     const config::BrunetonBake bake = bake_of("earth", "combined = false\n");
     const config::BrunetonBake mie_bake = bake_of("earth", "table = \"single_mie\"\n");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/air/forward_peak.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
@@ -69,7 +70,7 @@ class TestSky {
     TestSky(const config::Atmosphere& atmosphere, config::SkyOrders orders,
             const std::vector<std::string>& layers = {})
         : full_(make_sky_medium(atmosphere)),
-          light_(make_sky_medium(scattering_only(atmosphere, layers)), orders,
+          light_(scattering_only(make_sky_medium(atmosphere), layers), orders,
                  std::make_unique<IsotropicOrders>(
                      full_.air, [](double altitude_km, double sun_cos_zenith) {
                          const double psi =

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "bakers/light/solver/solve_light.h"
+#include "bakers/light/solver/solution_levels.h"
 #include "tests/light/sky_media.h"
 
 namespace skybake {

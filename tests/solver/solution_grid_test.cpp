@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/light/solver/solve_light.h"
+#include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/sun_axis.h"
 #include "tests/light/sky_media.h"
 

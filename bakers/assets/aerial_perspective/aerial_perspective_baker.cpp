@@ -92,7 +92,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 2,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 3,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .places = places,

@@ -37,7 +37,7 @@ bool has_higher_orders(const BrunetonBake& bake) {
 // Null: there is none.
 std::shared_ptr<const SolvedLight> light_of(const SkyMedium& medium, const BrunetonBake& bake,
                                             const BakeOptions& options) {
-    const std::optional<SolverSettings> settings = light_settings(bake);
+    const std::optional<SolverSettings> settings = light_settings(medium, bake);
     if (!settings) return nullptr;
     return remembered_light(medium, *settings, options.threads, options.progress);
 }
@@ -75,10 +75,10 @@ Outcome<Baked> bake_irradiance(SkyMedium medium, const SolvedLight* light, const
 
 }  // namespace
 
-std::optional<SolverSettings> light_settings(const BrunetonBake& bake) {
+std::optional<SolverSettings> light_settings(const SkyMedium& medium, const BrunetonBake& bake) {
     if (!has_higher_orders(bake)) return std::nullopt;
     SolverSettings settings;
-    settings.degree = kSkyDegree;
+    settings.degree = sky_degree(medium);
     settings.orders = bake.orders > 0 ? bake.orders - 1 : 0;
     return settings;
 }

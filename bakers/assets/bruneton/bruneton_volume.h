@@ -21,7 +21,8 @@ config::Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere,
 
 // Returns the settings that solve for the light which is scattered once more to make orders 2 and
 // up; nothing if a table has none of these orders.
-std::optional<SolverSettings> light_settings(const config::BrunetonBake& bake);
+std::optional<SolverSettings> light_settings(const SkyMedium& medium,
+                                             const config::BrunetonBake& bake);
 
 // Returns the parameters of @takram/three-atmosphere that belong to its tables: a JSON object with
 // those members of its AtmosphereParameters on which tables depend, under their names and in their

@@ -27,7 +27,7 @@ ScatteringRows::ScatteringRows(const SkyMedium& medium, const SolvedLight* light
       sunlight_(medium.air, break_altitudes_km_, kSunlightSize, threads) {
     if (light_ == nullptr) return;
     for (const SkyLayer& layer : medium.layers) {
-        phase_moments_.push_back(legendre_moments(layer.phase, light->degree()));
+        phase_moments_.push_back(scattered_moments(layer, light->degree()));
     }
 }
 

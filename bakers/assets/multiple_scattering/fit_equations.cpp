@@ -72,7 +72,7 @@ std::vector<Node> nodes_along(const SkyMedium& medium, const SolvedLight& light,
     refine_view_ray(medium.air, whole, kRayTolerance, ray);
     std::vector<std::vector<Spectrum>> phase_moments;
     for (const SkyLayer& layer : medium.layers) {
-        phase_moments.push_back(legendre_moments(layer.phase, light.degree()));
+        phase_moments.push_back(scattered_moments(layer, light.degree()));
     }
     std::vector<Node> nodes;
     for (const RayNode& at : nodes_of(medium.air, ray)) {

@@ -147,7 +147,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 2,
+    static const Baker<config::MultipleScatteringBake> row = {.version = 3,
                                                               .bake = bake,
                                                               .estimate = estimate,
                                                               .places = places,

@@ -113,7 +113,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {.version = 3,
+    static const Baker<config::SkyViewBake> row = {.version = 4,
                                                    .bake = bake,
                                                    .estimate = estimate,
                                                    .places = places,

@@ -18,8 +18,10 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// A forward peak of half width 1 - |g| needs azimuths to match.
-inline int first_azimuths(const std::vector<SplitPhase>& phases) {
+// A forward peak of half width 1 - |g| needs azimuths to match, and so do moments of a degree and
+// a phase function whose peak they resolve.
+inline int first_azimuths(const std::vector<SplitPhase>& phases, int degree) {
+    if (degree > kLargestDegreeOfBundles) return 2 * degree;
     double peak = 0;
     for (const SplitPhase& layer : phases) {
         for (const PhaseFunction& phase : layer.wide.phase.functions) {
@@ -44,6 +46,38 @@ HWY_INLINE Lanes phase_lanes(const PhaseFunction& phase, Lanes one_minus, Lanes 
     return closed_phase_value(phase.constant, phase.quadratic, phase.g, one_minus, one_plus);
 }
 
+// Returns the sum of coefficients[l][channel] P_l(nu) by Clenshaw's recursion.
+HWY_INLINE Lanes legendre_sum(const std::vector<Spectrum>& coefficients, std::size_t channel,
+                              Lanes nu) {
+    Lanes next(0.0);
+    Lanes after(0.0);
+    for (std::size_t l = coefficients.size(); l-- > 0;) {
+        const auto n = static_cast<double>(l);
+        const Lanes value = Lanes(coefficients[l][channel]) +
+                            Lanes((2 * n + 1) / (n + 1)) * nu * next -
+                            Lanes((n + 1) / (n + 2)) * after;
+        after = next;
+        next = value;
+    }
+    return next;
+}
+
+// Phase functions of one layer for directions with these 1 -+ nu.
+HWY_INLINE void phases_of_layer(const SplitPhase& layer, Lanes one_minus, Lanes one_plus,
+                                Lanes* phase) {
+    if (!layer.series.empty()) {
+        const Lanes nu = Lanes(0.5) * (one_plus - one_minus);
+        for (std::size_t c = 0; c < kMaxChannels; ++c) phase[c] = legendre_sum(layer.series, c, nu);
+        return;
+    }
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        const bool is_new = c == 0 || c < layer.wide.phase.functions.size();
+        phase[c] = is_new ? Lanes(layer.wide.share[c]) *
+                                phase_lanes(layer.wide.phase.of(c), one_minus, one_plus)
+                          : phase[0];
+    }
+}
+
 // What gather_first_light works with for one level.
 class FirstLightPass {
   public:
@@ -56,7 +90,7 @@ class FirstLightPass {
           degree_(degree),
           suns_(static_cast<std::size_t>(suns.count())),
           layers_(medium.layers.size()),
-          azimuths_(first_azimuths(phases)),
+          azimuths_(first_azimuths(phases, degree)),
           row_(static_cast<std::size_t>(sunlight.row_size())),
           sines_(suns_),
           before_(static_cast<std::size_t>(azimuths_) * 4 * suns_),
@@ -80,6 +114,11 @@ class FirstLightPass {
     void gather(const RayFan& fan, double* out, double* sky_irradiance);
 
   private:
+    // What light from the sun's direction stands for (is_taken_from_sun).
+    void set_from_sun(double altitude_km);
+    const double* from_sun(std::size_t layer, std::size_t channel) const {
+        return from_sun_.data() + (layer * kMaxChannels + channel) * suns_;
+    }
     struct Place {
         double along_km;  // r' mu_s' = along mu_s + across sin theta_s cos phi
         double across_km;
@@ -118,7 +157,22 @@ class FirstLightPass {
     std::vector<double> sums_;     // of each layer, then of the ground
     std::vector<double> moments_;  // [(lm * channels + c) * suns + sun]
     std::vector<double> irradiance_;
+    std::vector<double> from_sun_;  // [(layer * channels + c) * suns + sun]
 };
+
+void FirstLightPass::set_from_sun(double altitude_km) {
+    from_sun_.assign(layers_ * kMaxChannels * suns_, 0.0);
+    for (std::size_t i = 0; i < suns_; ++i) {
+        for (std::size_t k = 0; k < layers_; ++k) {
+            if (!phases_[k].is_taken_from_sun) continue;
+            const Spectrum light =
+                forward_light(medium_, medium_.layers[k], altitude_km, axis_.cosines[i]);
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                from_sun_[(k * kMaxChannels + c) * suns_ + i] = light[c];
+            }
+        }
+    }
+}
 
 FirstLightPass::Place FirstLightPass::place_at(double r_km, const FanRay& ray, double distance_km,
                                                double altitude_km) const {
@@ -223,14 +277,12 @@ void FirstLightPass::add_moments(const FanRay& ray) {
             }
             for (std::size_t k = 0; k < layers_; ++k) {
                 if (!medium_.layers[k].scatters) continue;
-                const SplitPhase& layer = phases_[k];
                 Lanes phase[kMaxChannels];
+                phases_of_layer(phases_[k], one_minus, one_plus, phase);
                 for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    const bool is_new = c == 0 || c < layer.wide.phase.functions.size();
-                    phase[c] = is_new ? Lanes(layer.wide.share[c]) *
-                                            phase_lanes(layer.wide.phase.of(c), one_minus, one_plus)
-                                      : phase[0];
-                    light[c] = light[c] + phase[c] * Lanes::load(sums(j, k, c) + i);
+                    Lanes sum = Lanes::load(sums(j, k, c) + i);
+                    if (phases_[k].is_taken_from_sun) sum = sum - Lanes::load(from_sun(k, c) + i);
+                    light[c] = light[c] + phase[c] * sum;
                 }
             }
             for (std::size_t m = 0; m <= static_cast<std::size_t>(degree_); ++m) {
@@ -269,6 +321,7 @@ void FirstLightPass::add_moments(const FanRay& ray) {
 
 void FirstLightPass::gather(const RayFan& fan, double* out, double* sky_irradiance) {
     const double r = field_.shell().ground_radius_km + fan.altitude_km;
+    set_from_sun(fan.altitude_km);
     for (const FanRay& ray : fan.rays) {
         std::fill(sums_.begin(), sums_.end(), 0.0);
         Spectrum grazing_before{};

@@ -28,10 +28,25 @@ namespace skybake {
 struct SplitPhase {
     WidePhase wide;
     std::vector<Spectrum> peak;  // chi_0 to chi_degree of the peak, chi_0 its share; or empty
+    // For a layer with a forward_share: the coefficients of P_0 to P_degree of what is left of its
+    // phase function, in 1/sr. It takes the place of `wide`.
+    std::vector<Spectrum> series;
+    // True if directions of a bundle are too few for the phase function times moments of the degree.
+    // Then `peak` has the moments of the whole phase function, and directions contribute by how much
+    // more light comes from them than from the sun's direction: T sigma_s along the ray, less T_sun
+    // tau_s. What quadrature leaves out of the peak is small where that difference is.
+    bool is_taken_from_sun = false;
 };
+
+// The largest degree of moments for which the directions of a bundle resolve phase functions.
+inline constexpr int kLargestDegreeOfBundles = 10;
 
 // Returns one entry per layer of the medium.
 std::vector<SplitPhase> split_phases(const SkyMedium& medium, int degree);
+
+// Returns T_sun tau_s of a layer, for a sun above the horizon; else 0.
+Spectrum forward_light(const SkyMedium& medium, const SkyLayer& layer, double altitude_km,
+                       double sun_cos_zenith);
 
 // Adds the light in the peaks at an altitude to the moments of one level of a LightField of this
 // degree. For the ground `sky_irradiance` is not null, and the light is added to the sky's

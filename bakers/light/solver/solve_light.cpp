@@ -7,10 +7,13 @@
 #include <mutex>
 #include <vector>
 
+#include "bakers/air/forward_peak.h"
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/accelerated_orders.h"
 #include "bakers/light/solver/first_light.h"
+#include "bakers/light/solver/peaked_light.h"
+#include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
@@ -60,14 +63,23 @@ double slowest_ratio(const Medium& air) {
 SolverSettings finer(SolverSettings settings) {
     settings.level_scale *= 1.25;
     settings.zenith_nodes = settings.zenith_nodes * 3 / 2;
+    settings.first_zenith_nodes = settings.first_zenith_nodes * 3 / 2;
     settings.ray_tolerance *= 0.7;
     return settings;
 }
 
-SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
-                        Progress* progress) {
-    assert(settings.degree >= 2 && settings.suns >= 8 && settings.suns % 8 == 0);
-    assert(settings.orders >= 0);
+namespace {
+
+// The degree of the moments of light that is scattered often. More would cost more than the last
+// order of refine_light.
+constexpr int kDegreeOfAllOrders = 8;
+
+// Moments of a low degree depend on those of a higher one, up to so many times it.
+constexpr int kFinerDegree = 4;
+
+// Solves for moments of settings.degree in the medium as it is.
+SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                         Progress* progress) {
     SolvedLight solved;
     solved.channels = medium.air.channels;
     solved.altitudes_km = solution_levels_km(medium.air, settings.level_scale);
@@ -79,12 +91,17 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
     std::vector<LevelTransport> transports(static_cast<std::size_t>(levels));
     parallel_for(levels, threads, [&](int level) {
-        const RayFan fan = make_ray_fan(medium, solved.altitudes_km, level, settings.zenith_nodes,
-                                        settings.ray_tolerance);
-        gather_first_light(medium, phases, fan, sunlight, solved.suns, settings.degree,
+        const RayFan first_fan = make_ray_fan(medium, solved.altitudes_km, level,
+                                              settings.first_zenith_nodes, settings.ray_tolerance);
+        gather_first_light(medium, phases, first_fan, sunlight, solved.suns, settings.degree,
                            first.at(level, 0), level == 0 ? first.sky_irradiance.data() : nullptr);
-        transports[static_cast<std::size_t>(level)] =
-            make_level_transport(medium, fan, settings.degree);
+        const bool is_same = settings.zenith_nodes == settings.first_zenith_nodes;
+        transports[static_cast<std::size_t>(level)] = make_level_transport(
+            medium,
+            is_same ? first_fan
+                    : make_ray_fan(medium, solved.altitudes_km, level, settings.zenith_nodes,
+                                   settings.ray_tolerance),
+            settings.degree);
     });
     solved.steep = steep_columns(first, solved.channels);
     const auto next = [&](const LightField& light, LightField& image) {
@@ -108,6 +125,38 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
     solved.applications = sum.applications;
     solved.left_out = sum.left_out;
     return solved;
+}
+
+}  // namespace
+
+int sky_degree(const SkyMedium& medium) {
+    int degree = kDegreeOfAllOrders;
+    while (degree < kLargestDegree && light_beyond_degree(medium, degree) > kNegligibleLight) {
+        degree += 4;
+    }
+    return degree;
+}
+
+SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                        Progress* progress) {
+    assert(settings.degree >= 2 && settings.suns >= 8 && settings.suns % 8 == 0);
+    assert(settings.orders >= 0);
+    SolverSettings first = settings;
+    first.degree = std::min(settings.degree, kDegreeOfAllOrders);
+    if (settings.orders > 0 || light_beyond_degree(medium, first.degree) <= kNegligibleLight) {
+        return solve_orders(medium, settings, threads, progress);
+    }
+    first.first_zenith_nodes *= 2;  // light scattered once is peaked
+    const SkyMedium scaled = delta_scaled(medium, first.degree);
+    SolvedLight light = solve_orders(scaled, first, threads, progress);
+    if (is_cancelled(progress)) return light;
+    add_forward_light(medium, scaled, light);
+    SolverSettings last = settings;
+    last.degree =
+        std::max(settings.degree, std::min(sky_degree(medium), kFinerDegree * settings.degree));
+    refine_light(medium, last, threads, progress, light);
+    light.light = truncated(light.light, settings.degree);
+    return light;
 }
 
 namespace {
@@ -136,83 +185,6 @@ std::shared_ptr<const SolvedLight> remembered_light(const SkyMedium& medium,
     const std::lock_guard lock(mutex);
     last = {medium, settings, light};
     return light;
-}
-
-namespace {
-
-// Levels per scale height at the ground, and the scale heights over which they thin out by e.
-constexpr double kPerScaleHeight = 4;
-constexpr double kThinningScaleHeights = 2.5;
-constexpr double kOverTheShell = 8;
-constexpr double kPerPiece = 3;
-constexpr double kPerOpticalDepth = 2;
-constexpr double kMostPerOpticalDepth = 80;  // in all
-constexpr int kBlockSamples = 64;            // of a block, to place its levels
-
-double levels_per_km(const Medium& medium, double altitude_km) {
-    double density = kOverTheShell / medium.thickness_km;
-    for (const ExponentialLayer& layer : medium.exponential_layers) {
-        const double reach = kThinningScaleHeights * layer.scale_height_km;
-        density += kPerScaleHeight / layer.scale_height_km * exponential(-altitude_km / reach);
-    }
-    for (const PiecewiseLayer& layer : medium.piecewise_layers) {
-        for (const LinearPiece& piece : layer.pieces) {
-            if (altitude_km > piece.bottom_km && altitude_km < piece.top_km) {
-                density += kPerPiece / (piece.top_km - piece.bottom_km);
-            }
-        }
-    }
-    return density;
-}
-
-double largest_extinction(const Medium& medium, double altitude_km) {
-    return largest(extinction_at(medium, altitude_km));
-}
-
-}  // namespace
-
-std::vector<double> solution_levels_km(const Medium& medium, double scale) {
-    std::vector<double> blocks = kink_altitudes_km(medium);
-    blocks.push_back(0);
-    blocks.push_back(medium.thickness_km);
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-
-    // Samples are closest at each block's bottom, where exponential air is densest.
-    const auto sample = [&](std::size_t block, double i) {
-        const double y = i / kBlockSamples;
-        return blocks[block] + (blocks[block + 1] - blocks[block]) * y * y;
-    };
-    double depth = 0;
-    for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
-        for (int i = 0; i < kBlockSamples; ++i) {
-            depth +=
-                largest_extinction(medium, sample(b, i + 0.5)) * (sample(b, i + 1) - sample(b, i));
-        }
-    }
-    const double per_depth =
-        depth > 0 ? std::min(kPerOpticalDepth, kMostPerOpticalDepth / depth) : 0.0;
-
-    std::vector<double> levels = {0};
-    for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
-        std::vector<double> count = {0};  // of levels up to each sample
-        for (int i = 0; i < kBlockSamples; ++i) {
-            const double middle = sample(b, i + 0.5);
-            const double per_km =
-                levels_per_km(medium, middle) + per_depth * largest_extinction(medium, middle);
-            count.push_back(count.back() + scale * per_km * (sample(b, i + 1) - sample(b, i)));
-        }
-        const int steps = std::max(1, static_cast<int>(std::ceil(count.back())));
-        std::size_t at = 0;
-        for (int k = 1; k < steps; ++k) {
-            const double wanted = count.back() * k / steps;
-            while (count[at + 1] < wanted) ++at;
-            const double within = (wanted - count[at]) / (count[at + 1] - count[at]);
-            levels.push_back(sample(b, static_cast<double>(at) + within));
-        }
-        levels.push_back(blocks[b + 1]);
-    }
-    return levels;
 }
 
 }  // namespace skybake

@@ -15,10 +15,11 @@ namespace skybake {
 // (median; at most 1.2 %) of a solution with several times as many of everything, and within 0.4 %
 // on Mars (tests/benchmarks/README.md).
 struct SolverSettings {
-    int degree = 4;          // of the moments; at least 2
-    int suns = 48;           // columns of the grid over the sun's zenith angle; a multiple of 8
-    double level_scale = 1;  // factor on the number of altitudes
-    int zenith_nodes = 8;    // directions above the horizon, and as many below it
+    int degree = 4;              // of the moments; at least 2
+    int suns = 48;               // columns of the grid over the sun's zenith angle; a multiple of 8
+    double level_scale = 1;      // factor on the number of altitudes
+    int zenith_nodes = 8;        // directions above the horizon, and as many below it
+    int first_zenith_nodes = 8;  // the same for light that is scattered once
     double ray_tolerance = 2e-2;  // see refine_view_ray
     TransmittanceField::Size sunlight = {512, 128};
     double tolerance = 1e-3;  // for the truncation error, as a share of the light
@@ -32,6 +33,10 @@ struct SolverSettings {
 // with. The resolution in the sun's angle matters least and is not changed.
 SolverSettings finer(SolverSettings settings);
 
+// Returns the degree of moments that the sky of a medium needs: 8 for Earth's air, up to
+// kLargestDegree for haze and fog (forward_peak.h).
+int sky_degree(const SkyMedium& medium);
+
 // Returns the light, for a solar irradiance of 1, that was scattered or reflected at least once, by
 // every layer with its own phase function and by the ground. The bits are the same for any number
 // of threads.
@@ -44,10 +49,5 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
 std::shared_ptr<const SolvedLight> remembered_light(const SkyMedium& medium,
                                                     const SolverSettings& settings, int threads,
                                                     Progress* progress);
-
-// Returns the altitudes of a solution, ascending from the ground to the top, with every kink of the
-// medium among them. They are closest where densities change and where the air is opaque, so that
-// light is nearly linear between neighbours. `scale` multiplies their number.
-std::vector<double> solution_levels_km(const Medium& medium, double scale);
 
 }  // namespace skybake

@@ -50,6 +50,36 @@ double harmonic_norm(int l, int m) {
     return std::sqrt(squared);
 }
 
+LightField truncated(const LightField& field, int degree) {
+    LightField result(field.levels, field.suns, degree);
+    for (int level = 0; level < field.levels; ++level) {
+        for (int sun = 0; sun < field.suns; ++sun) {
+            std::copy_n(field.at(level, sun), result.sun_size(), result.at(level, sun));
+        }
+    }
+    result.sky_irradiance = field.sky_irradiance;
+    return result;
+}
+
+void add_light_about_sun(const std::vector<Spectrum>& light, double sun_cos_zenith,
+                         double* moments) {
+    const auto degree = static_cast<int>(light.size()) - 1;
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
+    zenith_harmonics(degree, sun_cos_zenith, harmonics.data());
+    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
+    double factor = 1;  // moments of order m are kept over sin^m theta_s
+    for (int m = 0; m <= degree; ++m) {
+        for (int l = m; l <= degree; ++l) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                moments[lm * kChannelSlots + c] +=
+                    factor * harmonics[lm] * light[static_cast<std::size_t>(l)][c];
+            }
+        }
+        factor /= sine;
+    }
+}
+
 LevelPlace SolvedLight::level_at(double altitude_km) const {
     const auto above = std::upper_bound(altitudes_km.begin(), altitudes_km.end(), altitude_km);
     const int last = static_cast<int>(altitudes_km.size()) - 2;

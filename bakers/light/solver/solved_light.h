@@ -78,6 +78,15 @@ struct LightField {
     }
 };
 
+// Returns the moments up to a degree, which is at most the field's.
+LightField truncated(const LightField& field, int degree);
+
+// Adds light that is symmetric about the sun's direction to the moments of one level for one sun.
+// `light` has its Legendre moments by degree: the same for all degrees if it comes from the sun's
+// direction alone.
+void add_light_about_sun(const std::vector<Spectrum>& light, double sun_cos_zenith,
+                         double* moments);
+
 // --- The solution --------------------------------------------------------------------------------
 
 // The place of an altitude between two levels.

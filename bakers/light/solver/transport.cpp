@@ -172,7 +172,7 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
     const std::size_t layers = medium.layers.size();
     std::vector<std::vector<Spectrum>> phases;
     for (const SkyLayer& layer : medium.layers) {
-        phases.push_back(legendre_moments(layer.phase, degree));
+        phases.push_back(scattered_moments(layer, degree));
     }
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
     LevelTransport transport;

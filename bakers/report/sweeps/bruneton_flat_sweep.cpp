@@ -59,7 +59,7 @@ std::shared_ptr<const FlatSubject> subject_of(const config::Atmosphere& atmosphe
     subject->medium = without_forward_peaks(std::move(subject->medium));
     subject->solar_irradiance = asked.solar_irradiance;
     std::unique_ptr<const HigherOrders> higher;
-    if (const auto settings = light_settings(asked)) {
+    if (const auto settings = light_settings(subject->medium, asked)) {
         const double start = thread_cpu_seconds();
         subject->light = std::make_unique<const SolvedLight>(
             solve_light(subject->medium, *settings, 1, options.progress));

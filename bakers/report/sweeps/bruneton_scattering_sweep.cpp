@@ -160,7 +160,7 @@ class ScatteringSweep {
     }
 
     bool solve() {
-        const auto settings = light_settings(asked_);
+        const auto settings = light_settings(subject_->medium, asked_);
         if (settings) {
             const auto seconds = seconds_of([&] {
                 subject_->light = std::make_unique<const SolvedLight>(solve_light(

@@ -68,7 +68,7 @@ class BrunetonSky {
           content_(medium_, scattering_bake_),
           mie_content_(medium_, mie_bake_) {
         const BakeOptions options{.threads = 1};
-        const std::optional<SolverSettings> settings = light_settings(scattering_bake_);
+        const std::optional<SolverSettings> settings = light_settings(medium_, scattering_bake_);
         const SolvedLight light = solve_light(medium_, *settings, options.threads);
         const TableParts parts = make_parts(medium_, &light, true, content_, mapping_, options);
         scattering_ = make_table(content_, parts, options);

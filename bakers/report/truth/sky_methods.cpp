@@ -183,7 +183,10 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
         methods.push_back({fmt::format("bruneton_{}", kind), "Bruneton's tables", kind, "", nullptr,
                            [&medium, combined] { return bruneton_sky(medium, {}, combined); }});
     }
-    for (const int degree : {2, 4, 8}) {
+    std::vector<int> degrees = {2, 4, 8};
+    // Of haze and fog, assets of the sky have moments of a higher degree.
+    if (const int most = sky_degree(medium); most > degrees.back()) degrees.push_back(most);
+    for (const int degree : degrees) {
         methods.push_back(
             {fmt::format("moments_{}", degree), "moments, solved", fmt::format("degree {}", degree),
              "", [&medium, degree] { return std::make_unique<SolutionItself>(medium, degree); }});

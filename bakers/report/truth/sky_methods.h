@@ -31,7 +31,7 @@ struct SkyMethod {
     bool takes_time() const { return make || make_whole; }
 };
 
-// Returns the methods, from single scattering alone to moments of degree 8. Tables are float with
+// Returns the methods, from single scattering alone to moments of the highest degree. Tables are float with
 // bilinear lookups, as a runtime has them; moments are looked up in the solver's own grid. `quick`
 // leaves out the tables of 64x32. `medium` must outlive the results.
 //
@@ -42,7 +42,7 @@ struct SkyMethod {
 //   mean radiance      of the solution, all orders with their phases, in the same tables
 //   fitted             to the skies of cameras up to 3 km (fitted_radiance.h), same tables
 //   Bruneton's tables  of scattering, 256x128x32, solved: with single_mie apart, and combined
-//   moments            of the solution, of degree 2, 4 and 8
+//   moments            of the solution, of degree 2, 4 and 8, and of sky_degree if it is higher
 std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick);
 
 }  // namespace skybake

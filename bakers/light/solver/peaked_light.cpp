@@ -1,0 +1,109 @@
+#include "bakers/light/solver/peaked_light.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "bakers/air/optical_depth.h"
+#include "bakers/air/transmittance_field.h"
+#include "bakers/light/solver/first_light.h"
+#include "bakers/light/solver/transport.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// Returns the moments of `high`, with those that `low` has replaced by its own.
+LightField joined(const LightField& low, LightField high) {
+    for (int level = 0; level < high.levels; ++level) {
+        for (int sun = 0; sun < high.suns; ++sun) {
+            std::copy_n(low.at(level, sun), low.sun_size(), high.at(level, sun));
+        }
+    }
+    high.sky_irradiance = low.sky_irradiance;
+    return high;
+}
+
+void add(const LightField& more, LightField& sum) {
+    const auto add_values = [](const std::vector<double>& from, std::vector<double>& to) {
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
+    };
+    add_values(more.moments, sum.moments);
+    add_values(more.sky_irradiance, sum.sky_irradiance);
+}
+
+constexpr int kLastOrders = 2;
+
+// The numbers of zenith angles that moments of a degree need: for light scattered once, which is
+// peaked itself, and for light scattered more often.
+int zenith_nodes_of_first(int degree, int least) { return std::max(least, degree * 3 / 4); }
+int zenith_nodes_of_last(int degree, int least) { return std::max(least, degree / 2); }
+
+}  // namespace
+
+void add_forward_light(const SkyMedium& medium, const SkyMedium& scaled, SolvedLight& light) {
+    const Shell shell = shell_of(medium.air);
+    for (int level = 0; level < light.light.levels; ++level) {
+        const double altitude = light.altitudes_km[static_cast<std::size_t>(level)];
+        const double r = shell.ground_radius_km + altitude;
+        const double horizon_km = horizon_distance_km(shell, altitude);
+        for (int sun = 0; sun < light.suns.count(); ++sun) {
+            const double mu = light.suns.cosines[static_cast<std::size_t>(sun)];
+            if (r * mu < -horizon_km) continue;
+            const Spectrum forward =
+                exponential(-optical_depth_to_top(scaled.air, altitude, r * mu)) -
+                exponential(-optical_depth_to_top(medium.air, altitude, r * mu));
+            add_light_about_sun(
+                std::vector<Spectrum>(static_cast<std::size_t>(light.degree()) + 1, forward), mu,
+                light.light.at(level, sun));
+            for (std::size_t c = 0; level == 0 && c < kMaxChannels; ++c) {
+                light.light.sky_irradiance[static_cast<std::size_t>(sun) * kChannelSlots + c] +=
+                    std::max(mu, 0.0) * forward[c];
+            }
+        }
+    }
+}
+
+void refine_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                  Progress* progress, SolvedLight& light) {
+    assert(settings.degree >= light.degree());
+    const int levels = light.light.levels;
+    const TransmittanceField sunlight(medium.air, light.altitudes_km, settings.sunlight, threads);
+    const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
+    LightField first(levels, settings.suns, settings.degree);
+    const auto fan_of = [&](int level, int nodes) {
+        return make_ray_fan(medium, light.altitudes_km, level, nodes, settings.ray_tolerance);
+    };
+    const auto irradiance_of = [](LightField& field, int level) {
+        return level == 0 ? field.sky_irradiance.data() : nullptr;
+    };
+    parallel_for(levels, threads, [&](int level) {
+        if (is_cancelled(progress)) return;
+        gather_first_light(
+            medium, phases,
+            fan_of(level, zenith_nodes_of_first(settings.degree, settings.zenith_nodes)), sunlight,
+            light.suns, settings.degree, first.at(level, 0), irradiance_of(first, level));
+    });
+    LightField last = joined(light.light, first);
+    for (int order = 0; order < kLastOrders; ++order) {
+        LightField next(levels, settings.suns, settings.degree);
+        parallel_for(levels, threads, [&](int level) {
+            if (is_cancelled(progress)) return;
+            const RayFan fan =
+                fan_of(level, zenith_nodes_of_last(settings.degree, settings.zenith_nodes));
+            apply_transport(make_level_transport(medium, fan, settings.degree), light.suns,
+                            light.steep, last, next.at(level, 0), irradiance_of(next, level));
+        });
+        add(first, next);
+        last = std::move(next);
+        ++light.applications;
+    }
+    light.light = std::move(last);
+}
+
+}  // namespace skybake

@@ -1,0 +1,88 @@
+#include "bakers/light/solver/solution_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// Levels per scale height at the ground, and the scale heights over which they thin out by e.
+constexpr double kPerScaleHeight = 4;
+constexpr double kThinningScaleHeights = 2.5;
+constexpr double kOverTheShell = 8;
+constexpr double kPerPiece = 3;
+constexpr double kPerOpticalDepth = 2;
+constexpr double kMostPerOpticalDepth = 80;  // in all
+constexpr int kBlockSamples = 64;            // of a block, to place its levels
+
+double levels_per_km(const Medium& medium, double altitude_km) {
+    double density = kOverTheShell / medium.thickness_km;
+    for (const ExponentialLayer& layer : medium.exponential_layers) {
+        const double reach = kThinningScaleHeights * layer.scale_height_km;
+        density += kPerScaleHeight / layer.scale_height_km * exponential(-altitude_km / reach);
+    }
+    for (const PiecewiseLayer& layer : medium.piecewise_layers) {
+        for (const LinearPiece& piece : layer.pieces) {
+            if (altitude_km > piece.bottom_km && altitude_km < piece.top_km) {
+                density += kPerPiece / (piece.top_km - piece.bottom_km);
+            }
+        }
+    }
+    return density;
+}
+
+double largest_extinction(const Medium& medium, double altitude_km) {
+    return largest(extinction_at(medium, altitude_km));
+}
+
+}  // namespace
+
+std::vector<double> solution_levels_km(const Medium& medium, double scale) {
+    std::vector<double> blocks = kink_altitudes_km(medium);
+    blocks.push_back(0);
+    blocks.push_back(medium.thickness_km);
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+
+    // Samples are closest at each block's bottom, where exponential air is densest.
+    const auto sample = [&](std::size_t block, double i) {
+        const double y = i / kBlockSamples;
+        return blocks[block] + (blocks[block + 1] - blocks[block]) * y * y;
+    };
+    double depth = 0;
+    for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+        for (int i = 0; i < kBlockSamples; ++i) {
+            depth +=
+                largest_extinction(medium, sample(b, i + 0.5)) * (sample(b, i + 1) - sample(b, i));
+        }
+    }
+    const double per_depth =
+        depth > 0 ? std::min(kPerOpticalDepth, kMostPerOpticalDepth / depth) : 0.0;
+
+    std::vector<double> levels = {0};
+    for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+        std::vector<double> count = {0};  // of levels up to each sample
+        for (int i = 0; i < kBlockSamples; ++i) {
+            const double middle = sample(b, i + 0.5);
+            const double per_km =
+                levels_per_km(medium, middle) + per_depth * largest_extinction(medium, middle);
+            count.push_back(count.back() + scale * per_km * (sample(b, i + 1) - sample(b, i)));
+        }
+        const int steps = std::max(1, static_cast<int>(std::ceil(count.back())));
+        std::size_t at = 0;
+        for (int k = 1; k < steps; ++k) {
+            const double wanted = count.back() * k / steps;
+            while (count[at + 1] < wanted) ++at;
+            const double within = (wanted - count[at]) / (count[at + 1] - count[at]);
+            levels.push_back(sample(b, static_cast<double>(at) + within));
+        }
+        levels.push_back(blocks[b + 1]);
+    }
+    return levels;
+}
+
+}  // namespace skybake

@@ -1,0 +1,15 @@
+// The altitudes at which light is solved for.
+#pragma once
+
+#include <vector>
+
+#include "bakers/air/medium.h"
+
+namespace skybake {
+
+// Returns the altitudes of a solution, ascending from the ground to the top, with every kink of the
+// medium among them. They are closest where densities change and where the air is opaque, so that
+// light is nearly linear between neighbours. `scale` multiplies their number.
+std::vector<double> solution_levels_km(const Medium& medium, double scale);
+
+}  // namespace skybake
