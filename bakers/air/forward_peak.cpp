@@ -97,6 +97,13 @@ WidePhase without_peak(const LayerPhase& phase) {
     return wide;
 }
 
+bool has_peaks_of_spheres(const SkyMedium& medium) {
+    return std::any_of(medium.layers.begin(), medium.layers.end(), [](const SkyLayer& layer) {
+        return layer.scatters && layer.first_phase.functions.empty() &&
+               layer.phase.functions.front().table != nullptr;
+    });
+}
+
 double light_beyond_degree(const SkyMedium& medium, int degree) {
     double most = 0;
     for (const SkyLayer& layer : medium.layers) {

@@ -30,6 +30,9 @@ struct WidePhase {
 // Cuts the peak of spheres off. Closed forms stay whole.
 WidePhase without_peak(const LayerPhase& phase);
 
+// True if a layer of spheres scatters light whose peak has not been cut off.
+bool has_peaks_of_spheres(const SkyMedium& medium);
+
 // The largest degree of moments with which assets of the sky scatter light again.
 inline constexpr int kLargestDegree = 32;
 

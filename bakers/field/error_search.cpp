@@ -175,13 +175,14 @@ class ErrorSearch {
     FoundErrors run() {
         look_at_texels();
         const int first = std::max(1, counts_.rows / 4);
-        std::vector<SearchRow> rows = drawn_rows(first, kFirstShare);
+        first_share_ = first < counts_.rows ? kFirstShare : 1;
+        std::vector<SearchRow> rows = drawn_rows(first, first_share_);
         add_peak_rows(rows);
         evaluate(std::move(rows), searched());
         climb();
         if (options_.cancelled()) return {};
         learn();
-        evaluate(drawn_rows(counts_.rows - first, 1 - kFirstShare), searched());
+        evaluate(drawn_rows(counts_.rows - first, 1 - first_share_), searched());
         return search_.estimate ? confirm() : figures_of(measured_, mean_square());
     }
 
@@ -213,7 +214,7 @@ class ErrorSearch {
         for (std::size_t i = 0; i < row_shares_.size(); ++i) {
             expected += row_shares_[i] * row_squares_[i];
         }
-        scale_ = expected > 0 ? mean_square() / kFirstShare / expected : 1;
+        scale_ = expected > 0 ? mean_square() / first_share_ / expected : 1;
         if (!(scale_ > 0) || !std::isfinite(scale_)) scale_ = 1;
         for (double& square : row_squares_) square *= scale_;
         for (const SearchPoint& point : measured_) {
@@ -439,7 +440,8 @@ class ErrorSearch {
     std::vector<double> point_shares_;
     std::vector<double> row_squares_;
     std::vector<double> row_peaks_;
-    double scale_ = 1;                                             // of expected squares
+    double first_share_ = 1;  // of the first rows in the mean square
+    double scale_ = 1;        // of expected squares
     std::map<std::pair<std::size_t, std::size_t>, double> found_;  // squares, by row and point cell
     std::vector<SearchPoint> measured_;
 };

@@ -545,8 +545,8 @@ constexpr std::array codes = {
                    0},
     DiagnosticCode{"W0214", "lookups far from the truth",
                    "Between its texels the asset is so far off that it is of little use: the root "
-                   "mean square of the lookup errors is 0.3 or more, or one of them is 4 or more, "
-                   "where 1 is what the error figures are relative to. Its texels are right; they "
+                   "mean square of the lookup errors is 0.3 or more, where 1 is what the error "
+                   "figures are relative to. Its texels are right; they "
                    "are too few for how fast the light changes between them, as it does in layers "
                    "of a metre, on planets as large as their air, or in tables of a few texels. "
                    "Choose a larger size, or a mapping with more texels where the message says.",

@@ -39,7 +39,9 @@ double wall(double x, double) { return std::tanh(2000 * (x - kWall)); }
 
 TEST(TableSearch, FindsTheErrorOfAParabola) {
     const TableModel model = model_of([](double x, double y) { return x * x + y; });
-    for (const SearchCounts& counts : {kWithEstimate, kReferenceAlone}) {
+    // Of one row, all of the mean square is that row's.
+    constexpr SearchCounts kOneRow = {1, 512, 0, 8, 0};
+    for (const SearchCounts& counts : {kWithEstimate, kReferenceAlone, kOneRow}) {
         const FoundErrors found = search(model, {9, 5}, counts);
         const double bound = 0.25 / 64;
         EXPECT_NEAR(found.figures.max, bound, 0.01 * bound);

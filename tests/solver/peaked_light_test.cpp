@@ -91,7 +91,7 @@ TEST(PeakedLight, SkyOfGroundFog) {
 // A peak as narrow as this is taken out of the scattering (delta_scaled). Next to a sun that stands
 // a degree above the horizon, where half of the peak lies below it, the sky is up to 80 % too
 // bright; elsewhere it is right.
-TEST(PeakedLight, SkyOfHazeWithANarrowPeak) {
+TEST(SlowPeakedLight, SkyOfHazeWithANarrowPeak) {
     const SkyLight light(haze(0.97, "0.048 /km", "0.05 /km"), config::SkyOrders::all, {}, {});
     EXPECT_TRUE(light.has_peaks());
     EXPECT_FALSE(light.problem("sky"));
@@ -145,10 +145,9 @@ TEST(PeakedLight, ScalingKeepsMomentsAndAbsorption) {
     }
 }
 
-// A solution of the scaled medium, with the light that it takes for sunlight, is one of the true
-// medium: the mean radiance and the sky's irradiance are those of a solution without scaling, to
-// which moments of high degree belong.
-TEST(PeakedLight, LowMomentsAreThoseOfAFineSolution) {
+// Moments of a low degree are those of a solution to a high degree, and so are the mean radiance and
+// the sky's irradiance.
+TEST(SlowPeakedLight, LowMomentsAreThoseOfAFineSolution) {
     const SkyMedium medium = make_sky_medium(haze(0.8, "0.03 /km", "0.033 /km"));
     SolverSettings settings;
     const SolvedLight scaled = solve_light(medium, settings, 0);

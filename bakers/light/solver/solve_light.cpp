@@ -143,7 +143,10 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
     assert(settings.orders >= 0);
     SolverSettings first = settings;
     first.degree = std::min(settings.degree, kDegreeOfAllOrders);
-    if (settings.orders > 0 || light_beyond_degree(medium, first.degree) <= kNegligibleLight) {
+    // Uncut peaks of spheres are beyond moments of any degree here, and are added apart
+    // (SplitPhase): refining would lose several percent of their light.
+    if (settings.orders > 0 || has_peaks_of_spheres(medium) ||
+        light_beyond_degree(medium, first.degree) <= kNegligibleLight) {
         return solve_orders(medium, settings, threads, progress);
     }
     first.first_zenith_nodes *= 2;  // light scattered once is peaked
