@@ -62,16 +62,6 @@ Medium together(Medium air, const std::vector<SkyLayer>& layers) {
     return air;
 }
 
-double light_beyond_degree(const SkyLayer& layer, int degree) {
-    const Spectrum next = scattered_moments(layer, degree + 1).back();
-    const Spectrum depth = scattering_depth(layer, 0, layer.alone.ground_radius_km);
-    double most = 0;
-    for (std::size_t c = 0; c < kMaxChannels; ++c) {
-        most = std::max(most, std::fabs(next[c]) * std::min(depth[c], 1.0));
-    }
-    return most;
-}
-
 // Takes what moments up to a degree cannot represent out of the layer. A negative moment is no
 // peak: such phase functions scatter backwards.
 void scale(int degree, SkyLayer& layer) {
@@ -105,28 +95,36 @@ bool has_peaks_of_spheres(const SkyMedium& medium) {
 }
 
 double light_beyond_degree(const SkyMedium& medium, int degree) {
-    double most = 0;
+    Spectrum beyond{};
+    Spectrum whole{};
     for (const SkyLayer& layer : medium.layers) {
-        if (layer.scatters) most = std::max(most, light_beyond_degree(layer, degree));
+        if (!layer.scatters) continue;
+        const Spectrum next = scattered_moments(layer, degree + 1).back();
+        const Spectrum depth = scattering_depth(layer, 0, layer.alone.ground_radius_km);
+        beyond += maximum(next, -next) * depth;
+        whole += depth;
     }
-    return most;
+    return largest(beyond / maximum(whole, Spectrum(1.0)));
 }
 
 SkyMedium without_forward_peaks(SkyMedium medium) {
-    bool any = false;
     for (SkyLayer& layer : medium.layers) {
         if (!layer.scatters) continue;
         WidePhase wide = without_peak(layer.phase);
-        if (wide.has_peak) {
-            layer.first_phase = std::move(layer.phase);
-            layer.first_factor = 1.0 / wide.share;
-            layer.phase = std::move(wide.phase);
-            take_peak_out(wide.share, layer.alone);
-        } else if (light_beyond_degree(layer, kLargestDegree) > kNegligibleLight) {
-            scale(kLargestDegree, layer);
-        }
-        any = any || !layer.first_phase.functions.empty();
+        if (!wide.has_peak) continue;
+        layer.first_phase = std::move(layer.phase);
+        layer.first_factor = 1.0 / wide.share;
+        layer.phase = std::move(wide.phase);
+        take_peak_out(wide.share, layer.alone);
     }
+    if (light_beyond_degree(medium, kLargestDegree) > kNegligibleLight) {
+        for (SkyLayer& layer : medium.layers) {
+            if (layer.scatters && layer.first_phase.functions.empty()) scale(kLargestDegree, layer);
+        }
+    }
+    const bool any =
+        std::any_of(medium.layers.begin(), medium.layers.end(),
+                    [](const SkyLayer& layer) { return !layer.first_phase.functions.empty(); });
     if (any) medium.air = together(std::move(medium.air), medium.layers);
     return medium;
 }

@@ -36,8 +36,9 @@ bool has_peaks_of_spheres(const SkyMedium& medium);
 // The largest degree of moments with which assets of the sky scatter light again.
 inline constexpr int kLargestDegree = 32;
 
-// Returns the share of its light that the sky would lack if moments ended at a degree: the largest
-// of the layers' next moments, times the depth of what the layer scatters, which counts up to 1.
+// Returns an estimate of the share of its light that the sky would lack if moments ended at a
+// degree, in the worst channel: the sum over layers of the next moment times the zenith depth of
+// what the layer scatters, over the depth of all layers where that is above 1.
 double light_beyond_degree(const SkyMedium& medium, int degree);
 
 // Light beyond a degree that may be neglected. Earth's haze leaves 0.1 % beyond degree 8, and a sky
@@ -46,7 +47,7 @@ inline constexpr double kNegligibleLight = 2e-3;
 
 // Returns the medium in which light that is scattered into a peak counts as not scattered. Layers
 // with a peak keep their true phase function as `first_phase`. Closed forms have a peak if moments
-// up to kLargestDegree leave more than kNegligibleLight out.
+// up to kLargestDegree leave out more than kNegligibleLight of the medium.
 SkyMedium without_forward_peaks(SkyMedium medium);
 
 // Returns the medium in which no layer scatters light forward more than moments up to a degree

@@ -179,7 +179,8 @@ TEST(BakeFolder, AFailureLeavesTheFolderAsItWas) {
     const auto outcome = bad.run();
     EXPECT_FALSE(outcome.value.has_value());
     ASSERT_FALSE(outcome.diagnostics.empty());
-    EXPECT_EQ(outcome.diagnostics[0].code, "E0402");
+    // A table this small is warned of before.
+    EXPECT_EQ(outcome.diagnostics.back().code, "E0402");
     EXPECT_EQ(time_stamps(folder / "out"), before);
     EXPECT_FALSE(TestBake(recipe_of(small_recipe, {},
                                     {"noise.shape.channels.Y.type=constant",
