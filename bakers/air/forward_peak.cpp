@@ -1,7 +1,6 @@
 #include "bakers/air/forward_peak.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <tuple>

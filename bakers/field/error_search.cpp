@@ -448,6 +448,12 @@ class ErrorSearch {
 
 }  // namespace
 
+std::vector<double> even_edges(int cells) {
+    std::vector<double> edges;
+    for (int i = 0; i <= cells; ++i) edges.push_back(static_cast<double>(i) / cells);
+    return edges;
+}
+
 FoundErrors search_errors(const LookupSearch& search, const SearchCounts& counts,
                           const BakeOptions& options) {
     return ErrorSearch(search, counts, options).run();

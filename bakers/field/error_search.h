@@ -25,6 +25,9 @@ namespace skybake {
 // Coordinates in [0, 1] along at most three axes. Those of further axes are 0.
 using SearchPlace = std::array<double, 3>;
 
+// Returns the edges of as many cells of equal width in [0, 1].
+std::vector<double> even_edges(int cells);
+
 // The cells of a grid, between neighbouring edges along each axis.
 class SearchGrid {
   public:

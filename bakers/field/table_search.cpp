@@ -23,12 +23,6 @@ std::vector<double> cell_edges(TexelConvention convention, int count) {
     return edges;
 }
 
-std::vector<double> even_edges(int count) {
-    std::vector<double> edges;
-    for (int i = 0; i <= count; ++i) edges.push_back(static_cast<double>(i) / count);
-    return edges;
-}
-
 std::vector<double> column_edges(const TableModel& model, int columns) {
     return model.x_of_point ? even_edges(kCellsOfTexel * columns)
                             : cell_edges(model.convention, columns);

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "bakers/air/forward_peak.h"
-#include "bakers/air/optical_depth.h"
 #include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/parallel.h"

@@ -233,16 +233,12 @@ namespace {
 constexpr SearchCounts kQuickSearch = {256, 96, 24, 6, 128};
 constexpr SearchCounts kFullSearch = {1024, 256, 256, 32, 4096};
 
-std::vector<double> even_edges(int texels) {
-    const int cells = std::max(texels - 1, 1);
-    std::vector<double> edges;
-    for (int i = 0; i <= cells; ++i) edges.push_back(static_cast<double>(i) / cells);
-    return edges;
-}
+// Of an axis whose end points are texel centres.
+std::vector<double> edges_between(int texels) { return even_edges(std::max(texels - 1, 1)); }
 
 // The cells of both halves of the view's axis, that of the ground, which runs backwards, first.
 std::vector<double> view_edges(int half_size) {
-    const std::vector<double> half = even_edges(half_size);
+    const std::vector<double> half = edges_between(half_size);
     std::vector<double> edges;
     for (auto x = half.rbegin(); x != half.rend(); ++x) edges.push_back(0.5 - 0.5 * *x);
     for (auto x = half.begin() + 1; x != half.end(); ++x) edges.push_back(0.5 + 0.5 * *x);
@@ -269,8 +265,8 @@ void search_scattering(const DenseVolume& table, const ScatteringMapping& mappin
                        const BakeOptions& options, Certificate& certificate) {
     const ScatteringErrors errors(table, mapping, exact, largest, type);
     LookupSearch search = {
-        SearchGrid({view_edges(mapping.half_size()), even_edges(mapping.size()[2])}),
-        SearchGrid({even_edges(mapping.sun_size()), even_edges(mapping.nu_size())}),
+        SearchGrid({view_edges(mapping.half_size()), edges_between(mapping.size()[2])}),
+        SearchGrid({edges_between(mapping.sun_size()), edges_between(mapping.nu_size())}),
         {},
         {},
         {}};

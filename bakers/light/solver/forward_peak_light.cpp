@@ -53,13 +53,15 @@ std::vector<double> clamped_cosine_series(int degree) {
     return series;
 }
 
-// Returns the irradiance of level ground by light with these moments about the sun's direction,
-// where `narrow` says that all of it comes from next to the sun.
-Spectrum irradiance_of(const std::vector<Spectrum>& light, double sun_cos_zenith, bool narrow,
-                       const std::vector<double>& harmonics) {
-    if (narrow) return std::max(sun_cos_zenith, 0.0) * light[0];
+// Returns the irradiance of level ground by light with these Legendre moments about the sun's
+// direction. `series` is that of the clamped cosine; it is empty if all light comes from next to the
+// sun.
+Spectrum irradiance_of(const std::vector<Spectrum>& light, double sun_cos_zenith,
+                       const std::vector<double>& series) {
+    if (series.empty()) return std::max(sun_cos_zenith, 0.0) * light[0];
     const auto degree = static_cast<int>(light.size()) - 1;
-    const std::vector<double> series = clamped_cosine_series(degree);
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
+    zenith_harmonics(degree, sun_cos_zenith, harmonics.data());
     Spectrum sum{};
     for (int l = 0; l <= degree; ++l) {
         const auto at = static_cast<std::size_t>(l);
@@ -100,8 +102,9 @@ void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& p
         return;
     }
     const auto orders = static_cast<std::size_t>(moment_count(degree));
-    std::vector<double> harmonics(orders);
-    const bool narrow = !phases.front().is_taken_from_sun;
+    const bool narrow = sky_irradiance == nullptr || !phases.front().is_taken_from_sun;
+    const std::vector<double> series =
+        narrow ? std::vector<double>() : clamped_cosine_series(degree);
     for (std::size_t sun = 0; sun < suns.cosines.size(); ++sun) {
         const double mu = suns.cosines[sun];
         std::vector<Spectrum> light(static_cast<std::size_t>(degree) + 1);  // by l
@@ -112,8 +115,7 @@ void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& p
         }
         add_light_about_sun(light, mu, out + sun * orders * kChannelSlots);
         if (sky_irradiance == nullptr) continue;
-        zenith_harmonics(degree, mu, harmonics.data());
-        const Spectrum irradiance = irradiance_of(light, mu, narrow, harmonics);
+        const Spectrum irradiance = irradiance_of(light, mu, series);
         for (std::size_t c = 0; c < kMaxChannels; ++c) {
             sky_irradiance[sun * kChannelSlots + c] += irradiance[c];
         }

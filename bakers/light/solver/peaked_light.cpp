@@ -18,17 +18,6 @@ namespace skybake {
 
 namespace {
 
-// Returns the moments of `high`, with those that `low` has replaced by its own.
-LightField joined(const LightField& low, LightField high) {
-    for (int level = 0; level < high.levels; ++level) {
-        for (int sun = 0; sun < high.suns; ++sun) {
-            std::copy_n(low.at(level, sun), low.sun_size(), high.at(level, sun));
-        }
-    }
-    high.sky_irradiance = low.sky_irradiance;
-    return high;
-}
-
 void add(const LightField& more, LightField& sum) {
     const auto add_values = [](const std::vector<double>& from, std::vector<double>& to) {
         for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
@@ -89,7 +78,8 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
             fan_of(level, zenith_nodes_of_first(settings.degree, settings.zenith_nodes)), sunlight,
             light.suns, settings.degree, first.at(level, 0), irradiance_of(first, level));
     });
-    LightField last = joined(light.light, first);
+    LightField last = first;
+    copy_moments(light.light, last);
     for (int order = 0; order < kLastOrders; ++order) {
         LightField next(levels, settings.suns, settings.degree);
         parallel_for(levels, threads, [&](int level) {

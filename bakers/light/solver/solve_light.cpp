@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "bakers/air/forward_peak.h"
@@ -158,7 +159,11 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
     last.degree =
         std::max(settings.degree, std::min(sky_degree(medium), kFinerDegree * settings.degree));
     refine_light(medium, last, threads, progress, light);
-    light.light = truncated(light.light, settings.degree);
+    if (last.degree > settings.degree) {
+        LightField wanted(light.light.levels, light.light.suns, settings.degree);
+        copy_moments(light.light, wanted);
+        light.light = std::move(wanted);
+    }
     return light;
 }
 

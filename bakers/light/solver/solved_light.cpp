@@ -50,15 +50,15 @@ double harmonic_norm(int l, int m) {
     return std::sqrt(squared);
 }
 
-LightField truncated(const LightField& field, int degree) {
-    LightField result(field.levels, field.suns, degree);
-    for (int level = 0; level < field.levels; ++level) {
-        for (int sun = 0; sun < field.suns; ++sun) {
-            std::copy_n(field.at(level, sun), result.sun_size(), result.at(level, sun));
+void copy_moments(const LightField& from, LightField& to) {
+    assert(from.levels == to.levels && from.suns == to.suns);
+    const std::size_t count = std::min(from.sun_size(), to.sun_size());
+    for (int level = 0; level < to.levels; ++level) {
+        for (int sun = 0; sun < to.suns; ++sun) {
+            std::copy_n(from.at(level, sun), count, to.at(level, sun));
         }
     }
-    result.sky_irradiance = field.sky_irradiance;
-    return result;
+    to.sky_irradiance = from.sky_irradiance;
 }
 
 void add_light_about_sun(const std::vector<Spectrum>& light, double sun_cos_zenith,

@@ -78,8 +78,9 @@ struct LightField {
     }
 };
 
-// Returns the moments up to a degree, which is at most the field's.
-LightField truncated(const LightField& field, int degree);
+// Copies the moments of the degrees that both fields have, and the sky's irradiance. The fields have
+// the same levels and suns.
+void copy_moments(const LightField& from, LightField& to);
 
 // Adds light that is symmetric about the sun's direction to the moments of one level for one sun.
 // `light` has its Legendre moments by degree: the same for all degrees if it comes from the sun's
