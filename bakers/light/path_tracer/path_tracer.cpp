@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
 #include <vector>
 
 #include "bakers/light/path_tracer/phase_sampling.h"
@@ -27,11 +29,16 @@ struct BlockSums {
     Channels squares{0.0};
 };
 
+// Where paths begin: all in one direction, or each in a direction of its own, which is spread
+// evenly over the sphere, or over the upper half of it in proportion to the cosine of the zenith
+// angle.
+enum class Aperture { ray, sphere, level_surface };
+
 struct Sensor {
     const PathWalker& walker;
     PathSource source;
     PathStart start;
-    bool all_around;  // each path begins in a direction of its own
+    Aperture aperture;
     PathRules rules;
     const PathTracerSettings& settings;
 };
@@ -46,15 +53,20 @@ class SensorPaths {
 
     Channels walk(std::uint64_t path, PathLight& light) {
         RandomStream random(sensor_.settings.seed, sensor_.settings.ray, path);
-        if (sensor_.all_around) {
-            const double height = random.next();
-            start_.direction = scatter(start_.up, {2 * height, 2 * (1 - height)}, random);
+        if (sensor_.aperture != Aperture::ray) {
+            start_.direction = scatter(start_.up, zenith_angle(random.next()), random);
             first_ = sensor_.walker.first_flight(start_, sensor_.rules);
         }
         return sensor_.walker.walk(sensor_.source, start_, first_, sensor_.rules, random, light);
     }
 
   private:
+    ScatteringAngle zenith_angle(double share) const {
+        if (sensor_.aperture == Aperture::sphere) return {2 * share, 2 * (1 - share)};
+        const double cosine = std::sqrt(share);
+        return {(1 - share) / (1 + cosine), 1 + cosine};
+    }
+
     const Sensor& sensor_;
     PathStart start_;
     PathWalker::Flight first_;
@@ -134,24 +146,40 @@ glm::dvec3 view_vector(const SunZenith& sun, const SkyDirection& direction) {
     return {x, std::sqrt((sine - x) * (sine + x)), direction.mu};
 }
 
+// The vertical at a point of a ray that begins where the vertical is z.
+glm::dvec3 up_at(const Shell& shell, double altitude_km, double distance_km,
+                 const glm::dvec3& direction) {
+    const glm::dvec3 place =
+        (shell.ground_radius_km + altitude_km) * glm::dvec3{0, 0, 1} + distance_km * direction;
+    return place / glm::length(place);
+}
+
 }  // namespace
 
 PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads) {
     assert(settings.paths >= 2);
-    const PathStart start = {{0, 0, 1}, view_vector(sun, direction), altitude_km};
+    const SkyMedium& medium = tracer.walker().medium();
+    const CameraRay ray = camera_ray(shell_of(medium.air), altitude_km, sun, direction);
+    const double length_km = settings.length_km - ray.distance_km;
+    const bool meets_air = ray.in_air.length_km > 0 || ray.in_air.meets_ground;
+    if (!(length_km > 0 && meets_air)) return {};
     const bool walks_first = !settings.deterministic_first_order || settings.sun_radius > 0;
+    PathStart start = {{0, 0, 1}, view_vector(sun, direction), ray.in_air.altitude_km, length_km};
+    start.up = up_at(shell_of(medium.air), altitude_km, ray.distance_km, start.direction);
     PathTracedRadiance result = trace({tracer.walker(),
                                        {false, sun_vector(sun), settings.sun_radius},
                                        start,
-                                       false,
+                                       Aperture::ray,
                                        {walks_first, settings.include_seen_ground},
                                        settings},
                                       threads);
     if (walks_first) return result;
-    const SkyRadiance first =
-        SkyIntegrator(tracer.walker().medium(), nullptr).radiance(altitude_km, sun, direction);
+    const SkyIntegrator integrator(medium, nullptr);
+    const SkyRadiance first = length_km < ray.in_air.length_km
+                                  ? integrator.up_to(ray.in_air, {length_km}).front()
+                                  : integrator.radiance(ray.in_air);
     for (std::size_t c = 0; c < kMaxChannels; ++c) {
         result.orders[0][c] =
             first.single[c] + (settings.include_seen_ground ? first.ground[c] : 0);
@@ -169,7 +197,7 @@ PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude
     return trace({tracer.walker(),
                   {true, {}, 0},
                   start,
-                  false,
+                  Aperture::ray,
                   {true, settings.include_seen_ground},
                   settings},
                  threads);
@@ -182,10 +210,27 @@ PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude
     return trace({tracer.walker(),
                   {false, sun_vector(sun), settings.sun_radius},
                   {{0, 0, 1}, {0, 0, 1}, altitude_km},
-                  true,
+                  Aperture::sphere,
                   {true, settings.include_seen_ground},
                   settings},
                  threads);
+}
+
+PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km,
+                                    const SunZenith& sun, const PathTracerSettings& settings,
+                                    int threads) {
+    assert(settings.paths >= 2);
+    PathTracedRadiance result = trace({tracer.walker(),
+                                       {false, sun_vector(sun), settings.sun_radius},
+                                       {{0, 0, 1}, {0, 0, 1}, altitude_km},
+                                       Aperture::level_surface,
+                                       {true, settings.include_seen_ground},
+                                       settings},
+                                      threads);
+    result.radiance = std::numbers::pi * result.radiance;
+    result.standard_error = std::numbers::pi * result.standard_error;
+    for (Spectrum& order : result.orders) order = std::numbers::pi * order;
+    return result;
 }
 
 }  // namespace skybake

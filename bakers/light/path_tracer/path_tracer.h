@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/path_walk.h"
@@ -26,6 +27,9 @@ struct PathTracerSettings {
     // True if a ray that hits the ground sees it, that is, includes light that came from there
     // last.
     bool include_seen_ground = true;
+    // Light that the air scatters beyond this distance along the ray is not counted, and neither is
+    // the ground there.
+    double length_km = std::numeric_limits<double>::infinity();
 };
 
 // Radiance per channel, in 1/sr for a solar irradiance of 1 unless a function states another unit.
@@ -45,7 +49,7 @@ class PathTracer {
     PathWalker walker_;
 };
 
-// Returns the radiance along one ray from an altitude in [0, thickness].
+// Returns the radiance along one ray. A ray from space that passes above the air sees nothing.
 PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads);
@@ -63,5 +67,11 @@ PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude
 PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude_km,
                                        const SunZenith& sun, const PathTracerSettings& settings,
                                        int threads);
+
+// Returns the irradiance of a level surface that faces up, by the sky without the sun's disc. All
+// orders are traced by paths.
+PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km,
+                                    const SunZenith& sun, const PathTracerSettings& settings,
+                                    int threads);
 
 }  // namespace skybake

@@ -131,6 +131,32 @@ PathWalker::Flight PathWalker::begin_flight(const State& state) const {
     return flight;
 }
 
+// The depth from the flight's start to a point of its line.
+Channels PathWalker::depth_up_to(const Flight& flight, const AirShells::Point& end,
+                                 bool still_falls) const {
+    const Channels above = air_.depth_to_top(end);
+    Channels way = still_falls ? above - flight.from : flight.from - above;
+    if (flight.falls && !still_falls) way = way + 2.0 * (flight.lowest - flight.from);
+    return maximum(way, Channels(0.0));  // rounding
+}
+
+// Ends a flight after `length_km`, if it does not end before. Then it sees no ground.
+void PathWalker::cut_flight(const State& start, double length_km, Flight& flight) const {
+    const Shell& planet = air_.planet();
+    const double whole_km = flight.hits_ground
+                                ? distance_to_ground_km(planet, start.altitude_km, flight.s_km)
+                                : distance_to_top_km(planet, start.altitude_km, flight.s_km);
+    if (length_km >= whole_km) return;
+    AirShells::Point end;
+    end.altitude_km = altitude_along_km(planet, start.altitude_km, flight.s_km, length_km);
+    end.s_km = std::fabs(flight.s_km + length_km);
+    end.shell = air_.shell_at(end.altitude_km);
+    const Channels depth = depth_up_to(flight, end, flight.s_km + length_km < 0);
+    flight.through = exponential(-depth);
+    flight.scattered = scattered_share(depth, flight.through);
+    flight.returned = Channels(0.0);
+}
+
 // Goes to where the hero's depth from the start is `depth`; returns each channel's.
 Channels PathWalker::move(const Flight& flight, double depth, State& state) const {
     const std::size_t h = state.hero;
@@ -147,16 +173,14 @@ Channels PathWalker::move(const Flight& flight, double depth, State& state) cons
             air_.point_at_depth(start, h, std::max(upwards - depth, 0.0),
                                 flight.falls ? flight.lowest_shell : state.shell, air_.count() - 1);
     }
-    const Channels above = air_.depth_to_top(end);
-    Channels way = still_falls ? above - flight.from : flight.from - above;
-    if (flight.falls && !still_falls) way = way + 2.0 * (flight.lowest - flight.from);
+    const Channels way = depth_up_to(flight, end, still_falls);
     const double radius = air_.planet().ground_radius_km;
     const double distance = (still_falls ? -end.s_km : end.s_km) - flight.s_km;
     state.up = (1 / (radius + end.altitude_km)) *
                ((radius + state.altitude_km) * state.up + distance * state.direction);
     state.altitude_km = end.altitude_km;
     state.shell = end.shell;
-    return maximum(way, Channels(0.0));  // rounding
+    return way;
 }
 
 // What the layers scatter where the path is.
@@ -294,7 +318,9 @@ PathWalker::State PathWalker::begin(const PathStart& start) const {
 }
 
 PathWalker::Flight PathWalker::first_flight(const PathStart& start, const PathRules& rules) const {
-    Flight flight = begin_flight(begin(start));
+    const State state = begin(start);
+    Flight flight = begin_flight(state);
+    cut_flight(state, start.length_km, flight);
     if (!rules.sees_ground) flight.returned = Channels(0.0);
     return flight;
 }

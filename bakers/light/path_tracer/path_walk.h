@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "bakers/air/medium.h"
@@ -48,6 +49,7 @@ struct PathStart {
     glm::dvec3 up{};
     glm::dvec3 direction{};
     double altitude_km = 0;
+    double length_km = std::numeric_limits<double>::infinity();  // of the first flight, at most
 };
 
 struct PathRules {
@@ -90,6 +92,8 @@ class PathWalker {
     struct Here;
     Flight begin_flight(const State& state) const;
     State begin(const PathStart& start) const;
+    Channels depth_up_to(const Flight& flight, const AirShells::Point& end, bool still_falls) const;
+    void cut_flight(const State& start, double length_km, Flight& flight) const;
     Channels move(const Flight& flight, double depth, State& state) const;
     Here look_around(const State& state) const;
     Channels towards(const Here& here, const ScatteringAngle& angle) const;
