@@ -77,6 +77,12 @@ std::string channels_text(const ManifestAsset& asset) {
     return text;
 }
 
+// Returns median and largest error of an asset's light, "0.31 / 2.4 %", or nothing if it has none.
+std::string sky_error_text(const std::optional<Certificate>& error) {
+    if (!error || !error->sky) return "";
+    return fmt::format("{:.2g} / {:.2g} %", 100 * error->sky->median, 100 * error->sky->max);
+}
+
 // Returns the cells of the first row of an asset.
 std::vector<std::string> first_row(const FinishedAsset& finished) {
     const ManifestAsset& asset = finished.entry;
@@ -89,6 +95,7 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
             time_text(asset.timing.bake_s),
             finished.state == AssetState::baked ? time_text(finished.certify_s) : "",
             time_text(asset.timing.write_s),
+            sky_error_text(asset.error),
             asset.error
                 ? fmt::format("{:.2g} / {:.2g}", asset.error->lookup.max, asset.error->lookup.rms)
                 : "not measured"};
@@ -103,12 +110,12 @@ std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestF
 // Returns the table of what was made. It is empty if all was up to date.
 std::string assets_text(const BakedFolder& baked, int columns) {
     TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
-                     Align::right, Align::right, Align::left});
+                     Align::right, Align::right, Align::left, Align::left});
     // A narrow terminal does not show these columns: write, certify, pixel type, channels.
     constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
     constexpr std::array<std::size_t, 2> names = {0, 3};
-    table.add_row(
-        {"asset", "size", "", "file", "", "bake", "certify", "write", "lookup error max / rms"});
+    table.add_row({"asset", "size", "", "file", "", "bake", "certify", "write",
+                   "sky error median / max", "lookup error max / rms"});
     bool made = false;
     for (const FinishedAsset& finished : baked.assets) {
         if (finished.state == AssetState::up_to_date) continue;
@@ -125,13 +132,6 @@ std::string assets_text(const BakedFolder& baked, int columns) {
 std::string advice_text(const ManifestAsset& asset) {
     if (!asset.error) return "";
     std::string text;
-    if (asset.error->sky) {
-        const SkyError& sky = *asset.error->sky;
-        text += fmt::format(
-            "  {}: skies made with it are off by {:.2g} % (median), {:.2g} % (90th percentile), "
-            "measured against {}\n",
-            asset.name, 100 * sky.median, 100 * sky.ninth_decile, sky.reference);
-    }
     if (!asset.error->advice.empty()) {
         text += fmt::format("  {}: its error is largest at {}; {}\n", asset.name,
                             asset.error->worst, asset.error->advice);
@@ -230,8 +230,8 @@ std::string extent_text(std::span<const int> size) {
 }
 
 std::string plan_text(const FolderPlan& plan) {
-    TextTable table(
-        {Align::left, Align::right, Align::left, Align::right, Align::right, Align::left});
+    TextTable table({Align::left, Align::right, Align::left, Align::right, Align::right,
+                     Align::left, Align::left});
     table.add_row({"asset", "size", "files", "time", "disk", "why"});
     for (const PlannedAsset& asset : plan.assets) {
         const Estimate& estimate = asset.estimate;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "bakers/assets/estimate.h"
 #include "bakers/assets/glsl_lookup.h"
 #include "bakers/assets/probe_places.h"
+#include "bakers/assets/traced_light.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
@@ -39,6 +41,9 @@ struct Baker {
     // The GLSL with which a runtime reads a file of it.
     AssetLookup (*lookup)(const config::Parameters& parameters, const Asset& asset,
                           const StoredTexels& stored) = nullptr;
+    // What its light is compared with. None: it holds no light that is scattered more than once.
+    std::optional<TracedLight> (*traced)(const config::Parameters& parameters,
+                                         const Asset& asset) = nullptr;
     // Makes the asset small enough for pictures in a second; the longest edge of a volume has at
     // most `most_voxels`. None: it is small already.
     void (*draft)(Asset& asset, int most_voxels) = nullptr;

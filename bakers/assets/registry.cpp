@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bakers/air/particles/layer_phase.h"
+#include "bakers/assets/sky_comparison.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
 #include "config/text/key_path.h"
@@ -41,6 +42,9 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     any.lookup = [&baker](const Parameters& parameters, const Bake& bake,
                           const StoredTexels& stored) {
         return baker.lookup(parameters, bake.as<Asset>(), stored);
+    };
+    any.traced = [&baker](const Parameters& parameters, const Bake& bake) {
+        return baker.traced ? baker.traced(parameters, bake.as<Asset>()) : std::nullopt;
     };
     any.draft = [&baker](Bake& bake, int most_voxels) {
         if (baker.draft) baker.draft(bake.as<Asset>(), most_voxels);
@@ -147,6 +151,21 @@ std::optional<config::Diagnostic> large_lookup_errors(const Baked& baked) {
     return warning;
 }
 
+// Adds error.sky. An interrupted bake has no value.
+void compare_with_paths(const AnyBaker& baker, const config::Parameters& parameters,
+                        const Bake& bake, const BakeOptions& options, std::optional<Baked>& baked) {
+    if (!baked || !baked->certified) return;
+    const std::optional<TracedLight> light = baker.traced(parameters, bake);
+    if (!light) return;
+    SkyError error = measure_sky(*light, *baked, options);
+    if (options.cancelled()) {
+        baked.reset();
+    } else if (error.points > 0) {
+        // Where nothing scatters there is no sky to be off.
+        baked->certificate.sky = std::move(error);
+    }
+}
+
 }  // namespace
 
 std::span<const AnyBaker> bakers() {
@@ -186,6 +205,7 @@ Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
     label.parameters = asset_parameters(recipe, bake);
     label.details.emplace_back("baker_version", static_cast<double>(baker.version));
     Outcome<Baked> outcome = baker.bake(recipe.parameters, bake, options, std::move(label));
+    compare_with_paths(baker, recipe.parameters, bake, options, outcome.value);
     if (outcome.value) {
         if (auto warning = large_lookup_errors(*outcome.value)) {
             outcome.diagnostics.push_back(std::move(*warning));

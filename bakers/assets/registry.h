@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@ struct AnyBaker {
         places;
     std::function<AssetLookup(const config::Parameters&, const config::Bake&, const StoredTexels&)>
         lookup;
+    std::function<std::optional<TracedLight>(const config::Parameters&, const config::Bake&)>
+        traced;
     std::function<void(config::Bake&, int most_voxels)> draft;
     std::function<config::Outcome<Baked>(const config::Parameters&, const config::Bake&,
                                          const BakeOptions&, AssetLabel)>
@@ -38,7 +41,8 @@ const AnyBaker& baker_of(const config::Bake& bake);
 // Returns the resolved parameters on which an asset depends, as TOML. Its files carry them.
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
 
-// Bakes one section of a recipe. E0405 if it needs solved light of air that scatters over a zenith
+// Bakes one section of a recipe. Unless certification is off, light that is scattered more than once
+// is compared with paths of light. E0405 if it needs solved light of air that scatters over a zenith
 // optical depth above 1000. W0214 if its lookups are measured and far off. Diagnostics name
 // the line of the section, or of its key that they speak of.
 config::Outcome<Baked> bake_asset(const config::Recipe& recipe, const config::Bake& bake,

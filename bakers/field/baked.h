@@ -55,14 +55,18 @@ struct ErrorFigures {
     double rms = 0;
 };
 
-// The error of a sky that is rendered with a table which holds an approximation:
-// |radiance / reference - 1| over sky directions.
+// The error of the light that a runtime finds in an asset or makes with it, |found / reference - 1|,
+// against paths of light. All errors are in it: of the solution, of the quadrature along rays, of
+// the lookup, and the noise of the reference.
 struct SkyError {
     double median = 0;
     double ninth_decile = 0;  // nine in ten errors are below this
     double max = 0;
-    int points = 0;
-    std::string reference;
+    int points = 0;             // values: places times channels
+    std::string reference;      // paths and places
+    double standard_error = 0;  // of the reference, relative: the median of its values
+    int left_out = 0;           // further values, where there is too little light to tell an error
+    std::string worst;          // the place of the largest error
 };
 
 // The measured error of a table. All figures are pure functions of the parameters.
@@ -76,8 +80,8 @@ struct Certificate {
     std::string scale;      // what an error of 1 means
     std::string
         worst;  // where the largest lookup error was: "altitude_km 0.02, sun_cos_zenith -0.01"
-    std::string advice;  // what would help, or empty
-    std::optional<SkyError> sky = {};
+    std::string advice;                // what would help, or empty
+    std::optional<SkyError> sky = {};  // of assets of light that is scattered more than once
 };
 
 // Counts of texels, over all levels, that a pixel type cannot hold accurately.

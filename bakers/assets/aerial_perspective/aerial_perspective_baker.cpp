@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
 #include "bakers/assets/baker.h"
@@ -84,6 +87,64 @@ AssetLookup lookup(const Parameters&, const AerialPerspectiveBake& asset,
              std::move(picture)}};
 }
 
+// A place in the camera's picture and the distance of a point in the air.
+struct FroxelSample {
+    double u = 0;
+    double v = 0;
+    double distance_km = 0;
+    SkyDirection direction;
+};
+
+// Points all over the volume, down to the first slice's distance. Points below the ground are left
+// out: their voxels stand for points on the ground.
+std::vector<FroxelSample> froxel_samples(const Shell& shell, const AerialPerspectiveBake& asset) {
+    constexpr int kSamples = 96;
+    const AerialCamera camera(asset);
+    const double first = 0.5 / asset.size[2];
+    std::vector<FroxelSample> samples;
+    for (int i = 0; i < kSamples; ++i) {
+        // Evenly spread, as the multiples of the inverse powers of the root of x^4 = x + 1 are.
+        const auto share = [i](double step) { return i * step - std::floor(i * step); };
+        FroxelSample sample;
+        sample.u = share(0.8191725133961645);
+        sample.v = share(0.6710436067037893);
+        sample.distance_km = camera.distance_km(first + (1 - first) * share(0.5497004779019703));
+        const ViewDirection view = camera.direction(sample.u, sample.v);
+        sample.direction = sky_direction(camera.sun(), view.mu, view.sine, view.azimuth_cosine);
+        const SkyRay ray = sky_ray(shell, camera.altitude_km(), camera.sun(), sample.direction);
+        if (ray.meets_ground && sample.distance_km > ray.length_km) continue;
+        samples.push_back(sample);
+    }
+    return samples;
+}
+
+std::optional<TracedLight> traced(const Parameters& parameters,
+                                  const AerialPerspectiveBake& asset) {
+    const bool has_light = asset.content != config::AerialContent::transmittance;
+    if (!has_light || asset.orders == config::SkyOrders::single) return std::nullopt;
+    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
+    const auto samples = froxel_samples(shell_of(parameters.atmosphere), asset);
+    std::vector<Place> at;
+    for (const FroxelSample& sample : samples) {
+        at.push_back({{"picture_x", sample.u},
+                      {"picture_y", sample.v},
+                      {"distance_km", sample.distance_km}});
+    }
+    const auto trace = [air, samples, camera = AerialCamera(asset), orders = asset.orders](
+                           std::size_t place, PathTracerSettings settings) {
+        settings.include_seen_ground = false;
+        settings.length_km = samples[place].distance_km;
+        PathTracedRadiance light = trace_paths(air->tracer(), camera.altitude_km(), camera.sun(),
+                                               samples[place].direction, settings, 1);
+        if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
+        return light;
+    };
+    const auto places_in = [&](const StoredTexels& stored) {
+        return places(parameters, asset, stored);
+    };
+    return TracedLight{air->medium().air.channels, at, light_looked_up(places_in, at), trace};
+}
+
 void draft(AerialPerspectiveBake& asset, int) {
     for (int& edge : asset.size) edge = std::min(edge, 16);
     asset.mips = 1;
@@ -92,11 +153,12 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 3,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 4,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .places = places,
                                                              .lookup = lookup,
+                                                             .traced = traced,
                                                              .draft = draft};
     return row;
 }

@@ -3,14 +3,21 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "bakers/air/forward_peak.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/baker.h"
 #include "bakers/assets/bruneton/bruneton_volume.h"
+#include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/field/image.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/light/sky_view_mapping.h"
 #include "config/assets/bruneton.h"
 
 namespace skybake {
@@ -114,6 +121,118 @@ AssetLookup lookup(const Parameters& parameters, const BrunetonBake& asset,
     return {"bruneton", {with_channels(stored.channels, 4, std::move(function))}};
 }
 
+std::optional<TracedLight> traced_irradiance(const Parameters& parameters,
+                                             const BrunetonBake& asset) {
+    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
+    const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
+    std::vector<Place> at;
+    for (const LevelSample& sample : samples) {
+        at.push_back({{"altitude_km", sample.altitude_km}, {"sun_cos_zenith", sample.sun.cosine}});
+    }
+    const auto found = [=, &parameters, &asset](const Baked& baked, int threads) {
+        const auto places_in = [&](const StoredTexels& stored) {
+            return places(parameters, asset, stored);
+        };
+        std::vector<Spectrum> light = light_looked_up(places_in, at)(baked, threads);
+        for (Spectrum& one : light) {
+            for (std::size_t c = 0; c < asset.solar_irradiance.size(); ++c) {
+                one[c] /= asset.solar_irradiance[c];
+            }
+        }
+        return light;
+    };
+    return TracedLight{air->medium().air.channels, places_of(samples), found,
+                       trace_of_irradiance(air, samples, config::SkyOrders::all)};
+}
+
+// Cameras near the ground, in the middle of the air and high above, under suns of the table.
+std::vector<SkySample> samples_of(const Shell& shell, const BrunetonBake& asset) {
+    std::vector<double> suns_deg = {75, 30, 10, 2, -2, -5};
+    std::erase_if(suns_deg, [&](double sun) {
+        return cosine_of((90 - sun) / kDegreesPerRadian) < asset.sun_cos_zenith_min;
+    });
+    std::vector<double> altitudes_km;
+    for (const double share : {0.005, 0.08, 0.5})
+        altitudes_km.push_back(share * shell.thickness_km);
+    return sky_samples(shell, altitudes_km, suns_deg, 3);
+}
+
+// The light scattered once that a table holds: by all layers, by none, or by those that are not
+// Mie's.
+enum class FirstOrder { of_all_layers, of_no_layer, without_mie };
+
+FirstOrder first_order_of(const BrunetonBake& asset) {
+    if (asset.table == BrunetonTable::higher_orders) return FirstOrder::of_no_layer;
+    return asset.combined ? FirstOrder::of_all_layers : FirstOrder::without_mie;
+}
+
+// The sky's radiance by paths, with the first order that the table holds.
+TraceOfPlace trace_of_table(std::shared_ptr<const TracedAir> air, std::vector<SkySample> samples,
+                            const BrunetonBake& asset) {
+    const FirstOrder first = first_order_of(asset);
+    if (first == FirstOrder::of_all_layers) {
+        return trace_of_sky(air, samples, config::SkyOrders::all, false);
+    }
+    std::vector<std::string> others;
+    for (const SkyLayer& layer : air->medium().layers) {
+        const auto& mie = asset.mie_layers;
+        if (std::find(mie.begin(), mie.end(), layer.name) == mie.end())
+            others.push_back(layer.name);
+    }
+    const bool adds_first = first == FirstOrder::without_mie && !others.empty();
+    const auto by_others =
+        std::make_shared<const SkyMedium>(scattering_only(air->medium(), others));
+    return [=, higher = trace_of_sky(air, samples, config::SkyOrders::multiple, false)](
+               std::size_t place, const PathTracerSettings& settings) {
+        PathTracedRadiance light = higher(place, settings);
+        const SkySample& at = samples[place];
+        if (adds_first) {
+            light.radiance += SkyIntegrator(*by_others, nullptr)
+                                  .radiance(at.altitude_km, at.sun, at.direction)
+                                  .single;
+        }
+        return light;
+    };
+}
+
+std::optional<TracedLight> traced_scattering(const Parameters& parameters,
+                                             const BrunetonBake& asset) {
+    const Shell shell = shell_of(parameters.atmosphere);
+    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
+    const std::vector<SkySample> samples = samples_of(shell, asset);
+    std::vector<Place> at;
+    std::vector<double> cosines;
+    for (const SkySample& sample : samples) {
+        cosines.push_back(std::clamp(sample.direction.cosine_to_sun, -1.0, 1.0));
+        at.push_back({{"altitude_km", sample.altitude_km},
+                      {"cos_zenith", sample.direction.mu},
+                      {"sun_cos_zenith", sample.sun.cosine},
+                      {"nu", cosines.back()},
+                      {"ground", sample.above_horizon_deg < 0 ? 1 : 0}});
+    }
+    const auto found = [=, &parameters, &asset](const Baked& baked, int) {
+        const ScatteringContent content(air->medium(), asset);
+        std::vector<Spectrum> light;
+        for (const auto& channels : look_up_places(baked, places(parameters, asset, {}), at)) {
+            Texel texel{};
+            std::copy(channels.begin(), channels.end(), texel.begin());
+            light.push_back(content.radiance(texel, cosines[light.size()]));
+        }
+        return light;
+    };
+    return TracedLight{air->medium().air.channels, places_of(samples), found,
+                       trace_of_table(air, samples, asset)};
+}
+
+std::optional<TracedLight> traced(const Parameters& parameters, const BrunetonBake& asset) {
+    if (asset.table == BrunetonTable::transmittance || asset.table == BrunetonTable::single_mie ||
+        asset.orders == 1) {
+        return std::nullopt;
+    }
+    return asset.table == BrunetonTable::irradiance ? traced_irradiance(parameters, asset)
+                                                    : traced_scattering(parameters, asset);
+}
+
 // The sub-images along u stay whole.
 void draft(BrunetonBake& asset, int) {
     if (asset.table == BrunetonTable::transmittance || asset.table == BrunetonTable::irradiance) {
@@ -128,11 +247,12 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {.version = 3,
+    static const Baker<config::BrunetonBake> row = {.version = 4,
                                                     .bake = bake,
                                                     .estimate = estimate,
                                                     .places = places,
                                                     .lookup = lookup,
+                                                    .traced = traced,
                                                     .draft = draft};
     return row;
 }

@@ -23,6 +23,28 @@ Spectrum true_phase_at(const SkyLayer& layer, double nu) {
     return phase_values(has_peak ? layer.first_phase : layer.phase, 1 - nu, 1 + nu);
 }
 
+// Returns the scattering coefficients at the ground of the Mie layers, or of all other layers.
+Spectrum coefficients_at_ground(const SkyMedium& medium, const std::vector<bool>& is_mie,
+                                bool wanted) {
+    Spectrum sum{};
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        if (!medium.layers[k].scatters || is_mie[k] != wanted) continue;
+        sum += scattering_at(medium.layers[k].alone, 0);
+    }
+    return sum;
+}
+
+Spectrum mie_colours(const SkyMedium& medium, const std::vector<bool>& is_mie) {
+    const Spectrum mie = coefficients_at_ground(medium, is_mie, true);
+    const Spectrum others = coefficients_at_ground(medium, is_mie, false);
+    Spectrum colours{};
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        const double red = mie[0] * others[c];
+        colours[c] = red > 0 ? mie[c] * others[0] / red : 0;
+    }
+    return colours;
+}
+
 double not_negative(double value) { return value > 0 ? value : 0; }
 
 }  // namespace
@@ -42,6 +64,7 @@ ScatteringContent::ScatteringContent(const SkyMedium& medium, const config::Brun
         is_mie_.push_back(std::find(bake.mie_layers.begin(), bake.mie_layers.end(), layer.name) !=
                           bake.mie_layers.end());
     }
+    mie_colours_ = mie_colours(medium, is_mie_);
 }
 
 std::size_t ScatteringContent::measured_channels() const {
@@ -98,6 +121,25 @@ Texel ScatteringContent::texel(const ScatteringParts& parts) const {
 
 Spectrum ScatteringContent::radiance(const ScatteringParts& parts, double nu) const {
     return (parts.air + parts.higher) * rayleigh_phase(nu) + parts.mie * mie_phase(nu);
+}
+
+Spectrum ScatteringContent::radiance(const Texel& texel, double nu) const {
+    const Spectrum phase =
+        table_ == BrunetonTable::single_mie ? mie_phase(nu) : Spectrum(rayleigh_phase(nu));
+    const Spectrum mie = combined_ ? mie_of_red(texel) * mie_phase(nu) : Spectrum{};
+    Spectrum light{};
+    for (std::size_t c = 0; c < colours_; ++c) {
+        light[c] = (texel[c] * phase[c] + mie[c]) / solar_irradiance_[c];
+    }
+    return light;
+}
+
+Spectrum ScatteringContent::mie_of_red(const Texel& texel) const {
+    Spectrum mie{};
+    for (std::size_t c = 0; c < colours_ && texel[0] > 0; ++c) {
+        mie[c] = texel[colours_] * texel[c] / texel[0] * mie_colours_[c];
+    }
+    return mie;
 }
 
 }  // namespace skybake

@@ -49,10 +49,17 @@ class ScatteringContent {
     // Returns the radiance in 1/sr that a runtime computes from the parts.
     Spectrum radiance(const ScatteringParts& parts, double nu) const;
 
+    // Returns the radiance in 1/sr that a runtime computes from a looked-up texel of this table. The
+    // colours of the Mie layers' light, of which a combined table holds the red alone, follow from
+    // the other layers' as in Bruneton's implementation.
+    Spectrum radiance(const Texel& texel, double nu) const;
+
     const std::vector<bool>& is_mie() const { return is_mie_; }  // by layer of the medium
     Spectrum mie_phase(double nu) const;                         // of the first Mie layer
 
   private:
+    Spectrum mie_of_red(const Texel& texel) const;
+
     const SkyMedium& medium_;
     config::BrunetonTable table_;
     bool combined_;
@@ -62,6 +69,7 @@ class ScatteringContent {
     double constant_alpha_ = 0;
     std::vector<bool> is_mie_;
     std::vector<double> solar_irradiance_;
+    Spectrum mie_colours_{};  // (others_red / mie_red) (mie_colour / others_colour) at the ground
 };
 
 }  // namespace skybake

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/sky_asset.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/light/sky_view_mapping.h"
 #include "config/assets/environment.h"
 
 namespace skybake {
@@ -52,6 +56,29 @@ AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const Stored
     return {"environment", {with_channels(stored.channels, 3, std::move(function))}};
 }
 
+std::optional<TracedLight> traced(const Parameters& parameters, const EnvironmentBake& asset) {
+    if (asset.orders == config::SkyOrders::single) return std::nullopt;
+    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
+    const Shell shell = shell_of(parameters.atmosphere);
+    const double altitude_km = asset.altitude.kilometers();
+    const double dip_deg = SkyViewCamera(shell, altitude_km).dip() * kDegreesPerRadian;
+    const std::vector<SkySample> samples =
+        sky_samples(shell, altitude_km, asset.sun_elevation.radians * kDegreesPerRadian);
+    std::vector<Place> at;
+    for (const SkySample& sample : samples) {
+        // Every other view is to the left of the sun.
+        const double side = at.size() % 2 == 0 ? 1 : -1;
+        at.push_back({{"azimuth_deg", side * sample.azimuth_deg},
+                      {"elevation_deg", sample.above_horizon_deg - dip_deg}});
+    }
+    const auto places_in = [&](const StoredTexels& stored) {
+        return places(parameters, asset, stored);
+    };
+    return TracedLight{air->medium().air.channels, places_of(samples),
+                       light_looked_up(places_in, std::move(at)),
+                       trace_of_sky(air, samples, asset.orders, true)};
+}
+
 void draft(EnvironmentBake& asset, int) {
     asset.size = {std::min(asset.size[0], 128), std::min(asset.size[1], 64)};
 }
@@ -59,11 +86,12 @@ void draft(EnvironmentBake& asset, int) {
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 2,
+    static const Baker<EnvironmentBake> row = {.version = 3,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .places = places,
                                                .lookup = lookup,
+                                               .traced = traced,
                                                .draft = draft};
     return row;
 }

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/irradiance/irradiance_table.h"
@@ -63,6 +66,42 @@ AssetLookup lookup(const Parameters& parameters, const IrradianceBake& asset,
     return {"irradiance", {with_channels(stored.channels, 3, std::move(function))}};
 }
 
+// What comes straight from the sun onto a level surface.
+Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
+    if (!(at.sun.cosine > 0)) return {};
+    const AirShells& shells = air.tracer().walker().air();
+    const double r = shells.planet().ground_radius_km + at.altitude_km;
+    const Channels sunlight =
+        shells.sunlight(at.altitude_km, r * at.sun.cosine, shells.shell_at(at.altitude_km));
+    Spectrum light{};
+    for (std::size_t c = 0; c < kMaxChannels; ++c) light[c] = at.sun.cosine * sunlight[c];
+    return light;
+}
+
+std::optional<TracedLight> traced(const Parameters& parameters, const IrradianceBake& asset) {
+    if (orders_of(asset) == config::SkyOrders::single) return std::nullopt;
+    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
+    const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
+    std::vector<Place> at;
+    for (const LevelSample& sample : samples) {
+        at.push_back({{"altitude_km", sample.altitude_km}, {"sun_cos_zenith", sample.sun.cosine}});
+    }
+    const auto places_in = [&](const StoredTexels& stored) {
+        return places(parameters, asset, stored);
+    };
+    TraceOfPlace trace = trace_of_irradiance(air, samples, orders_of(asset));
+    if (asset.content == config::IrradianceContent::total) {
+        trace = [=, of_sky = std::move(trace)](std::size_t place,
+                                               const PathTracerSettings& settings) {
+            PathTracedRadiance light = of_sky(place, settings);
+            light.radiance += sunlight_on(*air, samples[place]);
+            return light;
+        };
+    }
+    return TracedLight{air->medium().air.channels, places_of(samples),
+                       light_looked_up(places_in, std::move(at)), std::move(trace)};
+}
+
 void draft(IrradianceBake& asset, int) {
     asset.size = {std::min(asset.size[0], 32), std::min(asset.size[1], 16)};
     asset.max_texel_error = std::max(asset.max_texel_error, 0.02);
@@ -71,11 +110,12 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {.version = 3,
+    static const Baker<config::IrradianceBake> row = {.version = 4,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .places = places,
                                                       .lookup = lookup,
+                                                      .traced = traced,
                                                       .draft = draft};
     return row;
 }

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bakers/air/medium.h"
 #include "bakers/assets/baker.h"
@@ -13,8 +15,11 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/field/image.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/solved_light.h"
+#include "bakers/math/parallel.h"
 #include "config/assets/multiple_scattering.h"
 
 namespace skybake {
@@ -139,6 +144,55 @@ AssetLookup lookup(const Parameters& parameters, const MultipleScatteringBake& a
     return {"multiple_scattering", {with_channels(stored.channels, 3, std::move(function))}};
 }
 
+// Cameras near the ground, in the scene if there is one.
+std::vector<SkySample> samples_of(const Shell& shell, const std::optional<config::Scene>& scene) {
+    constexpr double kCameraShare = 0.005;  // of the shell's thickness: 500 m on Earth
+    double altitude_km = kCameraShare * shell.thickness_km;
+    std::vector<double> suns_deg = {90, 60, 30, 10, 2, -2, -4, -6};
+    if (scene) {
+        altitude_km = std::min(std::clamp(altitude_km, scene->altitude[0].kilometers(),
+                                          scene->altitude[1].kilometers()),
+                               shell.thickness_km);
+        const double lowest_deg = scene->sun_elevation[0].radians * kDegreesPerRadian;
+        const double highest_deg = scene->sun_elevation[1].radians * kDegreesPerRadian;
+        std::erase_if(suns_deg, [=](double sun) { return sun > highest_deg || sun < lowest_deg; });
+        suns_deg.insert(suns_deg.end(), {lowest_deg, highest_deg});
+    }
+    return sky_samples(shell, {altitude_km}, suns_deg, 2);
+}
+
+// The radiance of the air, made with the table as a runtime makes it.
+std::vector<Spectrum> sky_of_table(const SkyMedium& medium, const TableOrders& orders,
+                                   const std::vector<SkySample>& samples, int threads) {
+    const SkyIntegrator integrator(medium, &orders);
+    std::vector<Spectrum> sky(samples.size());
+    parallel_for(static_cast<int>(samples.size()), threads, [&](int i) {
+        const SkySample& at = samples[static_cast<std::size_t>(i)];
+        const SkyRadiance light = integrator.radiance(at.altitude_km, at.sun, at.direction);
+        sky[static_cast<std::size_t>(i)] = light.single + light.multiple;
+    });
+    return sky;
+}
+
+std::optional<TracedLight> traced(const Parameters& parameters,
+                                  const MultipleScatteringBake& asset) {
+    const Shell shell = shell_of(parameters.atmosphere);
+    const auto scene = is_solved(asset) ? parameters.scene : std::nullopt;
+    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
+    const std::vector<SkySample> samples = samples_of(shell, scene);
+    const PlaceInTable place = [columns = sun_columns(asset.mapping, scene, shell), shell](
+                                   double altitude_km, double sun_cos_zenith) {
+        return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / shell.thickness_km};
+    };
+    const int degree = tables_of(asset) > 1 ? asset.degree : 0;
+    const auto found = [=](const Baked& table, int threads) {
+        const TableOrders orders(air->medium(), table.image(), degree, place);
+        return sky_of_table(air->medium(), orders, samples, threads);
+    };
+    return TracedLight{air->medium().air.channels, places_of(samples), found,
+                       trace_of_sky(air, samples, config::SkyOrders::all, false)};
+}
+
 void draft(MultipleScatteringBake& asset, int) {
     reduce_table(asset, {32, 32});
     asset.max_texel_error = std::max(asset.max_texel_error, 0.02);
@@ -147,11 +201,12 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 3,
+    static const Baker<config::MultipleScatteringBake> row = {.version = 4,
                                                               .bake = bake,
                                                               .estimate = estimate,
                                                               .places = places,
                                                               .lookup = lookup,
+                                                              .traced = traced,
                                                               .draft = draft};
     return row;
 }

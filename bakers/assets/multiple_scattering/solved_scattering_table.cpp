@@ -12,10 +12,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/multiple_scattering/fitted_radiance.h"
-#include "bakers/assets/multiple_scattering/sky_error.h"
 #include "bakers/field/finish_table.h"
-#include "bakers/light/higher_orders.h"
-#include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/relative_error.h"
@@ -29,12 +26,10 @@ using config::MultipleScatteringMapping;
 
 namespace {
 
-// Moments that feed the mean radiance, and those of the sky that tables are compared with.
+// Moments that feed the mean radiance.
 constexpr int kDegree = 4;
 // Of the light that skies are fitted to.
 constexpr int kFitDegree = 8;
-// Paths in each direction with --certify=full, 64 times this many in all channels.
-constexpr std::int64_t kPaths = 20000;
 
 // M_lm of solved_scattering_table.h.
 Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
@@ -141,41 +136,6 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
 }
 
-SkyError measure_sky(const SkyMedium& medium, const std::optional<config::Scene>& scene,
-                     const Baked& table, int degree, const SunColumns& columns,
-                     const SolvedLight& finer_light, const BakeOptions& options) {
-    const double thickness_km = medium.air.thickness_km;
-    const TableOrders orders(
-        medium, table.image(), degree,
-        [&columns, thickness_km](double altitude_km, double sun_cos_zenith) {
-            return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / thickness_km};
-        });
-    const std::vector<SkySample> samples = sky_samples(shell_of(medium.air), scene);
-    const std::vector<Spectrum> values = sky_values(medium, orders, samples, options.threads);
-    std::vector<Spectrum> references;
-    std::string name;
-    if (options.certification == Certification::full) {
-        const PathTracer tracer(medium);
-        PathTracerSettings settings;
-        settings.paths = kPaths;
-        settings.include_seen_ground = false;
-        for (const SkySample& sample : samples) {
-            references.push_back(trace_paths(tracer, sample.altitude_km, sample.sun,
-                                             sample.direction, settings, options.threads)
-                                     .radiance);
-            ++settings.ray;
-        }
-        name = fmt::format("{} paths of light in each direction", kPaths);
-    } else {
-        const SolvedOrders solved(medium, finer_light, finer_light.degree());
-        references = sky_values(medium, solved, samples, options.threads);
-        name = fmt::format("all orders solved with moments to degree {}", finer_light.degree());
-    }
-    SkyError error = sky_error(medium.air.channels, values, references);
-    error.reference = std::move(name);
-    return error;
-}
-
 }  // namespace
 
 config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
@@ -258,15 +218,7 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     config::Outcome<Baked> stacked = stack_tables(std::move(parts), options);
     outcome.diagnostics.insert(outcome.diagnostics.end(), stacked.diagnostics.begin(),
                                stacked.diagnostics.end());
-    if (!stacked.value) return outcome;
-    Baked& stack = *stacked.value;
-    if (stack.certified) {
-        SkyError sky = measure_sky(medium, scene, stack, degree, columns, finer_light, options);
-        if (options.cancelled()) return outcome;
-        // Where nothing scatters there is no sky to be off.
-        if (sky.points > 0) stack.certificate.sky = std::move(sky);
-    }
-    outcome.value = std::move(stack);
+    outcome.value = std::move(stacked.value);
     return outcome;
 }
 

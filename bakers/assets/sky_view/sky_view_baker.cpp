@@ -7,7 +7,9 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/sky_asset.h"
@@ -60,13 +62,15 @@ Uvw place_of(const SkyViewBake& asset, const Shell& shell, int width, const Prob
     const double radians = std::numbers::pi / 180;
     const auto suns = static_cast<int>(asset.sun_elevations.size());
     Uvw nearest{};
+    bool any = false;
     for (int k = 0; k < suns; ++k) {
         const double elevation = asset.sun_elevations[static_cast<std::size_t>(k)].radians;
         if (std::fabs(elevation - probe.at[2].second * radians) > 1e-9) continue;
         const double y = camera.coordinate(probe.at[1].second * radians);
         const double v = (k + sky_view_v(y, asset.size[1])) / suns;
         // The same sun may stand in the list twice.
-        if (k > 0 && std::fabs(v - probe.uvw[1]) > std::fabs(nearest[1] - probe.uvw[1])) continue;
+        if (any && std::fabs(v - probe.uvw[1]) > std::fabs(nearest[1] - probe.uvw[1])) continue;
+        any = true;
         nearest = {texture_coordinate(TexelConvention::end_points_on_texel_centres,
                                       probe.at[0].second / 180, width),
                    v, 0.5};
@@ -106,6 +110,29 @@ AssetLookup lookup(const Parameters& parameters, const SkyViewBake& asset,
     return {"sky_view", {with_channels(stored.channels, 3, std::move(function))}};
 }
 
+std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBake& asset) {
+    if (asset.orders == config::SkyOrders::single) return std::nullopt;
+    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
+    std::vector<double> elevations_deg;
+    for (const config::Angle& elevation : asset.sun_elevations) {
+        elevations_deg.push_back(elevation.radians * kDegreesPerRadian);
+    }
+    const std::vector<SkySample> samples = sky_samples(
+        shell_of(parameters.atmosphere), {asset.altitude.kilometers()}, elevations_deg, 1);
+    std::vector<Place> at;
+    for (const SkySample& sample : samples) {
+        at.push_back({{"azimuth_deg", sample.azimuth_deg},
+                      {"above_horizon_deg", sample.above_horizon_deg},
+                      {"sun_elevation_deg", sample.sun_elevation_deg}});
+    }
+    const auto places_in = [&](const StoredTexels& stored) {
+        return places(parameters, asset, stored);
+    };
+    return TracedLight{air->medium().air.channels, places_of(samples),
+                       light_looked_up(places_in, std::move(at)),
+                       trace_of_sky(air, samples, asset.orders, true)};
+}
+
 void draft(SkyViewBake& asset, int) {
     asset.size = {std::min(asset.size[0], 96), std::min(asset.size[1], 54)};
 }
@@ -113,11 +140,12 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {.version = 4,
+    static const Baker<config::SkyViewBake> row = {.version = 5,
                                                    .bake = bake,
                                                    .estimate = estimate,
                                                    .places = places,
                                                    .lookup = lookup,
+                                                   .traced = traced,
                                                    .draft = draft};
     return row;
 }

@@ -217,9 +217,14 @@ std::optional<Certificate> read_certificate(const Node& node) {
     certificate.advice = node["advice"].text();
     if (node.has("sky")) {
         const Node sky = node["sky"];
-        certificate.sky =
-            SkyError{sky["median"].number(), sky["ninth_decile"].number(), sky["max"].number(),
-                     sky["points"].integer<int>(0), sky["reference"].text()};
+        certificate.sky = SkyError{sky["median"].number(),
+                                   sky["ninth_decile"].number(),
+                                   sky["max"].number(),
+                                   sky["points"].integer<int>(0),
+                                   sky["reference"].text(),
+                                   sky["standard_error"].number(),
+                                   sky["left_out"].integer<int>(0),
+                                   sky["worst"].text()};
     }
     return certificate;
 }

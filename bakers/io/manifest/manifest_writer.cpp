@@ -86,8 +86,11 @@ Json to_json(const std::optional<Certificate>& certificate) {
         json["sky"] = {{"median", c.sky->median},
                        {"ninth_decile", c.sky->ninth_decile},
                        {"max", c.sky->max},
+                       {"standard_error", c.sky->standard_error},
                        {"points", c.sky->points},
-                       {"reference", c.sky->reference}};
+                       {"left_out", c.sky->left_out},
+                       {"reference", c.sky->reference},
+                       {"worst", c.sky->worst}};
     }
     return json;
 }

@@ -95,17 +95,19 @@ std::string units_line(const Conventions& conventions) {
 std::string error_line(const std::optional<Certificate>& certificate) {
     if (!certificate) return "not measured";
     const Certificate& c = *certificate;
-    std::string line = fmt::format(
-        "texel max {} rms {} ({} points); lookup max {} rms {} ({} points); reference: {}; scale: "
+    std::string line;
+    if (c.sky) {
+        line = fmt::format(
+            "sky median {} ninth decile {} max {} standard error {} ({} values), reference: {}; ",
+            c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->standard_error, c.sky->points,
+            c.sky->reference);
+    }
+    line += fmt::format(
+        "lookup max {} rms {} ({} points); texel max {} rms {} ({} points); reference: {}; scale: "
         "{}",
-        c.texel.max, c.texel.rms, c.texel_points, c.lookup.max, c.lookup.rms, c.lookup_points,
+        c.lookup.max, c.lookup.rms, c.lookup_points, c.texel.max, c.texel.rms, c.texel_points,
         c.reference, c.scale);
     if (!c.worst.empty()) line += fmt::format("; worst at {}", c.worst);
-    if (c.sky) {
-        line += fmt::format(
-            "; sky made with it median {} ninth decile {} max {} ({} values), reference: {}",
-            c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->points, c.sky->reference);
-    }
     return line;
 }
 

@@ -47,17 +47,6 @@ BrunetonBake bake_of(const SkyMedium& medium, const BrunetonSkySize& size, Brune
     return bake;
 }
 
-// Returns the scattering coefficients at the ground of the Mie layers, or of all other layers.
-Spectrum coefficients_at_ground(const SkyMedium& medium, const std::vector<bool>& is_mie,
-                                bool wanted) {
-    Spectrum sum{};
-    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-        if (!medium.layers[k].scatters || is_mie[k] != wanted) continue;
-        sum += scattering_at(medium.layers[k].alone, 0);
-    }
-    return sum;
-}
-
 class BrunetonSky {
   public:
     BrunetonSky(const SkyMedium& medium, const BrunetonSkySize& size, bool combined)
@@ -72,16 +61,7 @@ class BrunetonSky {
         const SolvedLight light = solve_light(medium_, *settings, options.threads);
         const TableParts parts = make_parts(medium_, &light, true, content_, mapping_, options);
         scattering_ = make_table(content_, parts, options);
-        if (!combined) {
-            mie_ = make_table(mie_content_, parts, options);
-            return;
-        }
-        guess_ = coefficients_at_ground(medium_, content_.is_mie(), true);
-        const Spectrum others = coefficients_at_ground(medium_, content_.is_mie(), false);
-        for (std::size_t c = kMaxChannels; c-- > 0;) {  // red last, because the others need it
-            const double red = guess_[0] * others[c];
-            guess_[c] = red > 0 ? guess_[c] * others[0] / red : 0;
-        }
+        if (!combined) mie_ = make_table(mie_content_, parts, options);
     }
 
     Spectrum radiance(double altitude_km, const SunZenith& sun,
@@ -91,14 +71,9 @@ class BrunetonSky {
         const ScatteringCoordinates x = mapping_.coordinates(
             {ray.altitude_km, ray.s_km, ray.length_km, ray.meets_ground}, sun.cosine, nu);
         constexpr auto kType = config::PixelType::float32;
-        const Texel light = look_up(*scattering_, mapping_, x, kType);
-        const Texel mie = mie_ ? look_up(*mie_, mapping_, x, kType) : guessed(light);
-        const Spectrum mie_phase = content_.mie_phase(nu);
-        Spectrum sum{};
-        for (std::size_t c = 0; c < mie_content_.channels(); ++c) {
-            sum[c] = light[c] * rayleigh_phase(nu) + mie[c] * mie_phase[c];
-        }
-        return sum;
+        const Spectrum light = content_.radiance(look_up(*scattering_, mapping_, x, kType), nu);
+        if (!mie_) return light;
+        return light + mie_content_.radiance(look_up(*mie_, mapping_, x, kType), nu);
     }
 
   private:
@@ -109,15 +84,6 @@ class BrunetonSky {
         return table;
     }
 
-    Texel guessed(const Texel& light) const {
-        Texel mie{};
-        const std::size_t colours = mie_content_.channels();
-        for (std::size_t c = 0; c < colours && light[0] > 0; ++c) {
-            mie[c] = light[colours] * light[c] / light[0] * guess_[c];
-        }
-        return mie;
-    }
-
     SkyMedium medium_;
     BrunetonBake scattering_bake_;
     BrunetonBake mie_bake_;
@@ -126,7 +92,6 @@ class BrunetonSky {
     ScatteringContent mie_content_;
     std::optional<DenseVolume> scattering_;
     std::optional<DenseVolume> mie_;  // none: combined
-    Spectrum guess_{};                // (rayleigh_red / mie_red) (mie_colour / rayleigh_colour)
 };
 
 }  // namespace

@@ -1,0 +1,198 @@
+#include "bakers/assets/sky_comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "bakers/field/finish_table.h"
+#include "bakers/math/parallel.h"
+
+namespace skybake {
+
+namespace {
+
+// Paths in all places together. The first number takes about as long as Earth's solution.
+constexpr double kQuickPaths = 1 << 18;
+constexpr double kFullPaths = 1 << 22;
+constexpr std::int64_t kPilotPaths = 64;
+constexpr double kMostPathsOfMean = 16;
+// The places of largest error are traced again with so many times the mean of paths, and with twice
+// their own at least.
+constexpr std::int64_t kPathsAgain = 16;
+constexpr std::size_t kPlacesAgain = 4;
+constexpr int kMostRounds = 4;
+// Pilot paths and those of each round have seeds of their own.
+constexpr std::uint64_t kPilotSeed = 100;
+
+constexpr double kLargestSpread = 0.05;
+constexpr double kSignificance = 4;  // in standard errors
+
+// One place's light by paths, and how far what was found is off.
+struct TracedPlace {
+    PathTracedRadiance light;
+    std::int64_t paths = 0;
+    bool again = false;
+};
+
+// An error that counts, and its standard error.
+struct CountedError {
+    double error = 0;
+    double standard_error = 0;
+};
+
+class SkyComparison {
+  public:
+    SkyComparison(const TracedLight& light, const Baked& baked, const BakeOptions& options)
+        : light_(light),
+          options_(options),
+          found_(light.found(baked, options.threads)),
+          places_(light.places.size()) {}
+
+    void trace() {
+        share_paths();
+        std::vector<std::size_t> all(places_.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        trace(all, 0);
+        const auto again_paths = kPathsAgain * static_cast<std::int64_t>(mean_paths());
+        for (int round = 1; round <= kMostRounds && !options_.cancelled(); ++round) {
+            const std::vector<std::size_t> worst = worst_places();
+            if (worst.empty() || places_[worst.front()].again) return;
+            std::vector<std::size_t> again;
+            for (const std::size_t i : worst) {
+                if (places_[i].again) continue;
+                places_[i].again = true;
+                places_[i].paths = std::max(again_paths, 2 * places_[i].paths);
+                again.push_back(i);
+            }
+            trace(again, static_cast<std::uint64_t>(round));
+        }
+    }
+
+    SkyError result() const {
+        SkyError result;
+        std::vector<double> errors;
+        std::vector<double> spreads;
+        double largest = -1;
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const std::vector<CountedError> counted = errors_of(i);
+            result.left_out += light_.channels - static_cast<int>(counted.size());
+            for (const CountedError& one : counted) {
+                errors.push_back(one.error);
+                spreads.push_back(one.standard_error);
+                if (one.error <= largest) continue;
+                largest = one.error;
+                result.worst = place_text(light_.places[i]);
+            }
+        }
+        result.points = static_cast<int>(errors.size());
+        result.reference = fmt::format("{:.0f} paths of light in each of {} places in the mean",
+                                       mean_paths(), places_.size());
+        if (errors.empty()) return result;
+        std::sort(errors.begin(), errors.end());
+        std::sort(spreads.begin(), spreads.end());
+        result.median = errors[errors.size() / 2];
+        result.ninth_decile = errors[errors.size() * 9 / 10];
+        result.max = errors.back();
+        result.standard_error = spreads[spreads.size() / 2];
+        return result;
+    }
+
+  private:
+    PathTracedRadiance trace(std::size_t place, std::uint64_t seed, std::int64_t paths) const {
+        PathTracerSettings settings;
+        settings.seed = seed;
+        settings.ray = static_cast<std::uint32_t>(place);
+        settings.paths = paths;
+        return light_.traced(place, settings);
+    }
+
+    void trace(const std::vector<std::size_t>& places, std::uint64_t seed) {
+        for_each_tile(static_cast<int>(places.size()), options_, "tracing paths", [&](int i) {
+            const std::size_t place = places[static_cast<std::size_t>(i)];
+            places_[place].light = trace(place, seed, places_[place].paths);
+        });
+    }
+
+    // The RMS over channels of the standard error over the light, by pilot paths.
+    double pilot_spread(std::size_t place) const {
+        const PathTracedRadiance pilot = trace(place, kPilotSeed, kPilotPaths);
+        double squares = 0;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(light_.channels); ++c) {
+            if (!(pilot.radiance[c] > 0)) continue;
+            const double spread = pilot.standard_error[c] / pilot.radiance[c];
+            squares += spread * spread;
+        }
+        return std::sqrt(squares / light_.channels);
+    }
+
+    void share_paths() {
+        std::vector<double> spreads(places_.size());
+        for_each_tile(static_cast<int>(places_.size()), options_, "tracing paths", [&](int i) {
+            spreads[static_cast<std::size_t>(i)] = pilot_spread(static_cast<std::size_t>(i));
+        });
+        const double sum = std::accumulate(spreads.begin(), spreads.end(), 0.0);
+        const double all = options_.certification == Certification::full ? kFullPaths : kQuickPaths;
+        const double most = kMostPathsOfMean * all / static_cast<double>(places_.size());
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const double paths = sum > 0 ? std::min(spreads[i] / sum * all, most) : 0;
+            places_[i].paths = std::max(static_cast<std::int64_t>(paths), kPilotPaths);
+        }
+    }
+
+    std::vector<CountedError> errors_of(std::size_t place) const {
+        std::vector<CountedError> counted;
+        const PathTracedRadiance& traced = places_[place].light;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(light_.channels); ++c) {
+            if (!(traced.radiance[c] > 0)) continue;
+            double error = std::fabs(found_[place][c] / traced.radiance[c] - 1);
+            if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
+            const double standard_error = traced.standard_error[c] / traced.radiance[c];
+            if (standard_error > kLargestSpread && error < kSignificance * standard_error) continue;
+            counted.push_back({error, standard_error});
+        }
+        return counted;
+    }
+
+    // The places with the largest errors, the worst one first.
+    std::vector<std::size_t> worst_places() const {
+        std::vector<std::pair<double, std::size_t>> by_error;
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            double largest = 0;
+            for (const CountedError& one : errors_of(i)) largest = std::max(largest, one.error);
+            if (largest > 0) by_error.emplace_back(-largest, i);
+        }
+        std::sort(by_error.begin(), by_error.end());
+        std::vector<std::size_t> worst;
+        for (std::size_t i = 0; i < std::min(by_error.size(), kPlacesAgain); ++i) {
+            worst.push_back(by_error[i].second);
+        }
+        return worst;
+    }
+
+    double mean_paths() const {
+        double sum = 0;
+        for (const TracedPlace& place : places_) sum += static_cast<double>(place.paths);
+        return places_.empty() ? 0 : sum / static_cast<double>(places_.size());
+    }
+
+    const TracedLight& light_;
+    const BakeOptions& options_;
+    std::vector<Spectrum> found_;
+    std::vector<TracedPlace> places_;
+};
+
+}  // namespace
+
+SkyError measure_sky(const TracedLight& light, const Baked& baked, const BakeOptions& options) {
+    SkyComparison comparison(light, baked, options);
+    comparison.trace();
+    return comparison.result();
+}
+
+}  // namespace skybake

@@ -1,0 +1,20 @@
+// Compares the light of an asset with paths of light. The result is the certificate's error.sky.
+//
+// With the same number of paths everywhere, twilight would be very noisy: places have paths in
+// proportion to their relative spread. Then the places with the largest errors are traced again
+// with more paths, until the place with the largest error is one of these: noise makes errors
+// larger, and the largest most of all.
+#pragma once
+
+#include "bakers/assets/traced_light.h"
+#include "bakers/field/baked.h"
+#include "bakers/math/bake_options.h"
+
+namespace skybake {
+
+// Returns |found / traced - 1| over all places and channels. Channels where no path finds light are
+// left out, and so are those whose standard error is above 5 % unless their error is above four
+// standard errors. After an interruption the result must not be used.
+SkyError measure_sky(const TracedLight& light, const Baked& baked, const BakeOptions& options);
+
+}  // namespace skybake

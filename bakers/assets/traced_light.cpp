@@ -1,0 +1,90 @@
+#include "bakers/assets/traced_light.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "bakers/field/certify.h"
+#include "bakers/light/sky_radiance.h"
+
+namespace skybake {
+
+namespace {
+
+StoredTexels stored_texels(const Baked& baked) {
+    const std::array<int, 3>& size = baked.levels.front().size;
+    return {baked.mapping, {size.begin(), size.end()}, baked.channel_names.size()};
+}
+
+// The light scattered once into a view from the air.
+Spectrum first_order(const SkyMedium& medium, const SkySample& sample) {
+    const CameraRay ray =
+        camera_ray(shell_of(medium.air), sample.altitude_km, sample.sun, sample.direction);
+    return SkyIntegrator(medium, nullptr).radiance(ray.in_air).single;
+}
+
+}  // namespace
+
+TracedAir::TracedAir(const config::Atmosphere& atmosphere)
+    : medium_(make_sky_medium(atmosphere)), tracer_(medium_) {}
+
+TraceOfPlace trace_of_sky(std::shared_ptr<const TracedAir> air, std::vector<SkySample> samples,
+                          config::SkyOrders orders, bool includes_ground) {
+    return [=, air = std::move(air), samples = std::move(samples)](std::size_t place,
+                                                                   PathTracerSettings settings) {
+        settings.include_seen_ground = includes_ground;
+        const SkySample& at = samples[place];
+        PathTracedRadiance light =
+            trace_paths(air->tracer(), at.altitude_km, at.sun, at.direction, settings, 1);
+        if (orders == config::SkyOrders::multiple) {
+            light.radiance -= first_order(air->medium(), at);
+        }
+        return light;
+    };
+}
+
+TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
+                                 std::vector<LevelSample> samples, config::SkyOrders orders) {
+    return [=, air = std::move(air), samples = std::move(samples)](
+               std::size_t place, const PathTracerSettings& settings) {
+        const LevelSample& at = samples[place];
+        PathTracedRadiance light =
+            trace_irradiance(air->tracer(), at.altitude_km, at.sun, settings, 1);
+        if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
+        return light;
+    };
+}
+
+std::vector<std::vector<double>> look_up_places(const Baked& baked, const AssetPlaces& places,
+                                                const std::vector<Place>& at) {
+    std::vector<std::vector<double>> found;
+    for (const Place& place : at) {
+        std::vector<double> sum(baked.channel_names.size(), 0.0);
+        Probe probe;
+        probe.at = place;
+        for (const ProbeLookup& lookup : places.lookups(probe, 0)) {
+            const std::vector<double> value =
+                look_up(baked.levels.front(), baked.pixel_type, lookup.uvw);
+            for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += lookup.share * value[c];
+        }
+        found.push_back(std::move(sum));
+    }
+    return found;
+}
+
+LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> places,
+                              std::vector<Place> at) {
+    return [=](const Baked& baked, int) {
+        std::vector<Spectrum> light;
+        for (const std::vector<double>& channels :
+             look_up_places(baked, places(stored_texels(baked)), at)) {
+            Spectrum spectrum{};
+            std::copy_n(channels.begin(), std::min<std::size_t>(channels.size(), kMaxChannels),
+                        data(spectrum));
+            light.push_back(spectrum);
+        }
+        return light;
+    };
+}
+
+}  // namespace skybake

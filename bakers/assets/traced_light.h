@@ -1,0 +1,70 @@
+// The light of an asset at some places: as a runtime finds it in the stored texels, and by paths of
+// light, which share nothing with the solver, its tables and its quadrature along rays.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "bakers/assets/probe_places.h"
+#include "bakers/assets/sky_samples.h"
+#include "bakers/field/baked.h"
+#include "bakers/field/choose_probes.h"
+#include "bakers/light/path_tracer/path_tracer.h"
+#include "bakers/math/bake_options.h"
+#include "config/sections/atmosphere.h"
+#include "config/sections/scene.h"
+
+namespace skybake {
+
+// An atmosphere for paths of light: all its layers scatter, by their whole phase functions.
+class TracedAir {
+  public:
+    explicit TracedAir(const config::Atmosphere& atmosphere);
+    TracedAir(const TracedAir&) = delete;  // the tracer refers to the medium
+    TracedAir& operator=(const TracedAir&) = delete;
+
+    const SkyMedium& medium() const { return medium_; }
+    const PathTracer& tracer() const { return tracer_; }
+
+  private:
+    SkyMedium medium_;
+    PathTracer tracer_;
+};
+
+// Returns the light of a place by paths, on one thread.
+using TraceOfPlace =
+    std::function<PathTracedRadiance(std::size_t place, const PathTracerSettings& settings)>;
+
+// Returns the radiance of the samples by paths: of all orders, or without light that the air
+// scattered once; with the ground that a view sees, or of the air alone.
+TraceOfPlace trace_of_sky(std::shared_ptr<const TracedAir> air, std::vector<SkySample> samples,
+                          config::SkyOrders orders, bool includes_ground);
+
+// Returns the light at all places, as a runtime finds it in the stored texels.
+using LightAtPlaces = std::function<std::vector<Spectrum>(const Baked& baked, int threads)>;
+
+// Returns the channels of lookups at probes' coordinates, one vector per entry of `at`.
+std::vector<std::vector<double>> look_up_places(const Baked& baked, const AssetPlaces& places,
+                                                const std::vector<Place>& at);
+
+// Returns the light of an asset whose first channels are light: they are looked up as probes with
+// the coordinates `at` are.
+LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> places,
+                              std::vector<Place> at);
+
+// Returns the irradiance of the samples by paths: of all orders, or without light that the air
+// scattered once.
+TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
+                                 std::vector<LevelSample> samples, config::SkyOrders orders);
+
+// The light of an asset at some places, in the asset's unit for a solar irradiance of 1.
+struct TracedLight {
+    int channels = 0;
+    std::vector<Place> places;
+    LightAtPlaces found;
+    TraceOfPlace traced;
+};
+
+}  // namespace skybake
