@@ -77,12 +77,6 @@ std::string channels_text(const ManifestAsset& asset) {
     return text;
 }
 
-// Returns median and largest error of an asset's light, "0.31 / 2.4 %", or nothing if it has none.
-std::string sky_error_text(const std::optional<Certificate>& error) {
-    if (!error || !error->sky) return "";
-    return fmt::format("{:.2g} / {:.2g} %", 100 * error->sky->median, 100 * error->sky->max);
-}
-
 // Returns the cells of the first row of an asset.
 std::vector<std::string> first_row(const FinishedAsset& finished) {
     const ManifestAsset& asset = finished.entry;
@@ -114,6 +108,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
     // A narrow terminal does not show these columns: write, certify, pixel type, channels.
     constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
     constexpr std::array<std::size_t, 2> names = {0, 3};
+    constexpr std::size_t kSkyError = 8;
     table.add_row({"asset", "size", "", "file", "", "bake", "certify", "write",
                    "sky error median / max", "lookup error max / rms"});
     bool made = false;
@@ -126,6 +121,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
             if (!first) table.add_row(further_row(finished.entry, file));
         }
     }
+    table.drop_if_empty(kSkyError);
     return made ? table.text_within(columns, expendable, names) : "";
 }
 
@@ -187,6 +183,13 @@ std::string count_text(const BakedFolder& baked) {
 }
 
 }  // namespace
+
+std::string sky_error_text(const std::optional<Certificate>& error) {
+    if (!error || !error->sky) return "";
+    const SkyError& sky = *error->sky;
+    return fmt::format("{:.2g} / {:.2g} ± {:.2g} %", 100 * sky.median, 100 * sky.max,
+                       100 * sky.standard_error);
+}
 
 std::string plan_event(const FolderPlan& plan) {
     Json assets = Json::array();

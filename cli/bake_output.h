@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,5 +57,9 @@ std::string plan_event(const FolderPlan& plan);
 // Returns one event per file, and then the last event of the bake.
 std::string finished_events(const BakedFolder& baked, const std::filesystem::path& folder,
                             double seconds);
+
+// Returns the median and the largest error of an asset's light and the noise of what it is compared
+// with, one standard error: "0.31 / 2.4 ± 0.2 %". Returns nothing if its light is not compared.
+std::string sky_error_text(const std::optional<Certificate>& error);
 
 }  // namespace skybake::cli

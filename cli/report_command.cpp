@@ -146,14 +146,26 @@ std::string title_of(const AssetReport& asset) {
     return asset.kind == asset.name ? asset.name : fmt::format("{} ({})", asset.name, asset.kind);
 }
 
+std::string sky_text(const std::optional<SkyError>& sky) {
+    if (!sky) return "";
+    return fmt::format(
+        "  sky error: {:.2g} % (median), {:.2g} % (nine in ten are below), {:.2g} % (largest, at "
+        "{}), against {}, whose standard error is {:.2g} %\n",
+        100 * sky->median, 100 * sky->ninth_decile, 100 * sky->max, sky->worst, sky->reference,
+        100 * sky->standard_error);
+}
+
 std::string asset_text(const AssetReport& asset) {
-    if (asset.rows.empty()) return fmt::format("{}\n{}", title_of(asset), notes_text(asset));
-    std::string text = fmt::format(
-        "{}\n  error: {}, against {} ({} lookups, up to {} texels)\n  time: {}, median of {}\n{}  "
+    const std::string title = fmt::format("{}\n{}", title_of(asset), sky_text(asset.sky));
+    if (asset.rows.empty()) return title + notes_text(asset);
+    std::string text = title;
+    text += fmt::format(
+        "  lookup error: {}, against {} ({} lookups, up to {} texels)\n  time: {}, median of "
+        "{}\n{}  "
         "front: no other variant has a smaller error of lookups, or of texels at one size, in as "
         "little time (within 5 %){}\n\n",
-        title_of(asset), asset.scale, asset.reference, asset.lookup_points, asset.texel_points,
-        asset.timing, asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
+        asset.scale, asset.reference, asset.lookup_points, asset.texel_points, asset.timing,
+        asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
         asset.volume
             ? "; errors have two digits; bytes: no other has a smaller error in as few bytes"
             : "");

@@ -145,6 +145,13 @@ void TextTable::drop_column(std::size_t column) {
     }
 }
 
+void TextTable::drop_if_empty(std::size_t column) {
+    const auto has_text = [column](const std::vector<std::string>& row) {
+        return column < row.size() && !row[column].empty();
+    };
+    if (std::count_if(rows_.begin(), rows_.end(), has_text) <= 1) drop_column(column);
+}
+
 // Takes characters from the widest of these columns. Returns false if none of them may lose one.
 bool TextTable::shorten_widest(std::span<const std::size_t> columns, int excess) {
     constexpr std::size_t least = 8;

@@ -17,21 +17,25 @@ namespace skybake {
 
 namespace {
 
-// Paths in all places together. The first number takes about as long as Earth's solution.
+// Paths in all places together. The first number takes about as long as Earth's solution. In air
+// that scatters light very often there are fewer, so that they have at most so many flights.
 constexpr double kQuickPaths = 1 << 18;
 constexpr double kFullPaths = 1 << 22;
+constexpr double kMostFlightsOfPath = 32;
 constexpr std::int64_t kPilotPaths = 64;
 constexpr double kMostPathsOfMean = 16;
 // The places of largest error are traced again with so many times the mean of paths, and with twice
 // their own at least.
-constexpr std::int64_t kPathsAgain = 16;
+constexpr std::int64_t kPathsAgain = 8;
 constexpr std::size_t kPlacesAgain = 4;
-constexpr int kMostRounds = 4;
-// Pilot paths and those of each round have seeds of their own.
+constexpr int kMostRounds = 3;
+// Pilot paths find the spread and the cost of each place. They and the paths of each round have
+// seeds of their own.
 constexpr std::uint64_t kPilotSeed = 100;
 
+// Paths with rare, bright light find too little of it until one of them has found it: a larger
+// standard error tells little, itself included.
 constexpr double kLargestSpread = 0.05;
-constexpr double kSignificance = 4;  // in standard errors
 
 // One place's light by paths, and how far what was found is off.
 struct TracedPlace {
@@ -119,9 +123,8 @@ class SkyComparison {
         });
     }
 
-    // The RMS over channels of the standard error over the light, by pilot paths.
-    double pilot_spread(std::size_t place) const {
-        const PathTracedRadiance pilot = trace(place, kPilotSeed, kPilotPaths);
+    // The RMS over channels of the standard error over the light.
+    double spread_of(const PathTracedRadiance& pilot) const {
         double squares = 0;
         for (std::size_t c = 0; c < static_cast<std::size_t>(light_.channels); ++c) {
             if (!(pilot.radiance[c] > 0)) continue;
@@ -132,15 +135,25 @@ class SkyComparison {
     }
 
     void share_paths() {
-        std::vector<double> spreads(places_.size());
+        std::vector<PathTracedRadiance> pilots(places_.size());
         for_each_tile(static_cast<int>(places_.size()), options_, "tracing paths", [&](int i) {
-            spreads[static_cast<std::size_t>(i)] = pilot_spread(static_cast<std::size_t>(i));
+            pilots[static_cast<std::size_t>(i)] =
+                trace(static_cast<std::size_t>(i), kPilotSeed, kPilotPaths);
         });
-        const double sum = std::accumulate(spreads.begin(), spreads.end(), 0.0);
-        const double all = options_.certification == Certification::full ? kFullPaths : kQuickPaths;
-        const double most = kMostPathsOfMean * all / static_cast<double>(places_.size());
+        double flights = 0;
+        double spreads = 0;
+        for (const PathTracedRadiance& pilot : pilots) {
+            flights += spread_of(pilot) * pilot.flights;
+            spreads += spread_of(pilot);
+        }
+        const double most =
+            options_.certification == Certification::full ? kFullPaths : kQuickPaths;
+        const double all =
+            spreads > 0 ? most * std::min(kMostFlightsOfPath * spreads / flights, 1.0) : 0;
+        const double most_of_place = kMostPathsOfMean * all / static_cast<double>(places_.size());
         for (std::size_t i = 0; i < places_.size(); ++i) {
-            const double paths = sum > 0 ? std::min(spreads[i] / sum * all, most) : 0;
+            const double share = spreads > 0 ? spread_of(pilots[i]) / spreads : 0;
+            const double paths = std::min(share * all, most_of_place);
             places_[i].paths = std::max(static_cast<std::int64_t>(paths), kPilotPaths);
         }
     }
@@ -153,7 +166,7 @@ class SkyComparison {
             double error = std::fabs(found_[place][c] / traced.radiance[c] - 1);
             if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
             const double standard_error = traced.standard_error[c] / traced.radiance[c];
-            if (standard_error > kLargestSpread && error < kSignificance * standard_error) continue;
+            if (standard_error > kLargestSpread) continue;
             counted.push_back({error, standard_error});
         }
         return counted;

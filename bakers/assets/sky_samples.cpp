@@ -11,13 +11,14 @@ namespace skybake {
 namespace {
 
 // Shares of the angle between the horizon and the zenith, or the edge of the air seen from space.
-constexpr double kSharesAbove[] = {0.003, 0.01, 0.03, 0.1, 0.35, 0.7, 0.95};
-constexpr double kAzimuths_deg[] = {8, 60, 115, 172};
+constexpr double kSharesAbove[] = {0.003, 0.006, 0.01, 0.02, 0.04, 0.08,
+                                   0.15,  0.25,  0.4,  0.6,  0.8,  0.95};
+constexpr double kAzimuths_deg[] = {8, 35, 80, 125, 172};
 // Shares of the angle between the horizon and straight down.
-constexpr double kSharesBelow[] = {0.01, 0.3};
+constexpr double kSharesBelow[] = {0.01, 0.08, 0.4};
 constexpr double kAzimuthsBelow_deg[] = {20, 150};
 // Steps away from the sun: upwards and aside.
-constexpr double kStepsFromSun_deg[][2] = {{0.6, 0.2}, {-0.3, 1.5}, {2.5, 1}};
+constexpr double kStepsFromSun_deg[][2] = {{0.6, 0.2}, {-0.3, 1.5}, {2.5, 1}, {-3, 2}};
 
 // Angles in degrees, as those of SkySample.
 struct Angles {
@@ -35,10 +36,10 @@ double spread(std::size_t i, double step) {
     return 2 * (x - std::floor(x)) - 1;
 }
 
-Angles moved(Angles angles, std::size_t i) {
-    angles.above_horizon *= 1 + 0.4 * spread(i, kFirstStep);
-    angles.azimuth += 7 * spread(i, kSecondStep);
-    return angles;
+// The direction at a share of the range and at about this azimuth; a share of 1 is not passed.
+Angles moved(double share, double range_deg, double azimuth_deg, std::size_t i) {
+    const double moved_share = share * (1 + 0.4 * (1 - share) * spread(i, kFirstStep));
+    return {moved_share * range_deg, azimuth_deg + 7 * spread(i, kSecondStep)};
 }
 
 void add_next_to_sun(const SkyViewCamera& camera, double sun_elevation_deg,
@@ -62,12 +63,12 @@ std::vector<Angles> angles_of(const SkyViewCamera& camera, double sun_elevation_
     std::vector<Angles> angles;
     for (const double share : kSharesAbove) {
         for (const double azimuth : kAzimuths_deg) {
-            angles.push_back(moved({share * above, azimuth}, angles.size()));
+            angles.push_back(moved(share, above, azimuth, angles.size()));
         }
     }
     for (const double share : kSharesBelow) {
         for (const double azimuth : kAzimuthsBelow_deg) {
-            angles.push_back(moved({-share * below, azimuth}, angles.size()));
+            angles.push_back(moved(share, -below, azimuth, angles.size()));
         }
     }
     add_next_to_sun(camera, sun_elevation_deg, angles);

@@ -21,8 +21,8 @@ struct SkySample {
     SkyDirection direction;
 };
 
-// Returns 28 directions above the horizon, 3 next to the sun, and 4 below the horizon. No direction
-// is nearer to the horizon than kHorizonMargin.
+// Returns 60 directions above the horizon, 4 next to the sun, and 6 below the horizon; from space
+// only those that meet the air. No direction is nearer to the horizon than kHorizonMargin.
 std::vector<SkySample> sky_samples(const Shell& shell, double altitude_km,
                                    double sun_elevation_deg);
 

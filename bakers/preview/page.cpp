@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
 
 namespace skybake {
@@ -73,7 +74,8 @@ Json plot_json(const PageAsset& asset) {
 
 Json error_json(const std::optional<Certificate>& error) {
     if (!error) return nullptr;
-    return {{"lookup", {{"max", error->lookup.max}, {"rms", error->lookup.rms}}},
+    return {{"sky", error->sky ? sky_error_json(*error->sky) : Json(nullptr)},
+            {"lookup", {{"max", error->lookup.max}, {"rms", error->lookup.rms}}},
             {"texel", {{"max", error->texel.max}, {"rms", error->texel.rms}}},
             {"points", error->lookup_points},
             {"texel_points", error->texel_points},

@@ -163,10 +163,18 @@
         return `s-${encodeURIComponent(title)}`;
     }
 
+    function skyError(asset) {
+        return asset.error ? asset.error.sky : null;
+    }
+    function percent(share) {
+        return `${figure(100 * share)} %`;
+    }
+
     function overview() {
         // Of a recipe nothing is written.
         const anyFile = preview.assets.some((asset) => totalBytes(asset) !== null);
         const columns = [{title: 'Asset'}, {title: 'Kind'}, {title: 'Size'}, {title: 'Channels'},
+            {title: 'Sky error, median', number: true}, {title: 'max', number: true},
             {title: 'Lookup error, max', number: true}, {title: 'RMS', number: true},
             {title: 'Bake', number: true}, ...(anyFile ? [{title: 'Files', number: true}] : [])];
         const rows = preview.assets.map((asset) => [
@@ -175,6 +183,8 @@
             text(asset.kind.replaceAll('_', ' ')),
             {text: extent(asset), value: asset.size.reduce((product, edge) => product * edge, 1)},
             text(asset.channels.join(' ')),
+            amount(skyError(asset) && skyError(asset).median, percent),
+            amount(skyError(asset) && skyError(asset).max, percent),
             amount(asset.error && asset.error.lookup.max, figure),
             amount(asset.error && asset.error.lookup.rms, figure),
             amount(asset.bake_s || null, duration),
@@ -189,8 +199,13 @@
     }
     function facts(asset) {
         const error = asset.error;
+        const sky = skyError(asset);
         const type = asset.files.length > 0 ? asset.files[0].pixel_type : asset.pixel_type;
         return element('dl', {class: 'facts'},
+            sky ? fact('Sky error, median / 9 in 10 / max',
+                `${percent(sky.median)} / ${percent(sky.ninth_decile)} / ${percent(sky.max)}`,
+                `against ${sky.reference}, standard error ${percent(sky.standard_error)}`,
+                `largest at ${sky.worst}`) : null,
             fact('Size', extent(asset), [asset.channels.join(' '), type].filter(Boolean).join(', ')),
             error ? fact('Lookup error, max / RMS', `${figure(error.lookup.max)} / ${figure(error.lookup.rms)}`,
                 `${error.points} points; ${error.scale}`) : fact('Lookup error', 'not measured'),

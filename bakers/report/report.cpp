@@ -97,6 +97,7 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     report.kind = baked.value->kind;
     report.reference = baked.value->certificate.reference;
     report.scale = baked.value->certificate.scale;
+    report.sky = baked.value->certificate.sky;
     report.repetitions = options.quick ? kQuickRepetitions : kRepetitions;
     const Medium medium = make_medium(recipe.parameters.atmosphere);
     const std::optional<int> level =
@@ -139,18 +140,28 @@ Outcome<AssetReport> nothing_to_compare(const Bake& bake) {
     AssetReport report;
     report.name = bake.name;
     report.kind = baker_of(bake).asset;
-    report.notes.push_back(
-        fmt::format("no variants of {} are compared: `bake` measures its errors", report.kind));
+    report.notes.push_back(fmt::format(
+        "no variants of {} are compared: `bake` measures the errors of its lookups", report.kind));
     return {std::move(report), {}};
 }
 
 Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake,
                                   const ReportOptions& options) {
-    const std::string_view asset = baker_of(bake).asset;
-    for (const AssetReporter& reporter : kReporters) {
-        if (reporter.asset == asset) return reporter.report(recipe, bake, options);
+    const AnyBaker& baker = baker_of(bake);
+    const auto reporter =
+        std::find_if(std::begin(kReporters), std::end(kReporters),
+                     [&](const AssetReporter& one) { return one.asset == baker.asset; });
+    Outcome<AssetReport> outcome = reporter != std::end(kReporters)
+                                       ? reporter->report(recipe, bake, options)
+                                       : nothing_to_compare(bake);
+    if (!outcome.value || outcome.value->sky || !baker.traced(recipe.parameters, bake)) {
+        return outcome;
     }
-    return nothing_to_compare(bake);
+    const Outcome<Baked> baked = bake_asset(
+        recipe, bake, BakeOptions{.threads = options.threads, .progress = options.progress});
+    if (is_cancelled(options.progress)) return {};
+    if (baked.value) outcome.value->sky = baked.value->certificate.sky;
+    return outcome;
 }
 
 }  // namespace skybake

@@ -82,6 +82,7 @@ struct AssetReport {
     int texel_points = 0;   // the most texels that were compared
     int lookup_points = 0;
     int repetitions = 0;                    // each time is the median of this many
+    std::optional<SkyError> sky;            // of the recipe's asset, if its light is compared
     std::vector<std::string> notes;         // what was left out, and why
     std::optional<VolumeFacts> volume;      // only for volumes with rows
     std::optional<SkippingFacts> skipping;  // only for occupancy grids, which have no rows
@@ -101,7 +102,7 @@ config::Outcome<AssetReport> report_asset(const config::Recipe& recipe, const co
                                           const ReportOptions& options);
 
 // Makes the report of an asset that has no variants. It refers to the certificate, which states the
-// asset's error.
+// errors of lookups.
 config::Outcome<AssetReport> nothing_to_compare(const config::Bake& bake);
 
 }  // namespace skybake

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
 
 namespace skybake {
@@ -123,6 +124,7 @@ Json to_json(const AssetReport& asset) {
     for (const ReportRow& row : asset.rows) rows.push_back(to_json(row));
     Json json = {{"name", asset.name},
                  {"kind", asset.kind},
+                 {"sky", asset.sky ? sky_error_json(*asset.sky) : Json(nullptr)},
                  {"reference", asset.reference},
                  {"scale", asset.scale},
                  {"timing", asset.timing},

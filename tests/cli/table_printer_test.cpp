@@ -52,6 +52,20 @@ TEST(TablePrinter, OnlyNamesAreShortened) {
               "  abcdefg…  pqrstuv…  0.25 / 0.125 / 0.0625\n");
 }
 
+// A column that says nothing but its heading goes; one with a single cell stays.
+TEST(TablePrinter, EmptyColumnsAreDropped) {
+    TextTable table({Align::left, Align::right, Align::right});
+    table.add_row({"asset", "sky", "lookup"});
+    table.add_row({"clouds", "", "0.5"});
+    TextTable with_sky = table;
+    with_sky.add_row({"sky", "0.1", "0.25"});
+    table.drop_if_empty(1);
+    EXPECT_EQ(table.text(), "  asset   lookup\n  clouds     0.5\n");
+    with_sky.drop_if_empty(1);
+    EXPECT_EQ(with_sky.text(),
+              "  asset   sky  lookup\n  clouds          0.5\n  sky     0.1    0.25\n");
+}
+
 TEST(TablePrinter, AnEmptyTableIsNoText) {
     EXPECT_EQ(TextTable().text(), "");
     EXPECT_TRUE(TextTable().empty());

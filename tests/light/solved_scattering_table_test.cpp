@@ -38,10 +38,6 @@ TEST(SolvedScatteringTable, IsDropIn) {
     // Day is of the size of Hillaire's.
     EXPECT_NEAR(table.image().texel(31, 0)[2], 0.07, 0.01);
     EXPECT_LT(table.certificate.texel.max, 0.02);
-    ASSERT_TRUE(table.certificate.sky);
-    // 32 texels of linear cosines leave the terminator to chance: the median is what they hold.
-    EXPECT_LT(table.certificate.sky->median, 0.05);
-    EXPECT_GT(table.certificate.sky->points, 200);
 }
 
 TEST(SolvedScatteringTable, MomentsBeginWithTheMeanRadiance) {

@@ -154,7 +154,7 @@ std::vector<SkySample> samples_of(const Shell& shell, const BrunetonBake& asset)
     std::vector<double> altitudes_km;
     for (const double share : {0.005, 0.08, 0.5})
         altitudes_km.push_back(share * shell.thickness_km);
-    return sky_samples(shell, altitudes_km, suns_deg, 3);
+    return sky_samples(shell, altitudes_km, suns_deg, 7);
 }
 
 // The light scattered once that a table holds: by all layers, by none, or by those that are not

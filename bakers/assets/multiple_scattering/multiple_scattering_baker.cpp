@@ -158,7 +158,7 @@ std::vector<SkySample> samples_of(const Shell& shell, const std::optional<config
         std::erase_if(suns_deg, [=](double sun) { return sun > highest_deg || sun < lowest_deg; });
         suns_deg.insert(suns_deg.end(), {lowest_deg, highest_deg});
     }
-    return sky_samples(shell, {altitude_km}, suns_deg, 2);
+    return sky_samples(shell, {altitude_km}, suns_deg, 4);
 }
 
 // The radiance of the air, made with the table as a runtime makes it.

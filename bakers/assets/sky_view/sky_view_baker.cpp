@@ -117,8 +117,10 @@ std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBak
     for (const config::Angle& elevation : asset.sun_elevations) {
         elevations_deg.push_back(elevation.radians * kDegreesPerRadian);
     }
+    // Of two suns all directions, of more a part of them.
+    const auto stride = static_cast<int>((elevations_deg.size() + 1) / 2);
     const std::vector<SkySample> samples = sky_samples(
-        shell_of(parameters.atmosphere), {asset.altitude.kilometers()}, elevations_deg, 1);
+        shell_of(parameters.atmosphere), {asset.altitude.kilometers()}, elevations_deg, stride);
     std::vector<Place> at;
     for (const SkySample& sample : samples) {
         at.push_back({{"azimuth_deg", sample.azimuth_deg},

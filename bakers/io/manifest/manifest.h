@@ -114,6 +114,9 @@ struct Manifest {
 // Returns an empty manifest of this release for a recipe.
 Manifest new_manifest(const config::Recipe& recipe);
 
+// Returns error.sky of an asset's entry.
+nlohmann::ordered_json sky_error_json(const SkyError& error);
+
 // Returns the manifest's text. Numbers have the shortest form that reads back equal, and the text
 // ends with a newline.
 std::string manifest_json(const Manifest& manifest);

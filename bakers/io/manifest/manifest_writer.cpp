@@ -82,16 +82,7 @@ Json to_json(const std::optional<Certificate>& certificate) {
                  {"scale", c.scale},
                  {"worst", c.worst},
                  {"advice", c.advice}};
-    if (c.sky) {
-        json["sky"] = {{"median", c.sky->median},
-                       {"ninth_decile", c.sky->ninth_decile},
-                       {"max", c.sky->max},
-                       {"standard_error", c.sky->standard_error},
-                       {"points", c.sky->points},
-                       {"left_out", c.sky->left_out},
-                       {"reference", c.sky->reference},
-                       {"worst", c.sky->worst}};
-    }
+    if (c.sky) json["sky"] = sky_error_json(*c.sky);
     return json;
 }
 
@@ -239,6 +230,17 @@ std::string text_of(const Json& json, int indent) {
 }
 
 }  // namespace
+
+Json sky_error_json(const SkyError& error) {
+    return {{"median", error.median},
+            {"ninth_decile", error.ninth_decile},
+            {"max", error.max},
+            {"standard_error", error.standard_error},
+            {"points", error.points},
+            {"left_out", error.left_out},
+            {"reference", error.reference},
+            {"worst", error.worst}};
+}
 
 std::string manifest_json(const Manifest& manifest) {
     Json assets = Json::array();

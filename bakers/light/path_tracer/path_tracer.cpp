@@ -92,6 +92,7 @@ BlockSums walk_block(const Sensor& sensor, std::int64_t block) {
     for (std::int64_t path = begin; path < end; ++path) {
         PathLight light;
         paths.walk(static_cast<std::uint64_t>(path), light);
+        sums.light.flights += light.flights;
         Channels value = light.direct;
         for (std::size_t n = 0; n < kPathOrders; ++n) {
             value = value + light.orders[n];
@@ -115,12 +116,14 @@ PathTracedRadiance trace(Sensor sensor, int threads) {
     for (const BlockSums& block : sums) {
         all.total = all.total + block.total;
         all.squares = all.squares + block.squares;
+        all.light.flights += block.light.flights;
         for (std::size_t n = 0; n < kPathOrders; ++n) {
             all.light.orders[n] = all.light.orders[n] + block.light.orders[n];
         }
     }
     PathTracedRadiance result;
     const auto count = static_cast<double>(paths);
+    result.flights = static_cast<double>(all.light.flights) / count;
     for (std::size_t c = 0; c < kMaxChannels; ++c) {
         const double mean = all.total[c] / count;
         const double variance = all.squares[c] / count - mean * mean;

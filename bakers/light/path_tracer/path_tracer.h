@@ -37,6 +37,7 @@ struct PathTracedRadiance {
     Spectrum radiance{};
     Spectrum standard_error{};                   // of the radiance
     std::array<Spectrum, kPathOrders> orders{};  // 1 to 5, 6 and more
+    double flights = 0;                          // of a path, in the mean: what it costs
 };
 
 class PathTracer {

@@ -353,6 +353,7 @@ Channels PathWalker::walk(const PathSource& source, const PathStart& start, cons
             }
         }
         if (!(goes_on[state.hero] > 0)) return second_flight;
+        ++light.flights;
         const double returned = flight.returned[state.hero];
         const bool counts = !source.ambient && (state.order > 0 || rules.counts_first_order);
         if (returned > 0 && random.next() * goes_on[state.hero] < returned) {

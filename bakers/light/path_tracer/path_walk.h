@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -34,6 +35,7 @@ inline constexpr std::size_t kPathOrders = 6;
 // ambient light can.
 struct PathLight {
     Channels direct{0.0};
+    std::int64_t flights = 0;  // straight ways of the path, each to its next event
     std::array<Channels, kPathOrders> orders;
     PathLight() { orders.fill(Channels(0.0)); }
 };
