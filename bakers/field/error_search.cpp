@@ -1,77 +1,16 @@
 #include "bakers/field/error_search.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "bakers/field/search_draws.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/quadrature.h"
 
 namespace skybake {
-
-SearchGrid::SearchGrid(std::vector<std::vector<double>> edges) : edges_(std::move(edges)) {
-    assert(edges_.size() <= 3);
-    for (const std::vector<double>& axis : edges_) {
-        assert(axis.size() >= 2);
-        count_ *= axis.size() - 1;
-    }
-}
-
-std::array<std::size_t, 3> SearchGrid::indices(std::size_t cell) const {
-    std::array<std::size_t, 3> result{};
-    for (std::size_t a = 0; a < edges_.size(); ++a) {
-        const std::size_t cells = edges_[a].size() - 1;
-        result[a] = cell % cells;
-        cell /= cells;
-    }
-    return result;
-}
-
-double SearchGrid::share(std::size_t cell) const {
-    const std::array<std::size_t, 3> index = indices(cell);
-    double share = 1;
-    for (std::size_t a = 0; a < edges_.size(); ++a) {
-        share *= (edges_[a][index[a] + 1] - edges_[a][index[a]]) /
-                 (edges_[a].back() - edges_[a].front());
-    }
-    return share;
-}
-
-SearchPlace SearchGrid::place(std::size_t cell, const SearchPlace& within) const {
-    const std::array<std::size_t, 3> index = indices(cell);
-    SearchPlace result{};
-    for (std::size_t a = 0; a < edges_.size(); ++a) {
-        const double low = edges_[a][index[a]];
-        const double high = edges_[a][index[a] + 1];
-        result[a] = std::clamp(low + within[a] * (high - low), low, high);
-    }
-    return result;
-}
-
-std::size_t SearchGrid::cell_at(const SearchPlace& place) const {
-    std::size_t cell = 0;
-    std::size_t stride = 1;
-    for (std::size_t a = 0; a < edges_.size(); ++a) {
-        const std::vector<double>& axis = edges_[a];
-        const auto above = std::upper_bound(axis.begin() + 1, axis.end() - 1, place[a]);
-        cell += stride * static_cast<std::size_t>(above - axis.begin() - 1);
-        stride *= axis.size() - 1;
-    }
-    return cell;
-}
-
-SearchPlace SearchGrid::moved(const SearchPlace& place, std::size_t axis, double widths) const {
-    const std::size_t index = indices(cell_at(place))[axis];
-    const std::vector<double>& edges = edges_[axis];
-    SearchPlace result = place;
-    result[axis] = std::clamp(place[axis] + widths * (edges[index + 1] - edges[index]),
-                              edges.front(), edges.back());
-    return result;
-}
 
 PointError PointError::of(const double* errors, std::size_t channels) {
     PointError result;
@@ -90,196 +29,29 @@ namespace {
 // what the first have shown, so they count for more.
 constexpr double kFirstShare = 0.15;
 
-// The golden section, by which starts of successive series of draws differ.
-constexpr double kGoldenShift = 0.6180339887498949;
-
-double fraction_of(double x) { return x - std::floor(x); }
-
-// One of several cells or points, and the weight of its square in the mean of all.
-struct Draw {
-    std::size_t index = 0;
-    double weight = 0;
-};
-
-// Draws with a probability of which a third is in proportion to the share, a third to the share
-// times the expected size, and a third to the share times its square: the last would do where
-// expectations are right, the others bound the weights where they are not. Draws lie at equal steps
-// of the cumulative probability, `start` in [0, 1) of a step from 0, so that neighbours are not
-// drawn together by chance.
-std::vector<Draw> draw(const std::vector<double>& shares, const std::vector<double>& squares,
-                       int count, double start) {
-    double all = 0;
-    double sizes = 0;
-    double sum = 0;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        all += shares[i];
-        sizes += shares[i] * std::sqrt(squares[i]);
-        sum += shares[i] * squares[i];
-    }
-    const bool known = sum > 0 && std::isfinite(sum);
-    std::vector<Draw> draws;
-    double cumulative = 0;
-    for (std::size_t i = 0; i < shares.size(); ++i) {
-        double density = 1 / all;
-        if (known) {
-            density = (density + std::sqrt(squares[i]) / sizes + squares[i] / sum) / 3;
-        }
-        cumulative += shares[i] * density;
-        while (static_cast<double>(draws.size()) + start < cumulative * count) {
-            draws.push_back({i, 1 / (density * count)});
-        }
-    }
-    return draws;
-}
-
-// A row that is evaluated together, and the weights of its points in the mean square; points of
-// weight 0 are there for the maximum alone.
-struct SearchRow {
-    SearchPlace at{};
-    std::vector<SearchPlace> points;
-    std::vector<double> weights;
-    std::vector<PointError> errors;
-};
-
-struct SearchPoint {
-    SearchPlace row{};
-    SearchPlace point{};
-    double weight = 0;
-    PointError error;
-};
-
-// The `count` largest elements' indices, the largest first; of equal ones, the first.
-std::vector<std::size_t> largest_of(const std::vector<double>& values, std::size_t count) {
-    std::vector<std::size_t> order(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto end = order.begin() + static_cast<std::ptrdiff_t>(std::min(count, order.size()));
-    std::partial_sort(order.begin(), end, order.end(), [&](std::size_t a, std::size_t b) {
-        return values[a] != values[b] ? values[a] > values[b] : a < b;
-    });
-    order.erase(end, order.end());
-    return order;
-}
-
 class ErrorSearch {
   public:
     ErrorSearch(const LookupSearch& search, const SearchCounts& counts, const BakeOptions& options)
-        : search_(search), counts_(counts), options_(options) {
-        for (std::size_t i = 0; i < search.rows.count(); ++i) {
-            row_shares_.push_back(search.rows.share(i));
-        }
-        for (std::size_t i = 0; i < search.points.count(); ++i) {
-            point_shares_.push_back(search.points.share(i));
-        }
-    }
+        : search_(search), counts_(counts), options_(options), draws_(search, options.threads) {}
 
     FoundErrors run() {
-        look_at_texels();
         const int first = std::max(1, counts_.rows / 4);
-        first_share_ = first < counts_.rows ? kFirstShare : 1;
-        std::vector<SearchRow> rows = drawn_rows(first, first_share_);
-        add_peak_rows(rows);
+        const double first_share = first < counts_.rows ? kFirstShare : 1;
+        std::vector<SearchRow> rows = draws_.rows(first, counts_.per_row, first_share);
+        for (SearchRow& row : draws_.peak_rows(counts_.peak_rows, counts_.per_row)) {
+            rows.push_back(std::move(row));
+        }
         evaluate(std::move(rows), searched());
         climb();
         if (options_.cancelled()) return {};
-        learn();
-        evaluate(drawn_rows(counts_.rows - first, 1 - first_share_), searched());
+        draws_.learn(measured_, mean_square() / first_share);
+        evaluate(draws_.rows(counts_.rows - first, counts_.per_row, 1 - first_share), searched());
         return search_.estimate ? confirm() : figures_of(measured_, mean_square());
     }
 
   private:
     const RowErrors& searched() const {
         return search_.estimate ? search_.estimate : search_.exact;
-    }
-
-    // What the texels let expect of each row.
-    void look_at_texels() {
-        row_squares_.assign(row_shares_.size(), 1);
-        row_peaks_.assign(row_shares_.size(), 0);
-        if (!search_.expected) return;
-        parallel_for(static_cast<int>(row_shares_.size()), options_.threads, [&](int row) {
-            const auto i = static_cast<std::size_t>(row);
-            row_squares_[i] = 0;
-            for (std::size_t k = 0; k < point_shares_.size(); ++k) {
-                const double expected = search_.expected(i, k);
-                row_squares_[i] += point_shares_[k] * expected * expected;
-                row_peaks_[i] = std::max(row_peaks_[i], expected);
-            }
-        });
-    }
-
-    // What the first points let expect of the others: the texels' expectations, in the scale of
-    // the errors found, and in the cells where a larger error was found that error.
-    void learn() {
-        double expected = 0;
-        for (std::size_t i = 0; i < row_shares_.size(); ++i) {
-            expected += row_shares_[i] * row_squares_[i];
-        }
-        scale_ = expected > 0 ? mean_square() / first_share_ / expected : 1;
-        if (!(scale_ > 0) || !std::isfinite(scale_)) scale_ = 1;
-        for (double& square : row_squares_) square *= scale_;
-        for (const SearchPoint& point : measured_) {
-            const std::size_t row = search_.rows.cell_at(point.row);
-            const std::size_t column = search_.points.cell_at(point.point);
-            if (!std::isfinite(point.error.mean_square)) continue;
-            const double known = square_of(row, column);
-            if (point.error.mean_square <= known) continue;
-            row_squares_[row] += point_shares_[column] * (point.error.mean_square - known);
-            found_[{row, column}] = point.error.mean_square;
-        }
-    }
-
-    double square_of(std::size_t row, std::size_t column) const {
-        const auto found = found_.find({row, column});
-        if (found != found_.end()) return found->second;
-        const double expected = search_.expected ? search_.expected(row, column) : 1;
-        return scale_ * expected * expected;
-    }
-
-    std::vector<double> expected_in(std::size_t row) const {
-        std::vector<double> values(point_shares_.size(), 1);
-        for (std::size_t k = 0; search_.expected && k < values.size(); ++k) {
-            values[k] = search_.expected(row, k);
-        }
-        return values;
-    }
-
-    std::vector<SearchRow> drawn_rows(int count, double weight) const {
-        std::vector<SearchRow> rows;
-        const std::vector<Draw> draws = draw(row_shares_, row_squares_, count, 0.5);
-        for (std::size_t i = 0; i < draws.size(); ++i) {
-            SearchRow row;
-            row.at = search_.rows.place(draws[i].index, low_discrepancy_point(static_cast<int>(i)));
-            std::vector<double> squares(point_shares_.size());
-            for (std::size_t k = 0; k < squares.size(); ++k) {
-                squares[k] = square_of(draws[i].index, k);
-            }
-            const double start = fraction_of(static_cast<double>(i) * kGoldenShift);
-            for (const Draw& point : draw(point_shares_, squares, counts_.per_row, start)) {
-                const auto index = static_cast<int>(i * static_cast<std::size_t>(counts_.per_row) +
-                                                    row.points.size());
-                row.points.push_back(
-                    search_.points.place(point.index, low_discrepancy_point(index)));
-                row.weights.push_back(weight * draws[i].weight * point.weight);
-            }
-            rows.push_back(std::move(row));
-        }
-        return rows;
-    }
-
-    // Middles of the cells in which the largest errors are expected.
-    void add_peak_rows(std::vector<SearchRow>& rows) const {
-        if (!search_.expected) return;
-        for (const std::size_t index :
-             largest_of(row_peaks_, static_cast<std::size_t>(counts_.peak_rows))) {
-            SearchRow row;
-            row.at = search_.rows.middle(index);
-            for (const std::size_t point :
-                 largest_of(expected_in(index), static_cast<std::size_t>(counts_.per_row))) {
-                row.points.push_back(search_.points.middle(point));
-            }
-            row.weights.assign(row.points.size(), 0);
-            rows.push_back(std::move(row));
-        }
     }
 
     // Returns the number of the first new point in measured_.
@@ -436,23 +208,11 @@ class ErrorSearch {
     const LookupSearch& search_;
     const SearchCounts& counts_;
     const BakeOptions& options_;
-    std::vector<double> row_shares_;
-    std::vector<double> point_shares_;
-    std::vector<double> row_squares_;
-    std::vector<double> row_peaks_;
-    double first_share_ = 1;  // of the first rows in the mean square
-    double scale_ = 1;        // of expected squares
-    std::map<std::pair<std::size_t, std::size_t>, double> found_;  // squares, by row and point cell
+    SearchDraws draws_;
     std::vector<SearchPoint> measured_;
 };
 
 }  // namespace
-
-std::vector<double> even_edges(int cells) {
-    std::vector<double> edges;
-    for (int i = 0; i <= cells; ++i) edges.push_back(static_cast<double>(i) / cells);
-    return edges;
-}
 
 FoundErrors search_errors(const LookupSearch& search, const SearchCounts& counts,
                           const BakeOptions& options) {

@@ -1,0 +1,55 @@
+// Random bakes of every asset whose certificate searches the errors of its lookups: what their
+// certificates claim, and what dense measurements find.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "bakers/field/baked.h"
+#include "bakers/math/bake_options.h"
+#include "config/diagnostics/diagnostic.h"
+#include "tests/certificates/random_cases.h"
+
+namespace skybake::test {
+
+// What a certificate claims, what a dense measurement finds, and what points spread evenly claim.
+struct Claim {
+    ErrorFigures claimed;
+    ErrorFigures dense;
+    ErrorFigures even;
+};
+
+// Tables.
+Claim claim_of_transmittance(RandomCase& random);
+Claim claim_of_multiple_scattering(RandomCase& random);
+Claim claim_of_solved_scattering(RandomCase& random);
+Claim claim_of_sky_view(RandomCase& random);
+Claim claim_of_environment(RandomCase& random);
+Claim claim_of_irradiance(RandomCase& random);
+Claim claim_of_phase(RandomCase& random);
+
+// Volumes.
+Claim claim_of_single_mie(RandomCase& random);
+Claim claim_of_aerial_perspective(RandomCase& random);
+Claim claim_of_optical_depth(RandomCase& random);
+
+// What both kinds share.
+inline constexpr BakeOptions kClaimOptions{.threads = 2, .certification = Certification::quick};
+
+inline Baked empty_table() {
+    Baked table;
+    table.name = std::string("a");
+    table.channel_names = {"R", "G", "B"};
+    return table;
+}
+
+inline Baked value_of(config::Outcome<Baked> outcome) {
+    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
+        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
+    }
+    return std::move(outcome.value).value();
+}
+
+}  // namespace skybake::test
