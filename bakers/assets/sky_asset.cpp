@@ -9,7 +9,7 @@ AccuracyRequest sky_table_request(const std::array<int, 2>& size) {
     request.size = size;
     request.quick = {256, 1};
     request.full = {4096, 1};
-    request.quick_search = {64, 36, 8, 6, 64};
+    request.quick_search = {36, 56, 6, 6, 56};
     request.full_search = {512, 256, 64, 32, 4096};
     return request;
 }

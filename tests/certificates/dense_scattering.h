@@ -29,8 +29,8 @@ class DenseScattering {
 
     // Over views, suns and cosines to the sun that are spread evenly.
     ErrorFigures figures() {
-        constexpr int kAltitudes = 32;
-        constexpr int kAngles = 64;  // of both halves
+        constexpr int kAltitudes = 48;
+        constexpr int kAngles = 96;  // of both halves
         double sum = 0;
         for (int i = 0; i < kAltitudes * kAngles; ++i) {
             const double altitude = (i / kAngles + random_.uniform(0, 1)) / kAltitudes;
@@ -52,7 +52,7 @@ class DenseScattering {
 
     // Of suns of one view.
     double mean_square(const ScatteringView& view) {
-        constexpr int kSuns = 384;
+        constexpr int kSuns = 256;
         constexpr double kGoldenSection = 0.6180339887498949;
         const double cosine = std::clamp(
             view.s_km / (mapping_.shell().ground_radius_km + view.altitude_km), -1.0, 1.0);

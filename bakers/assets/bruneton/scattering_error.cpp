@@ -230,7 +230,7 @@ Certificate measure_scattering(const DenseVolume& table, const ScatteringMapping
 namespace {
 
 // Rows, points in each, peak rows, climbs, and points of the reference.
-constexpr SearchCounts kQuickSearch = {256, 96, 24, 6, 128};
+constexpr SearchCounts kQuickSearch = {448, 56, 24, 6, 96};
 constexpr SearchCounts kFullSearch = {1024, 256, 256, 32, 4096};
 
 // Of an axis whose end points are texel centres.

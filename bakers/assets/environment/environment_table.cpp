@@ -115,7 +115,10 @@ config::Outcome<Baked> bake_environment(const SkyLight& light, const Environment
     };
     const TableModel model =
         environment_model(light, camera, sun_at_elevation(bake.sun_elevation.radians));
-    return finish_table(model, sky_table_request(bake.size), options, place_of, std::move(table));
+    AccuracyRequest request = sky_table_request(bake.size);
+    // The horizon lies within a row of texels, so more rows must be measured than of sky_view.
+    request.quick_search = {64, 36, 8, 6, 64};
+    return finish_table(model, request, options, place_of, std::move(table));
 }
 
 }  // namespace skybake
