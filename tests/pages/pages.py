@@ -154,11 +154,22 @@ def recipe_of(page):
     return recipes[-1], table[0]
 
 
+def two_digits(*figures):
+    return [float(f"{figure:.2g}") for figure in figures]
+
+
 def same_figures(printed, error):
     if not error:
         return printed == "not measured"
-    measured = [error["lookup"]["max"], error["lookup"]["rms"]]
-    return [float(figure) for figure in printed.split(" / ")] == [float(f"{figure:.2g}") for figure in measured]
+    return [float(figure) for figure in printed.split(" / ")] == two_digits(error["lookup"]["max"], error["lookup"]["rms"])
+
+
+def same_sky(printed, error):
+    sky = error and error.get("sky")
+    if not sky:
+        return not printed
+    wanted = two_digits(*(100 * sky[name] for name in ("median", "max", "standard_error")))
+    return [float(figure) for figure in re.findall(r"[\d.e+-]+", printed)] == wanted
 
 
 def wrong_figures(skybake, page):
@@ -169,15 +180,17 @@ def wrong_figures(skybake, page):
             yield result.stderr
             return
         manifest = json.loads((pathlib.Path(folder) / "manifest.json").read_text())
-    row = r"^  (\w+) +(\d+(?:x\d+)+) +.*?  (\S+ / \S+|not measured)$"
-    printed = {name: (size, figures) for name, size, figures in re.findall(row, table, re.M)}
+    row = r"^  (\w+) +(\d+(?:x\d+)+) +.*?  (?:(\S+ / \S+ ± \S+ %) +)?(\S+ / \S+|not measured)$"
+    printed = {name: figures for name, *figures in re.findall(row, table, re.M)}
     baked = {asset["name"]: asset for asset in manifest["assets"]}
     if printed.keys() != baked.keys():
         yield f"the page prints {list(printed)}, and {list(baked)} were baked"
     for name in printed.keys() & baked.keys():
-        size, figures = printed[name]
-        if size != "x".join(map(str, baked[name]["size"])) or not same_figures(figures, baked[name].get("error")):
-            yield f"the page prints {name} of {size} with {figures}; skybake printed\n{result.stderr}"
+        size, sky, figures = printed[name]
+        error = baked[name].get("error")
+        right_size = size == "x".join(map(str, baked[name]["size"]))
+        if not right_size or not same_sky(sky, error) or not same_figures(figures, error):
+            yield f"the page prints {name} of {size} with {sky} {figures}; skybake printed\n{result.stderr}"
     for line in re.findall(r"^ +\w+: .*$", table, re.M):
         if line not in result.stderr:
             yield f"the page prints `{line}`; skybake printed\n{result.stderr}"
