@@ -187,6 +187,7 @@ std::string count_text(const BakedFolder& baked) {
 std::string sky_error_text(const std::optional<Certificate>& error) {
     if (!error || !error->sky) return "";
     const SkyError& sky = *error->sky;
+    if (sky.points == 0) return "too noisy to tell";
     return fmt::format("{:.2g} / {:.2g} ± {:.2g} %", 100 * sky.median, 100 * sky.max,
                        100 * sky.standard_error);
 }

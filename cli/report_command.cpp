@@ -148,6 +148,9 @@ std::string title_of(const AssetReport& asset) {
 
 std::string sky_text(const std::optional<SkyError>& sky) {
     if (!sky) return "";
+    if (sky->points == 0) {
+        return fmt::format("  sky error: too noisy to tell, against {}\n", sky->reference);
+    }
     return fmt::format(
         "  sky error: {:.2g} % (median), {:.2g} % (nine in ten are below), {:.2g} % (largest, at "
         "{}), against {}, whose standard error is {:.2g} %\n",

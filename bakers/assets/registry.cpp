@@ -160,7 +160,7 @@ void compare_with_paths(const AnyBaker& baker, const config::Parameters& paramet
     SkyError error = measure_sky(*light, *baked, options);
     if (options.cancelled()) {
         baked.reset();
-    } else if (error.points > 0) {
+    } else if (error.points + error.left_out > 0) {
         // Where nothing scatters there is no sky to be off.
         baked->certificate.sky = std::move(error);
     }

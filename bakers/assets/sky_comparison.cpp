@@ -85,7 +85,7 @@ class SkyComparison {
         double largest = -1;
         for (std::size_t i = 0; i < places_.size(); ++i) {
             const std::vector<CountedError> counted = errors_of(i);
-            result.left_out += light_.channels - static_cast<int>(counted.size());
+            result.left_out += lit_channels(i) - static_cast<int>(counted.size());
             for (const CountedError& one : counted) {
                 errors.push_back(one.error);
                 spreads.push_back(one.standard_error);
@@ -170,6 +170,14 @@ class SkyComparison {
             counted.push_back({error, standard_error});
         }
         return counted;
+    }
+
+    int lit_channels(std::size_t place) const {
+        int lit = 0;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(light_.channels); ++c) {
+            if (places_[place].light.radiance[c] > 0) ++lit;
+        }
+        return lit;
     }
 
     // The places with the largest errors, the worst one first.

@@ -12,8 +12,8 @@
 
 namespace skybake {
 
-// Returns |found / traced - 1| over all places and channels. Channels where no path finds light are
-// left out, and so are those whose standard error is above 5 %. After an interruption the result must not be used.
+// Returns |found / traced - 1| over all places and channels. Channels where no path finds light do not
+// count, and those whose standard error is above 5 % are left out. After an interruption the result must not be used.
 SkyError measure_sky(const TracedLight& light, const Baked& baked, const BakeOptions& options);
 
 }  // namespace skybake

@@ -166,6 +166,10 @@
     function skyError(asset) {
         return asset.error ? asset.error.sky : null;
     }
+    function skyFigure(asset, name) {
+        const sky = skyError(asset);
+        return amount(sky && sky.points > 0 ? sky[name] : null, percent);
+    }
     function percent(share) {
         return `${figure(100 * share)} %`;
     }
@@ -183,8 +187,8 @@
             text(asset.kind.replaceAll('_', ' ')),
             {text: extent(asset), value: asset.size.reduce((product, edge) => product * edge, 1)},
             text(asset.channels.join(' ')),
-            amount(skyError(asset) && skyError(asset).median, percent),
-            amount(skyError(asset) && skyError(asset).max, percent),
+            skyFigure(asset, 'median'),
+            skyFigure(asset, 'max'),
             amount(asset.error && asset.error.lookup.max, figure),
             amount(asset.error && asset.error.lookup.rms, figure),
             amount(asset.bake_s || null, duration),
@@ -202,7 +206,8 @@
         const sky = skyError(asset);
         const type = asset.files.length > 0 ? asset.files[0].pixel_type : asset.pixel_type;
         return element('dl', {class: 'facts'},
-            sky ? fact('Sky error, median / 9 in 10 / max',
+            sky && sky.points === 0 ? fact('Sky error', 'too noisy to tell', `against ${sky.reference}`) : null,
+            sky && sky.points > 0 ? fact('Sky error, median / 9 in 10 / max',
                 `${percent(sky.median)} / ${percent(sky.ninth_decile)} / ${percent(sky.max)}`,
                 `against ${sky.reference}, standard error ${percent(sky.standard_error)}`,
                 `largest at ${sky.worst}`) : null,
