@@ -20,6 +20,9 @@ constexpr int kMostPasses = 24;
 constexpr double kLargestOpacity = 2;
 // Light that has passed this optical depth, e^-14, contributes nothing that a table could hold.
 constexpr double kLastLight = 14;
+// Cells that scatter less than this share of the light from all directions are not refined for
+// twilight.
+constexpr double kLeastTwilightShare = 1e-6;
 
 double altitude_on(const Shell& shell, const ViewRay& ray, double distance_km) {
     return std::clamp(altitude_along_km(shell, ray.altitude_km, ray.s_km, distance_km), 0.0,
@@ -143,6 +146,22 @@ void refine_view_ray(const Medium& medium, const Spectrum& whole, double toleran
     assert(tolerance > 0);
     halve_cells(medium, ray,
                 [&](const RayCell& cell) { return too_coarse(cell, whole, tolerance); });
+}
+
+void refine_for_twilight(const Medium& medium, const Spectrum& whole, double step_km,
+                         ViewRay& ray) {
+    assert(step_km > 0);
+    const Shell shell = shell_of(medium);
+    halve_cells(medium, ray, [&](const RayCell& cell) {
+        const double share = largest(share_of(cell.near_weight + cell.far_weight, whole));
+        if (!(share > kLeastTwilightShare)) return false;
+        const double from = altitude_on(shell, ray, cell.from.distance_km);
+        const double to = altitude_on(shell, ray, cell.to.distance_km);
+        const double high = std::max(from, to);
+        const double sine = horizon_distance_km(shell, high) / (shell.ground_radius_km + high);
+        const double length = cell.to.distance_km - cell.from.distance_km;
+        return std::fabs(to - from) + length * sine > step_km;
+    });
 }
 
 std::vector<RayNode> nodes_of(const Medium& medium, const ViewRay& ray) {

@@ -41,6 +41,14 @@ ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_al
 // taken.
 void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray);
 
+// Halves cells along which the rays of low suns pass at heights that differ by more than `step_km`,
+// unless a cell scatters a negligible share. From an altitude h a sun that grazes the ground is seen
+// by the sine rho / r below the horizontal (ray.h). Hence over a cell of length x, which begins and
+// ends at altitudes that differ by dh, the lowest points of the sun's rays differ by at most
+// dh + x rho / r. Refining by shares alone leaves high cells coarse: they scatter little, but behind
+// the terminator they are all that is lit.
+void refine_for_twilight(const Medium& medium, const Spectrum& whole, double step_km, ViewRay& ray);
+
 // A point on the ray and the weights that multiply the sunlight there. The integral of sigma_s
 // T(start, x) f(x) dx is the sum of weight * f over the nodes; it is exact where f is linear over
 // each cell. All weights are >= 0.

@@ -41,7 +41,20 @@ double lookups_per_texel(const QuadratureLevel& level) {
 }
 
 std::vector<double> quadrature_altitudes_km(const Medium& medium) {
-    return break_altitudes_km(medium, {0.5, 1, 2, 3.5, 6, 10});
+    std::vector<double> altitudes = break_altitudes_km(medium, {0.5, 1, 2, 3.5, 6, 10});
+    double widest = 0;
+    for (const ExponentialLayer& layer : medium.exponential_layers) {
+        widest = std::max(widest, layer.scale_height_km);
+    }
+    // Above the tenth scale height of all other layers only the widest one is left, and rays within
+    // it see nothing else. It is empty in double precision above 40.
+    for (const double count : {14, 18, 22, 26, 30, 35, 40}) {
+        const double altitude = count * widest;
+        if (altitude > 0 && altitude < medium.thickness_km) altitudes.push_back(altitude);
+    }
+    std::sort(altitudes.begin(), altitudes.end());
+    altitudes.erase(std::unique(altitudes.begin(), altitudes.end()), altitudes.end());
+    return altitudes;
 }
 
 RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double>& altitudes_km,

@@ -32,9 +32,10 @@ struct Scenario {
     std::vector<std::string> settings;
     enum class Suns {
         all,
-        to_the_horizon,     // below it, dense air is dark and its truth takes hours
-        two_domes,          // at 45 and 89 degrees, in 89 directions each
-        three_near_ground,  // at 30, 80 and 89 degrees, in 39 directions each from 50 m
+        to_the_horizon,      // below it, dense air is dark and its truth takes hours
+        two_domes,           // at 45 and 89 degrees, in 89 directions each
+        three_near_ground,   // at 30, 80 and 89 degrees, in 39 directions each from 50 m
+        twilight_from_high,  // from 92 to 99 degrees, from altitudes of 5, 20 and 80 km
     } suns = Suns::all;
 };
 
@@ -46,6 +47,7 @@ const std::vector<Scenario>& scenarios() {
     static const std::vector<Scenario> all = {
         {"earth", "earth", {black}},
         {"earth_albedo", "earth", {}},
+        {"earth_twilight", "earth", {}, Suns::twilight_from_high},
         {"mars", "mars", {}},
         {"mars_dome", "mars", {}, Suns::two_domes},
         {"air_10x",
@@ -116,9 +118,29 @@ std::vector<SkyTruthDirection> near_ground_directions() {
     return directions;
 }
 
+// Views as low as 1, 2.5 and 5 degrees below the horizontal do not meet the ground. Away from suns
+// at 98 degrees and more the sky is all but black.
+std::vector<SkyTruthDirection> twilight_directions() {
+    std::vector<SkyTruthDirection> directions;
+    for (const double altitude_km : {5., 20., 80.}) {
+        const double lowest_view = altitude_km < 10 ? 91 : altitude_km < 50 ? 92.5 : 95;
+        for (const double sun : {92., 94., 96., 97., 98., 99.}) {
+            for (const double view : {0., 70., 85., 89., lowest_view}) {
+                for (const double azimuth : {0., 90., 180.}) {
+                    if (azimuth > 0 && view == 0) continue;
+                    if (azimuth > 90 && sun > 97) continue;
+                    directions.push_back({altitude_km, sun, view, azimuth});
+                }
+            }
+        }
+    }
+    return directions;
+}
+
 std::vector<SkyTruthDirection> directions_of(const Scenario& scenario) {
     if (scenario.suns == Scenario::Suns::three_near_ground) return near_ground_directions();
     if (scenario.suns == Scenario::Suns::two_domes) return dome_directions();
+    if (scenario.suns == Scenario::Suns::twilight_from_high) return twilight_directions();
     std::vector<SkyTruthDirection> directions = sky_truth_directions(kAltitudeKm);
     if (scenario.suns == Scenario::Suns::to_the_horizon) {
         std::erase_if(directions, [](const SkyTruthDirection& direction) {

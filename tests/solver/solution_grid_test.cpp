@@ -24,6 +24,23 @@ RC_GTEST_PROP(SolutionLevels, HoldTheEndsAndEveryKink, ()) {
     }
 }
 
+RC_GTEST_PROP(SunlightBlocks, EndAtLevelsAndAtEveryKink, ()) {
+    const Medium medium = make_medium(test::random_atmosphere());
+    const std::vector<double> levels = solution_levels_km(medium, test::uniform(0.3, 2));
+    const std::vector<double> blocks = sunlight_blocks_km(medium, levels);
+    RC_ASSERT(blocks.front() == 0);
+    RC_ASSERT(blocks.back() == medium.thickness_km);
+    for (std::size_t i = 0; i + 1 < blocks.size(); ++i) {
+        RC_ASSERT(blocks[i] < blocks[i + 1]);
+        const auto begin = std::find(levels.begin(), levels.end(), blocks[i]);
+        const auto end = std::find(levels.begin(), levels.end(), blocks[i + 1]);
+        RC_ASSERT(end != levels.end() && end - begin <= 3);
+    }
+    for (const double kink : kink_altitudes_km(medium)) {
+        RC_ASSERT(std::find(blocks.begin(), blocks.end(), kink) != blocks.end());
+    }
+}
+
 TEST(SolutionLevels, OfVacuum) {
     Medium medium;
     medium.channels = 3;
@@ -46,6 +63,22 @@ RC_GTEST_PROP(SunAxis, ColumnsStandAtWholePositions, ()) {
     }
     RC_ASSERT(std::fabs(axis.position(1) - (axis.count() - 0.5)) < 1e-9);
     RC_ASSERT(std::fabs(axis.position(axis.darkest) + 0.5) < 1e-9);
+}
+
+TEST(SunAxis, ColumnsBelowTheHorizonAreWholeVectors) {
+    for (const int count : {8, 24, 48}) {
+        const SunAxis axis = make_sun_axis({6360, 100}, count);
+        const int below = columns_below_horizon(axis);
+        EXPECT_EQ(below % 8, 0);
+        EXPECT_LE(below, count);
+        if (below > 0) {
+            EXPECT_LT(axis.cosines[static_cast<std::size_t>(below - 1)], 0);
+        }
+        if (below + 7 < count) {
+            EXPECT_GE(axis.cosines[static_cast<std::size_t>(below + 7)], 0);
+        }
+    }
+    EXPECT_EQ(columns_below_horizon(make_sun_axis({6360, 100}, 48)), 24);
 }
 
 RC_GTEST_PROP(SunAxis, StencilsAreExactForCubics, ()) {

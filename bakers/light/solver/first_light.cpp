@@ -111,9 +111,12 @@ class FirstLightPass {
         }
     }
 
-    void gather(const RayFan& fan, double* out, double* sky_irradiance);
+    void gather(const FirstFans& fans, double* out, double* sky_irradiance);
 
   private:
+    // Gathers the light of the columns from `first` to before `last`, whole vectors of them.
+    void gather_columns(const RayFan& fan, std::size_t first, std::size_t last);
+    void write(double* out, double* sky_irradiance) const;
     // What light from the sun's direction stands for (is_taken_from_sun).
     void set_from_sun(double altitude_km);
     const double* from_sun(std::size_t layer, std::size_t channel) const {
@@ -147,6 +150,8 @@ class FirstLightPass {
     const SunAxis& axis_;
     int degree_;
     std::size_t suns_;
+    std::size_t first_ = 0;  // the columns at hand
+    std::size_t last_ = 0;
     std::size_t layers_;
     int azimuths_;
     std::vector<double> azimuth_cosines_;
@@ -188,7 +193,7 @@ void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Sp
     for (int j = 0; j < azimuths_; ++j) {
         double* before = before_.data() + static_cast<std::size_t>(j) * 4 * suns_;
         const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
-        for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
+        for (std::size_t i = first_; i < last_; i += Lanes::kCount) {
             const Lanes s = Lanes::load(axis_.cosines.data() + i) * Lanes(place.along_km) +
                             Lanes::load(sines_.data() + i) * Lanes(across_km);
             const Lanes height = s - Lanes(place.edge_km);
@@ -206,20 +211,24 @@ void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Sp
             const Lanes low = minimum(height, height_before);
             const Lanes high = maximum(height, height_before);
             const LaneMask edge_inside = low < Lanes(0.0);
-            const Lanes lit = high / maximum(high - low, Lanes(1e-300));  // 0 / 0 of dark cells
+            const bool edge = cell && any(edge_inside);
+            Lanes lit(1.0);
+            if (edge) lit = high / maximum(high - low, Lanes(1e-300));  // 0 / 0 of dark cells
             for (std::size_t c = 0; c < kMaxChannels; ++c) {
                 double* stored = before + (c + 1) * suns_ + i;
                 Lanes first = Lanes::load(stored);
                 here[c].store(stored);
                 if (!cell) continue;
                 Lanes last = here[c];
-                const Lanes from_before = Lanes(grazing[c] - grazing_before[c]);
-                const Lanes share = select(up_before, lit, Lanes(1.0) - lit);
-                const Lanes at_edge = Lanes(grazing_before[c]) + from_before * share;
-                const Lanes mean = Lanes(0.5) * lit * (maximum(first, last) + at_edge);
-                const Lanes partial = select(high >= Lanes(0.0), mean, Lanes(0.0));
-                first = select(edge_inside, partial, first);
-                last = select(edge_inside, partial, last);
+                if (edge) {
+                    const Lanes from_before = Lanes(grazing[c] - grazing_before[c]);
+                    const Lanes share = select(up_before, lit, Lanes(1.0) - lit);
+                    const Lanes at_edge = Lanes(grazing_before[c]) + from_before * share;
+                    const Lanes mean = Lanes(0.5) * lit * (maximum(first, last) + at_edge);
+                    const Lanes partial = select(high >= Lanes(0.0), mean, Lanes(0.0));
+                    first = select(edge_inside, partial, first);
+                    last = select(edge_inside, partial, last);
+                }
                 for (std::size_t k = 0; k < layers_; ++k) {
                     double* sum = sums(j, k, c) + i;
                     (Lanes::load(sum) + (Lanes(near[k][c]) * first + Lanes(far[k][c]) * last))
@@ -233,7 +242,7 @@ void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Sp
 void FirstLightPass::add_ground(const Place& place, const Spectrum& reflected) {
     for (int j = 0; j < azimuths_; ++j) {
         const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
-        for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
+        for (std::size_t i = first_; i < last_; i += Lanes::kCount) {
             const Lanes s = Lanes::load(axis_.cosines.data() + i) * Lanes(place.along_km) +
                             Lanes::load(sines_.data() + i) * Lanes(across_km);
             const Lanes cosine =
@@ -256,7 +265,7 @@ void FirstLightPass::add_moments(const FanRay& ray) {
     // A vector for each m and channel.
     std::vector<double> fourier(static_cast<std::size_t>(degree_ + 1) * kMaxChannels *
                                 Lanes::kCount);
-    for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
+    for (std::size_t i = first_; i < last_; i += Lanes::kCount) {
         const Lanes cosine = Lanes::load(axis_.cosines.data() + i);
         const Lanes sine = Lanes::load(sines_.data() + i);
         std::fill(fourier.begin(), fourier.end(), 0.0);
@@ -319,9 +328,11 @@ void FirstLightPass::add_moments(const FanRay& ray) {
     }
 }
 
-void FirstLightPass::gather(const RayFan& fan, double* out, double* sky_irradiance) {
+void FirstLightPass::gather_columns(const RayFan& fan, std::size_t first, std::size_t last) {
+    first_ = first;
+    last_ = last;
+    if (first == last) return;
     const double r = field_.shell().ground_radius_km + fan.altitude_km;
-    set_from_sun(fan.altitude_km);
     for (const FanRay& ray : fan.rays) {
         std::fill(sums_.begin(), sums_.end(), 0.0);
         Spectrum grazing_before{};
@@ -346,6 +357,17 @@ void FirstLightPass::gather(const RayFan& fan, double* out, double* sky_irradian
         }
         add_moments(ray);
     }
+}
+
+void FirstLightPass::gather(const FirstFans& fans, double* out, double* sky_irradiance) {
+    set_from_sun(fans.day.altitude_km);
+    const auto night = static_cast<std::size_t>(columns_below_horizon(axis_));
+    gather_columns(fans.twilight, 0, night);
+    gather_columns(fans.day, night, suns_);
+    write(out, sky_irradiance);
+}
+
+void FirstLightPass::write(double* out, double* sky_irradiance) const {
     for (std::size_t i = 0; i < suns_; ++i) {
         double factor = 1;  // moments of order m are kept over sin^m theta_s
         for (int m = 0; m <= degree_; ++m) {
@@ -366,9 +388,9 @@ void FirstLightPass::gather(const RayFan& fan, double* out, double* sky_irradian
 }
 
 void GatherFirstLight(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
-                      const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
-                      int degree, double* out, double* sky_irradiance) {
-    FirstLightPass(medium, phases, sunlight, suns, degree).gather(fan, out, sky_irradiance);
+                      const FirstFans& fans, const TransmittanceField& sunlight,
+                      const SunAxis& suns, int degree, double* out, double* sky_irradiance) {
+    FirstLightPass(medium, phases, sunlight, suns, degree).gather(fans, out, sky_irradiance);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -380,13 +402,27 @@ namespace skybake {
 
 HWY_EXPORT(GatherFirstLight);
 
+namespace {
+
+// How many more directions above the horizon, and as many below, twilight has than the day.
+constexpr int kMoreTwilightNodes = 4;
+
+}  // namespace
+
+FirstFans make_first_fans(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                          int zenith_nodes, double tolerance) {
+    return {
+        make_ray_fan(medium, levels_km, level, zenith_nodes, tolerance),
+        make_twilight_fan(medium, levels_km, level, zenith_nodes + kMoreTwilightNodes, tolerance)};
+}
+
 void gather_first_light(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
-                        const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
-                        int degree, double* out, double* sky_irradiance) {
+                        const FirstFans& fans, const TransmittanceField& sunlight,
+                        const SunAxis& suns, int degree, double* out, double* sky_irradiance) {
     assert(phases.size() == medium.layers.size() && degree >= 0);
     HWY_DYNAMIC_DISPATCH(GatherFirstLight)
-    (medium, phases, fan, sunlight, suns, degree, out, sky_irradiance);
-    add_forward_peaks(medium, phases, fan.altitude_km, suns, degree, out, sky_irradiance);
+    (medium, phases, fans, sunlight, suns, degree, out, sky_irradiance);
+    add_forward_peaks(medium, phases, fans.day.altitude_km, suns, degree, out, sky_irradiance);
 }
 
 }  // namespace skybake

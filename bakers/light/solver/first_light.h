@@ -55,11 +55,21 @@ void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& p
                        double altitude_km, const SunAxis& suns, int degree, double* out,
                        double* sky_irradiance);
 
-// Writes the moments at the bundle's level to `out` (one level of a LightField of this degree). For
+// The bundles of rays from one level. Suns below the horizon light high, thin air alone, and look
+// like a bright, low arch from below: their bundle has more directions and shorter cells.
+struct FirstFans {
+    RayFan day;
+    RayFan twilight;
+};
+
+FirstFans make_first_fans(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                          int zenith_nodes, double tolerance);
+
+// Writes the moments at the bundles' level to `out` (one level of a LightField of this degree). For
 // the ground `sky_irradiance` is not null and receives the sky's irradiance. The bits are the same
 // for any vector width.
 void gather_first_light(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
-                        const RayFan& fan, const TransmittanceField& sunlight, const SunAxis& suns,
-                        int degree, double* out, double* sky_irradiance);
+                        const FirstFans& fans, const TransmittanceField& sunlight,
+                        const SunAxis& suns, int degree, double* out, double* sky_irradiance);
 
 }  // namespace skybake

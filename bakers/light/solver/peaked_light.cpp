@@ -10,6 +10,7 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/first_light.h"
+#include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
@@ -62,7 +63,8 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
                   Progress* progress, SolvedLight& light) {
     assert(settings.degree >= light.degree());
     const int levels = light.light.levels;
-    const TransmittanceField sunlight(medium.air, light.altitudes_km, settings.sunlight, threads);
+    const TransmittanceField sunlight(
+        medium.air, sunlight_blocks_km(medium.air, light.altitudes_km), settings.sunlight, threads);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
     LightField first(levels, settings.suns, settings.degree);
     const auto fan_of = [&](int level, int nodes) {
@@ -73,10 +75,11 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     };
     parallel_for(levels, threads, [&](int level) {
         if (is_cancelled(progress)) return;
-        gather_first_light(
-            medium, phases,
-            fan_of(level, zenith_nodes_of_first(settings.degree, settings.zenith_nodes)), sunlight,
-            light.suns, settings.degree, first.at(level, 0), irradiance_of(first, level));
+        const FirstFans fans = make_first_fans(
+            medium, light.altitudes_km, level,
+            zenith_nodes_of_first(settings.degree, settings.zenith_nodes), settings.ray_tolerance);
+        gather_first_light(medium, phases, fans, sunlight, light.suns, settings.degree,
+                           first.at(level, 0), irradiance_of(first, level));
     });
     LightField last = first;
     copy_moments(light.light, last);

@@ -18,6 +18,7 @@ constexpr double kPerPiece = 3;
 constexpr double kPerOpticalDepth = 2;
 constexpr double kMostPerOpticalDepth = 80;  // in all
 constexpr int kBlockSamples = 64;            // of a block, to place its levels
+constexpr std::size_t kLevelsPerSunlightBlock = 3;
 
 double levels_per_km(const Medium& medium, double altitude_km) {
     double density = kOverTheShell / medium.thickness_km;
@@ -83,6 +84,20 @@ std::vector<double> solution_levels_km(const Medium& medium, double scale) {
         levels.push_back(blocks[b + 1]);
     }
     return levels;
+}
+
+std::vector<double> sunlight_blocks_km(const Medium& medium, const std::vector<double>& levels_km) {
+    const std::vector<double> kinks = kink_altitudes_km(medium);
+    std::vector<double> blocks = {levels_km.front()};
+    std::size_t since = 0;  // levels since the last block's end
+    for (std::size_t i = 1; i < levels_km.size(); ++i) {
+        ++since;
+        const bool is_kink = std::find(kinks.begin(), kinks.end(), levels_km[i]) != kinks.end();
+        if (since < kLevelsPerSunlightBlock && !is_kink && i + 1 < levels_km.size()) continue;
+        blocks.push_back(levels_km[i]);
+        since = 0;
+    }
+    return blocks;
 }
 
 }  // namespace skybake

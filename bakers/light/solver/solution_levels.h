@@ -12,4 +12,9 @@ namespace skybake {
 // light is nearly linear between neighbours. `scale` multiplies their number.
 std::vector<double> solution_levels_km(const Medium& medium, double scale);
 
+// Returns the altitudes between which the solution tabulates sunlight in one block
+// (TransmittanceField): every kink, and every third of the levels. Blocks of single levels would
+// have three times as many rows and the same light to five digits.
+std::vector<double> sunlight_blocks_km(const Medium& medium, const std::vector<double>& levels_km);
+
 }  // namespace skybake

@@ -86,20 +86,23 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
     solved.altitudes_km = solution_levels_km(medium.air, settings.level_scale);
     solved.suns = make_sun_axis(shell_of(medium.air), settings.suns);
     const int levels = static_cast<int>(solved.altitudes_km.size());
-    const TransmittanceField sunlight(medium.air, solved.altitudes_km, settings.sunlight, threads);
+    const TransmittanceField sunlight(medium.air,
+                                      sunlight_blocks_km(medium.air, solved.altitudes_km),
+                                      settings.sunlight, threads);
 
     LightField first(levels, settings.suns, settings.degree);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
     std::vector<LevelTransport> transports(static_cast<std::size_t>(levels));
     parallel_for(levels, threads, [&](int level) {
-        const RayFan first_fan = make_ray_fan(medium, solved.altitudes_km, level,
-                                              settings.first_zenith_nodes, settings.ray_tolerance);
-        gather_first_light(medium, phases, first_fan, sunlight, solved.suns, settings.degree,
+        const FirstFans first_fans =
+            make_first_fans(medium, solved.altitudes_km, level, settings.first_zenith_nodes,
+                            settings.ray_tolerance);
+        gather_first_light(medium, phases, first_fans, sunlight, solved.suns, settings.degree,
                            first.at(level, 0), level == 0 ? first.sky_irradiance.data() : nullptr);
         const bool is_same = settings.zenith_nodes == settings.first_zenith_nodes;
         transports[static_cast<std::size_t>(level)] = make_level_transport(
             medium,
-            is_same ? first_fan
+            is_same ? first_fans.day
                     : make_ray_fan(medium, solved.altitudes_km, level, settings.zenith_nodes,
                                    settings.ray_tolerance),
             settings.degree);

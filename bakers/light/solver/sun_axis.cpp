@@ -57,6 +57,12 @@ SunAxis make_sun_axis(const Shell& shell, int count) {
     return axis;
 }
 
+int columns_below_horizon(const SunAxis& axis) {
+    const auto first_of_day =
+        std::lower_bound(axis.cosines.begin(), axis.cosines.end(), 0.0);  // ascending
+    return static_cast<int>(first_of_day - axis.cosines.begin()) / 8 * 8;
+}
+
 SunStencil sun_stencil(const SunAxis& axis, double sun_cos_zenith) {
     const double u = axis.position(std::max(sun_cos_zenith, axis.darkest));
     SunStencil stencil;

@@ -34,6 +34,10 @@ struct SunAxis {
 // Makes an axis of `count` >= 8 columns.
 SunAxis make_sun_axis(const Shell& shell, int count);
 
+// Returns how many of the first columns have suns below the horizon, rounded down to a multiple of
+// 8: whole vectors of columns, whatever the vectors' width.
+int columns_below_horizon(const SunAxis& axis);
+
 // The weights of Lagrange's cubic through four neighbouring columns, the first of which is
 // `column`.
 struct SunStencil {

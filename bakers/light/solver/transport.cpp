@@ -98,10 +98,23 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
     ray.end_transmittance = exponential(-depth);
 }
 
-}  // namespace
+// Of the largest scale height: how much higher or lower the rays of a low sun may pass at a cell's
+// end than at its beginning. Their transmittance changes over a scale height.
+constexpr double kTwilightStep = 0.7;
 
-RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
-                    int zenith_nodes, double tolerance) {
+// Returns the step for refine_for_twilight, or 0 if no layer thins out exponentially: then levels
+// between its kinks are all that is known about scales.
+double twilight_step_km(const Medium& medium) {
+    double step = 0;
+    for (const ExponentialLayer& layer : medium.exponential_layers) {
+        step = std::max(step, kTwilightStep * layer.scale_height_km);
+    }
+    return step;
+}
+
+// Cells are not refined for twilight if `step_km` is 0.
+RayFan make_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                int zenith_nodes, double tolerance, double step_km) {
     assert(level >= 0 && static_cast<std::size_t>(level) < levels_km.size());
     assert(std::is_sorted(levels_km.begin(), levels_km.end()) && zenith_nodes >= 1);
     const Shell shell = shell_of(medium.air);
@@ -137,6 +150,7 @@ RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_k
         FanRay& ray = fan.rays[i];
         const Spectrum whole_per_ray = whole / (ray.weight * static_cast<double>(fan.rays.size()));
         refine_view_ray(medium.air, whole_per_ray, tolerance, views[i]);
+        if (step_km > 0) refine_for_twilight(medium.air, whole_per_ray, step_km, views[i]);
         ray.points.push_back(point_at(levels_km, 0, altitude, level));
         for (const RayCell& cell : views[i].cells) {
             const double at = std::clamp(
@@ -147,6 +161,19 @@ RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_k
         integrate_layers(medium, views[i], ray);
     }
     return fan;
+}
+
+}  // namespace
+
+RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                    int zenith_nodes, double tolerance) {
+    return make_fan(medium, levels_km, level, zenith_nodes, tolerance, 0);
+}
+
+RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                         int zenith_nodes, double tolerance) {
+    return make_fan(medium, levels_km, level, zenith_nodes, tolerance,
+                    twilight_step_km(medium.air));
 }
 
 namespace {

@@ -47,6 +47,11 @@ struct RayFan {
 RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
                     int zenith_nodes, double tolerance);
 
+// Makes the ray bundle for light that is scattered once while the sun is below the horizon: its
+// cells are also refined for twilight (refine_for_twilight).
+RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                         int zenith_nodes, double tolerance);
+
 // --- Transport -----------------------------------------------------------------------------------
 
 // Computes one more order of scattering: from the light at every level and for every sun, the part
