@@ -137,6 +137,12 @@ const tests = {
         assert.deepEqual((await column(page, 0)), names(assets.slice().sort((a, b) => voxels(b) - voxels(a))));
         assert.equal(await page.getAttribute('[aria-label="All assets"] th:has(button:text-is("Size"))', 'aria-sort'), 'descending');
 
+        // Assets of light that is scattered more than once have a sky error, in percent.
+        const withSky = assets.filter((asset) => asset.error && asset.error.sky);
+        assert.ok(withSky.length > 0 && withSky.length < assets.length);
+        const percents = (await column(page, 4)).filter((text) => /^[\d.e-]+ %$/.test(text));
+        assert.equal(percents.length, withSky.length);
+
         // By keyboard; assets without a figure stay last both ways.
         for (const sign of [1, -1]) {
             await page.focus('[aria-label="All assets"] th button:text-is("Lookup error, max")');
@@ -145,7 +151,7 @@ const tests = {
                 .sort((a, b) => sign * (a.error.lookup.max - b.error.lookup.max));
             const others = assets.filter((asset) => !asset.error);
             assert.deepEqual((await column(page, 0)).slice(0, measured.length), names(measured));
-            assert.equal((await column(page, 4)).filter((text) => text === '–').length, others.length);
+            assert.equal((await column(page, 6)).filter((text) => text === '–').length, others.length);
         }
     },
 
