@@ -27,7 +27,7 @@ TEST(Metadata, TellsPeopleEverythingOfATable) {
               "x_mu = (d - d_min) / (d_max - d_min)");
     EXPECT_EQ(
         line_of(table, "error"),
-        "texel max 1e-07 rms 3.25e-08 (128 points); lookup max 0.0071 rms 0.0002 (1024 points); "
+        "lookup max 0.0071 rms 0.0002 (1024 points); texel max 1e-07 rms 3.25e-08 (128 points); "
         "reference: adaptive quadrature; scale: 1 is full transmittance; worst at cos_zenith "
         "-0.01");
     EXPECT_EQ(line_of(table, "details"), "nodes = 12\n");
@@ -36,6 +36,23 @@ TEST(Metadata, TellsPeopleEverythingOfATable) {
     EXPECT_NE(line_of(table, "units").find("E = 1"), std::string::npos);
     EXPECT_EQ(line_of(table, "content_hash"),
               xxh3_hex(stored_bytes(table.image(), table.pixel_type)));
+}
+
+TEST(Metadata, TheSkyErrorStandsFirst) {
+    Baked table = testing::sample_table();
+    table.certificate.sky = SkyError{0.004,
+                                     0.01,
+                                     0.05,
+                                     210,
+                                     "4000 paths of light in each of 70 places in the mean",
+                                     0.006,
+                                     3,
+                                     "altitude_km 0.5"};
+    EXPECT_TRUE(line_of(table, "error")
+                    .starts_with("sky median 0.004 ninth decile 0.01 max 0.05 standard error 0.006 "
+                                 "(210 values), reference: 4000 paths of light in each of 70 "
+                                 "places in the mean; lookup max 0.0071"))
+        << line_of(table, "error");
 }
 
 TEST(Metadata, UnitsAreThoseOfTheAsset) {

@@ -63,8 +63,8 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
                   Progress* progress, SolvedLight& light) {
     assert(settings.degree >= light.degree());
     const int levels = light.light.levels;
-    const TransmittanceField sunlight(
-        medium.air, sunlight_blocks_km(medium.air, light.altitudes_km), settings.sunlight, threads);
+    const TransmittanceField sunlight =
+        tabulated_sunlight(medium.air, light.altitudes_km, settings.sunlight, threads);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
     LightField first(levels, settings.suns, settings.degree);
     const auto fan_of = [&](int level, int nodes) {

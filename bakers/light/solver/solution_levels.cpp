@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bakers/air/ray.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -98,6 +99,14 @@ std::vector<double> sunlight_blocks_km(const Medium& medium, const std::vector<d
         since = 0;
     }
     return blocks;
+}
+
+TransmittanceField tabulated_sunlight(const Medium& medium, const std::vector<double>& levels_km,
+                                      TransmittanceField::Size size, int threads) {
+    constexpr double kFlat = 32;
+    const double way_km = horizon_distance_km(shell_of(medium), medium.thickness_km);
+    if (way_km > kFlat * medium.thickness_km) size.columns *= 2;
+    return {medium, sunlight_blocks_km(medium, levels_km), size, threads};
 }
 
 }  // namespace skybake

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
+#include "bakers/air/transmittance_field.h"
 
 namespace skybake {
 
@@ -16,5 +17,12 @@ std::vector<double> solution_levels_km(const Medium& medium, double scale);
 // (TransmittanceField): every kink, and every third of the levels. Blocks of single levels would
 // have three times as many rows and the same light to five digits.
 std::vector<double> sunlight_blocks_km(const Medium& medium, const std::vector<double>& levels_km);
+
+// Returns the transmittance from those blocks to the sun, in tables of `size` each. Columns are
+// spaced by the way to the top of the air: over a flat planet, where the way to the horizon is more
+// than 32 times the thickness of the air, most of them are at the horizon, and there are twice as
+// many.
+TransmittanceField tabulated_sunlight(const Medium& medium, const std::vector<double>& levels_km,
+                                      TransmittanceField::Size size, int threads);
 
 }  // namespace skybake

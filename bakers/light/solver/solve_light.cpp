@@ -86,9 +86,8 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
     solved.altitudes_km = solution_levels_km(medium.air, settings.level_scale);
     solved.suns = make_sun_axis(shell_of(medium.air), settings.suns);
     const int levels = static_cast<int>(solved.altitudes_km.size());
-    const TransmittanceField sunlight(medium.air,
-                                      sunlight_blocks_km(medium.air, solved.altitudes_km),
-                                      settings.sunlight, threads);
+    const TransmittanceField sunlight =
+        tabulated_sunlight(medium.air, solved.altitudes_km, settings.sunlight, threads);
 
     LightField first(levels, settings.suns, settings.degree);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
