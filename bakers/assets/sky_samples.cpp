@@ -136,6 +136,14 @@ std::vector<LevelSample> level_samples(const Shell& shell) {
     return samples;
 }
 
+std::vector<Place> irradiance_probes_at(const std::vector<LevelSample>& samples) {
+    std::vector<Place> at;
+    for (const LevelSample& sample : samples) {
+        at.push_back({{"altitude_km", sample.altitude_km}, {"sun_cos_zenith", sample.sun.cosine}});
+    }
+    return at;
+}
+
 std::vector<Place> places_of(const std::vector<SkySample>& samples) {
     std::vector<Place> places;
     for (const SkySample& sample : samples) {

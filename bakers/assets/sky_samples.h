@@ -42,6 +42,9 @@ struct LevelSample {
 // below the horizon.
 std::vector<LevelSample> level_samples(const Shell& shell);
 
+// Returns the coordinates that probes of tables of irradiance have at the samples.
+std::vector<Place> irradiance_probes_at(const std::vector<LevelSample>& samples);
+
 // Return the samples' coordinates, for output.
 std::vector<Place> places_of(const std::vector<SkySample>& samples);
 std::vector<Place> places_of(const std::vector<LevelSample>& samples);

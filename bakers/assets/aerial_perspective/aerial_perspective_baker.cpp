@@ -13,6 +13,7 @@
 #include "bakers/assets/baker.h"
 #include "bakers/assets/sky_asset.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/math/quadrature.h"
 #include "config/assets/aerial_perspective.h"
 
 namespace skybake {
@@ -103,12 +104,11 @@ std::vector<FroxelSample> froxel_samples(const Shell& shell, const AerialPerspec
     const double first = 0.5 / asset.size[2];
     std::vector<FroxelSample> samples;
     for (int i = 0; i < kSamples; ++i) {
-        // Evenly spread, as the multiples of the inverse powers of the root of x^4 = x + 1 are.
-        const auto share = [i](double step) { return i * step - std::floor(i * step); };
+        const auto [u, v, w] = low_discrepancy_point(i);
         FroxelSample sample;
-        sample.u = share(0.8191725133961645);
-        sample.v = share(0.6710436067037893);
-        sample.distance_km = camera.distance_km(first + (1 - first) * share(0.5497004779019703));
+        sample.u = u;
+        sample.v = v;
+        sample.distance_km = camera.distance_km(first + (1 - first) * w);
         const ViewDirection view = camera.direction(sample.u, sample.v);
         sample.direction = sky_direction(camera.sun(), view.mu, view.sine, view.azimuth_cosine);
         const SkyRay ray = sky_ray(shell, camera.altitude_km(), camera.sun(), sample.direction);

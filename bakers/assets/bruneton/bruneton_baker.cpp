@@ -125,15 +125,12 @@ std::optional<TracedLight> traced_irradiance(const Parameters& parameters,
                                              const BrunetonBake& asset) {
     const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
-    std::vector<Place> at;
-    for (const LevelSample& sample : samples) {
-        at.push_back({{"altitude_km", sample.altitude_km}, {"sun_cos_zenith", sample.sun.cosine}});
-    }
     const auto found = [=, &parameters, &asset](const Baked& baked, int threads) {
         const auto places_in = [&](const StoredTexels& stored) {
             return places(parameters, asset, stored);
         };
-        std::vector<Spectrum> light = light_looked_up(places_in, at)(baked, threads);
+        std::vector<Spectrum> light =
+            light_looked_up(places_in, irradiance_probes_at(samples))(baked, threads);
         for (Spectrum& one : light) {
             for (std::size_t c = 0; c < asset.solar_irradiance.size(); ++c) {
                 one[c] /= asset.solar_irradiance[c];

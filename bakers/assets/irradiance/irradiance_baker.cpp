@@ -82,10 +82,6 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Irradiance
     if (orders_of(asset) == config::SkyOrders::single) return std::nullopt;
     const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
-    std::vector<Place> at;
-    for (const LevelSample& sample : samples) {
-        at.push_back({{"altitude_km", sample.altitude_km}, {"sun_cos_zenith", sample.sun.cosine}});
-    }
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
@@ -99,7 +95,7 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Irradiance
         };
     }
     return TracedLight{air->medium().air.channels, places_of(samples),
-                       light_looked_up(places_in, std::move(at)), std::move(trace)};
+                       light_looked_up(places_in, irradiance_probes_at(samples)), std::move(trace)};
 }
 
 void draft(IrradianceBake& asset, int) {

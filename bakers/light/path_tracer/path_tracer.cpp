@@ -63,8 +63,7 @@ class SensorPaths {
   private:
     ScatteringAngle zenith_angle(double share) const {
         if (sensor_.aperture == Aperture::sphere) return {2 * share, 2 * (1 - share)};
-        const double cosine = std::sqrt(share);
-        return {(1 - share) / (1 + cosine), 1 + cosine};
+        return lambert_angle(share);
     }
 
     const Sensor& sensor_;

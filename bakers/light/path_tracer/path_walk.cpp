@@ -298,9 +298,8 @@ void PathWalker::reflect(const Flight& flight, const PathSource& source, bool co
             gathered = gathered + (cosine / std::numbers::pi) * state.worth() * sunlight;
         }
     }
-    const double square = random.next();
-    const double cosine = std::sqrt(square);
-    state.direction = scatter(state.up, {(1 - square) / (1 + cosine), 1 + cosine}, random);
+    const ScatteringAngle angle = lambert_angle(random.next());
+    state.direction = scatter(state.up, angle, random);
 }
 
 PathWalker::State PathWalker::begin(const PathStart& start) const {

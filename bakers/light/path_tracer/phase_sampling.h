@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "bakers/air/particles/phase_function.h"
@@ -68,6 +69,13 @@ class RandomStream {
 // applied by rejection: a <= a + b nu^2 <= a + b, so that at least half of all trials are accepted
 // where a = b. Tables are inverted cell by cell (tabulated_phase.h).
 ScatteringAngle sample_phase(const PhaseFunction& phase, RandomStream& random);
+
+// Returns the angle to a surface's normal of a direction by Lambert's law, whose density is in
+// proportion to the cosine. `share` is uniform in (0, 1).
+inline ScatteringAngle lambert_angle(double share) {
+    const double cosine = std::sqrt(share);
+    return {(1 - share) / (1 + cosine), 1 + cosine};
+}
 
 // Returns a direction at that angle to `direction`, with a uniformly distributed azimuth about it.
 glm::dvec3 scatter(const glm::dvec3& direction, const ScatteringAngle& cosine,
