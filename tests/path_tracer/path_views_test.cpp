@@ -100,11 +100,12 @@ TEST(PathViews, IrradianceIsTheDomesIntegral) {
         for (const auto& [altitude_km, zenith] : {std::pair{0.0, 50.0}, {4.0, 88.0}}) {
             const SunZenith sun = {cosine_of_degrees(zenith), sine_of_degrees(zenith)};
             const PathTracedRadiance traced =
-                trace_irradiance(tracer, altitude_km, sun, paths(100000), 2);
+                trace_irradiance(tracer, altitude_km, sun, paths(1000000), 2);
             const Spectrum exact = sky_irradiance(single, altitude_km, sun.cosine, {28, 32, 12});
             for (std::size_t c = 0; c < 3; ++c) {
                 EXPECT_NEAR(traced.orders[0][c], exact[c], 4 * traced.standard_error[c]) << zenith;
-                EXPECT_LT(traced.standard_error[c], 0.02 * traced.radiance[c]);
+                // By day an error of 1 % is seen, and one of 2 % under any sun.
+                EXPECT_LT(traced.standard_error[c], 4e-3 * traced.radiance[c]);
             }
         }
     }
