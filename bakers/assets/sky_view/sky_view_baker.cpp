@@ -142,7 +142,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {.version = 5,
+    static const Baker<config::SkyViewBake> row = {.version = 6,
                                                    .bake = bake,
                                                    .estimate = estimate,
                                                    .places = places,

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bakers/air/forward_peak.h"
-#include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/accelerated_orders.h"
+#include "bakers/light/solver/coarse_orders.h"
 #include "bakers/light/solver/first_light.h"
 #include "bakers/light/solver/peaked_light.h"
 #include "bakers/light/solver/solution_levels.h"
@@ -44,19 +44,6 @@ std::vector<double> steep_columns(const LightField& light, int channels) {
         }
     }
     return steep;
-}
-
-// Of two successive orders in the long run. In a slab of depth t that absorbs nothing the slowest
-// mode of diffusion loses pi^2 / 3 t^2 an order, over a white ground a quarter of that; this is
-// less.
-double slowest_ratio(const Medium& air) {
-    const Spectrum depth = optical_depth_to_top(air, 0, air.ground_radius_km);
-    double inverse_loss = 0;
-    for (std::size_t c = 0; c < kMaxChannels; ++c) {
-        inverse_loss =
-            std::max(inverse_loss, 2 + (1 + 3 * air.ground_albedo[c]) * depth[c] * depth[c]);
-    }
-    return 1 - 1 / inverse_loss;
 }
 
 }  // namespace
@@ -120,10 +107,13 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
         solved.applications = sum.applications;
         return solved;
     }
-    OrderSum sum = sum_of_orders(first, next,
-                                 {slowest_ratio(medium.air), settings.tolerance,
-                                  settings.plain_orders, settings.most_applications},
-                                 progress);
+    const CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance,
+                              threads);
+    const auto correct = [&](const LightField& residual, const LightScale& scale) {
+        return coarse.sum_from(residual, scale, progress);
+    };
+    OrderSum sum = sum_of_orders(first, next, correct,
+                                 {settings.tolerance, settings.most_applications}, progress);
     solved.light = std::move(sum.light);
     solved.applications = sum.applications;
     solved.left_out = sum.left_out;

@@ -22,8 +22,7 @@ struct SolverSettings {
     int first_zenith_nodes = 8;  // the same for light that is scattered once
     double ray_tolerance = 2e-2;  // see refine_view_ray
     TransmittanceField::Size sunlight = {256, 128};
-    double tolerance = 1e-3;  // for the truncation error, as a share of the light
-    int plain_orders = 13;    // orders summed one by one before their sum is solved for
+    double tolerance = 1e-3;  // for the truncation error, as a share of the light in the mean
     int most_applications = 200;
     int orders = 0;  // the last order that is summed; 0 for all orders
     bool operator==(const SolverSettings&) const = default;

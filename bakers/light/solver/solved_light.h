@@ -106,7 +106,7 @@ struct SolvedLight {
     LightField light;  // scattered or reflected once and more, for a solar irradiance of 1
 
     int applications = 0;  // how often one more order was computed
-    double left_out = 0;   // bound of the truncation error, as a share of the light
+    double left_out = 0;   // truncation error, as an estimated share of the light at any point
 
     int degree() const { return light.degree; }
     LevelPlace level_at(double altitude_km) const;
