@@ -5,7 +5,9 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -133,6 +135,57 @@ float bound_of(const std::array<Extent, 3>& block, std::size_t count, bool secon
     return least[1];
 }
 
+// Moves the lanes that a mask names to the front of a vector, in their order. What the lanes behind
+// them hold does not matter.
+#if HWY_TARGET == HWY_AVX2
+// At each call of Highway's Compress, GCC copies its table of 1 KiB to the stack. Vectors of eight
+// lanes have a table of their own instead: the lanes that each mask names, and zeros behind them.
+using LanesOfMasks = std::array<std::array<std::int32_t, 8>, 256>;
+
+constexpr LanesOfMasks make_lanes_of_masks() {
+    LanesOfMasks lanes{};
+    for (std::size_t mask = 0; mask < lanes.size(); ++mask) {
+        std::size_t count = 0;
+        for (std::int32_t lane = 0; lane < 8; ++lane) {
+            if ((mask >> lane & 1) != 0) lanes[mask][count++] = lane;
+        }
+    }
+    return lanes;
+}
+
+alignas(64) constexpr LanesOfMasks kLanesOfMasks = make_lanes_of_masks();
+
+class LanePacker {
+  public:
+    HWY_INLINE explicit LanePacker(hn::Mask<Floats> wanted)
+        : lanes_(hn::IndicesFromVec(kFloats,
+                                    hn::Load(Integers(), kLanesOfMasks[bits_of(wanted)].data()))) {}
+    HWY_INLINE FloatVector operator()(FloatVector values) const {
+        return hn::TableLookupLanes(values, lanes_);
+    }
+
+  private:
+    static HWY_INLINE std::size_t bits_of(hn::Mask<Floats> mask) {
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(kFloats, mask, bits);
+        return bits[0];
+    }
+
+    decltype(hn::IndicesFromVec(kFloats, hn::Zero(Integers()))) lanes_;
+};
+#else
+class LanePacker {
+  public:
+    HWY_INLINE explicit LanePacker(hn::Mask<Floats> wanted) : wanted_(wanted) {}
+    HWY_INLINE FloatVector operator()(FloatVector values) const {
+        return hn::Compress(values, wanted_);
+    }
+
+  private:
+    hn::Mask<Floats> wanted_;
+};
+#endif
+
 // Keeps the candidates that may be within the bound of some voxel. The margin is far above what
 // rounding can do to the bounds.
 std::size_t keep_near(std::size_t count, float bound, CellCandidates& candidates) {
@@ -143,9 +196,10 @@ std::size_t keep_near(std::size_t count, float bound, CellCandidates& candidates
         if (i + kLanes > count) near = hn::And(near, hn::FirstN(kFloats, count - i));
         const std::size_t more = hn::CountTrue(kFloats, near);
         if (more == 0) continue;
+        const LanePacker pack(near);
         for (AlignedFloats* values : {&candidates.point_x, &candidates.point_y, &candidates.point_z,
                                       &candidates.cell_x, &candidates.cell_y, &candidates.cell_z}) {
-            hn::StoreU(hn::Compress(hn::LoadU(kFloats, values->data() + i), near), kFloats,
+            hn::StoreU(pack(hn::LoadU(kFloats, values->data() + i)), kFloats,
                        values->data() + kept);
         }
         kept += more;

@@ -122,6 +122,12 @@ HWY_INLINE void add_rows(const GradientOctave& octave, int first_voxel, int size
     const auto weight = hn::Set(kFloats, weight_);
     const auto scale = hn::Set(kFloats, rows.scale);
     const auto offset = hn::Set(kFloats, rows.offset);
+    // For all that compilers know, a store of a vector changes any float or pointer, and what the
+    // loop reads through a reference is read again after it.
+    const float* HWY_RESTRICT row_values = rows.value;
+    const float* HWY_RESTRICT row_slopes = rows.slope;
+    float* HWY_RESTRICT out = rows.out;
+    const std::size_t out_stride = rows.stride;
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); i += kLanes) {
         const auto w0 = hn::LoadU(kFloats, weight_0 + i);
         const auto w1 = hn::LoadU(kFloats, weight_1 + i);
@@ -132,7 +138,7 @@ HWY_INLINE void add_rows(const GradientOctave& octave, int first_voxel, int size
                                FloatVector s1) HWY_ATTR {
             const auto octave_value = hn::Add(hn::Add(hn::Mul(v0, w0), hn::Mul(v1, w1)),
                                               hn::Add(hn::Mul(s0, d0), hn::Mul(s1, d1)));
-            float* target = rows.out + row * rows.stride + i;
+            float* target = out + row * out_stride + i;
             const auto before = kSet ? hn::Zero(kFloats) : hn::LoadU(kFloats, target);
             auto sum = hn::Add(before, shaped<kShape>(octave_value, weight));
             if (kFinish) sum = hn::Add(hn::Mul(sum, scale), offset);
@@ -140,8 +146,8 @@ HWY_INLINE void add_rows(const GradientOctave& octave, int first_voxel, int size
         };
         if (cells[i] == cells[i + kLanes - 1]) {  // the whole vector in one cell
             for (std::size_t row = 0; row < kRows; ++row) {
-                const float* values = rows.value + row * stride + base;
-                const float* slopes = rows.slope + row * stride + base;
+                const float* values = row_values + row * stride + base;
+                const float* slopes = row_slopes + row * stride + base;
                 store(row, hn::Set(kFloats, values[0]), hn::Set(kFloats, values[1]),
                       hn::Set(kFloats, slopes[0]), hn::Set(kFloats, slopes[1]));
             }
@@ -153,8 +159,8 @@ HWY_INLINE void add_rows(const GradientOctave& octave, int first_voxel, int size
             return hn::TableLookupLanes(hn::LoadU(kFloats, table), lanes);
         };
         for (std::size_t row = 0; row < kRows; ++row) {
-            const float* values = rows.value + row * stride + base;
-            const float* slopes = rows.slope + row * stride + base;
+            const float* values = row_values + row * stride + base;
+            const float* slopes = row_slopes + row * stride + base;
             store(row, look_up(values), look_up(values + 1), look_up(slopes), look_up(slopes + 1));
         }
     }
