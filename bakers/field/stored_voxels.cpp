@@ -52,14 +52,16 @@ StoredSource::StoredSource(const VoxelSource& source, const std::array<int, 3>& 
     const auto slice = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
     values_.assign(static_cast<std::size_t>(channels),
                    std::vector<float>(slice * static_cast<std::size_t>(size[2])));
-    constexpr int kDepth = 8;
-    for_each_tile((size[2] + kDepth - 1) / kDepth, options, step, [&](int tile) {
-        const int z = tile * kDepth;
+    // One after the other, the voxels of these boxes are those of the volume.
+    const BoxSequence boxes(size, channels);
+    for_each_tile(boxes.count(), options, step, [&](int tile) {
+        const VoxelBox box = boxes[tile];
+        const std::size_t first =
+            static_cast<std::size_t>(box.origin[2]) * slice +
+            static_cast<std::size_t>(box.origin[1]) * static_cast<std::size_t>(size[0]);
         std::vector<float*> targets;
-        for (auto& values : values_) {
-            targets.push_back(values.data() + static_cast<std::size_t>(z) * slice);
-        }
-        source.fill({{0, 0, z}, {size_[0], size_[1], std::min(kDepth, size_[2] - z)}}, targets);
+        for (auto& values : values_) targets.push_back(values.data() + first);
+        source.fill(box, targets);
     });
 }
 

@@ -1,6 +1,7 @@
 // Options that say how a bake runs and how it reports progress. None of them changes a texel.
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 namespace skybake {
@@ -29,6 +30,9 @@ struct BakeOptions {
     int threads = 0;  // 0: as many as the machine has
     Certification certification = Certification::quick;
     Progress* progress = nullptr;
+    // How many bytes the voxels of volumes that are held in memory may take, those of all running
+    // bakes together. Others are made again by each pass over them.
+    std::int64_t held_voxel_bytes = std::int64_t{256} << 20;
 
     // True once the bake has been interrupted. It then returns early and its result must not be
     // used.

@@ -34,6 +34,14 @@ bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
     });
 }
 
+// Voxels are held only in memory that the bake does not need otherwise.
+std::int64_t held_voxel_bytes(const FolderBake& bake, const FolderPlan& plan) {
+    if (!bake.memory_limit_mib) return bake.held_voxel_bytes;
+    const double left = std::max(0.0, *bake.memory_limit_mib - plan.memory_mib()) * kMebibyte;
+    return left < static_cast<double>(bake.held_voxel_bytes) ? static_cast<std::int64_t>(left)
+                                                             : bake.held_voxel_bytes;
+}
+
 // One bake into one locked folder. Each step returns whether to go on. If not, the diagnostics say
 // why; after an interruption there are none.
 class FolderMaker {
@@ -112,6 +120,7 @@ class FolderMaker {
         options.threads = bake_.threads;
         options.certification = bake_.certification;
         options.progress = &progress;
+        options.held_voxel_bytes = held_voxel_bytes(bake_, plan_);
         const Stopwatch stopwatch;
         auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
         const double seconds = stopwatch.seconds();

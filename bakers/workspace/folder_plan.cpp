@@ -140,7 +140,7 @@ std::size_t FolderPlan::stale_count() const {
 }
 
 // Assets are made one after the other. Tables are held in memory until all files are written;
-// volumes are made again while files are written.
+// volumes are made again while files are written, unless there is room to hold them too.
 double FolderPlan::memory_mib() const {
     const PlannedAsset* largest = largest_asset(*this);
     if (!largest) return 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -56,6 +57,8 @@ struct FolderBake {
     bool force = false;                           // overwrite files that skybake did not write
     bool prune = false;                           // remove what the recipe no longer asks for
     std::optional<double> memory_limit_mib = {};  // stop before starting if more may be needed
+    // Memory for voxels that are held (BakeOptions), as far as memory_limit_mib leaves it.
+    std::int64_t held_voxel_bytes = BakeOptions().held_voxel_bytes;
     std::vector<AssetSource*> sources = {};       // asked in this order; each is offered new assets
 };
 

@@ -110,6 +110,8 @@ FolderBake variant_bake(const SweepJob& job, const config::Recipe& recipe,
     bake.certification = job.certification;
     bake.force = job.force;
     bake.memory_limit_mib = job.memory_limit_mib;
+    // The limit is for all variants that are made at once, and none knows what it leaves.
+    if (job.memory_limit_mib) bake.held_voxel_bytes = 0;
     return bake;
 }
 
