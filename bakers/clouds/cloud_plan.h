@@ -26,6 +26,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bakers/clouds/tower_field.h"
@@ -53,6 +54,9 @@ class MapLookup {
     // exactly their value where they are all equal. Outside [0, 1] the picture repeats or its edge
     // continues, according to `wrap`. May be called from any thread.
     double at(double u, double v) const;
+
+    // Of the picture's pixels; empty if the picture came without one.
+    const std::string& content_hash() const { return image_.content_hash; }
 
   private:
     double pixel(int x, int y) const;

@@ -59,7 +59,7 @@ struct FolderBake {
     std::optional<double> memory_limit_mib = {};  // stop before starting if more may be needed
     // Memory for voxels that are held (BakeOptions), as far as memory_limit_mib leaves it.
     std::int64_t held_voxel_bytes = BakeOptions().held_voxel_bytes;
-    std::vector<AssetSource*> sources = {};       // asked in this order; each is offered new assets
+    std::vector<AssetSource*> sources = {};  // asked in this order; each is offered new assets
 };
 
 struct PlannedAsset {

@@ -20,6 +20,7 @@ struct SourceRange {
     int column = 0;
     int length = 0;
     std::string line_text;
+    bool operator==(const SourceRange&) const = default;
 };
 
 struct Diagnostic {

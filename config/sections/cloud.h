@@ -24,6 +24,8 @@ struct HeightProfile {
     double top_falloff = 4;          // thesis
     double cloud_type = 1;           // blended: 0 stratus, 0.5 stratocumulus, 1 cumulus
     std::vector<HeightPoint> table;  // tabulated: linear between entries, constant beyond the ends
+
+    bool operator==(const HeightProfile&) const = default;
 };
 
 enum class MapWrap { repeat, clamp };
@@ -41,6 +43,8 @@ struct CloudMap {
     MapColorSpace color_space = MapColorSpace::linear;
     SourceRange file_place;     // of `file` in the recipe
     SourceRange channel_place;  // of `channel`, or of `file` if the recipe names no channel
+
+    bool operator==(const CloudMap&) const = default;
 };
 
 // A tower is a Gaussian of height `amplitude` over the ground plan, in units of tiles. Its periodic
@@ -52,6 +56,8 @@ struct Tower {
     double correlation = 0;          // between its axes, in (-1, 1)
     double amplitude = 0;
     std::string name = {};  // what the recipe calls it: "0", "1" ... in a list
+
+    bool operator==(const Tower&) const = default;
 };
 
 // This describes towers at random places. Each value is uniform in its range; for sigma, its
@@ -62,6 +68,8 @@ struct TowerScatter {
     std::array<double, 2> sigma{};   // of the smaller axis
     std::array<double, 2> aspect{};  // the greater axis over the smaller, at least 1
     std::array<double, 2> amplitude{};
+
+    bool operator==(const TowerScatter&) const = default;
 };
 
 enum class ThresholdAt { bake, runtime };
@@ -90,6 +98,8 @@ struct Cloud {
     InverseLength extinction_scale;  // extinction of density 1
     std::vector<Tower> towers;       // in the order of the recipe
     TowerScatter scatter;
+
+    bool operator==(const Cloud&) const = default;
 };
 
 // Returns the channels of the noise that the cloud needs computed. These are all channels if the

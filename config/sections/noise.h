@@ -30,6 +30,8 @@ enum class CurlComponent { x, y, z };
 struct NoiseOctaves {
     std::vector<std::array<int, 3>> frequencies;
     std::vector<double> gains;
+
+    bool operator==(const NoiseOctaves&) const = default;
 };
 
 // This is one channel of a noise.
@@ -51,6 +53,8 @@ struct NoiseChannel {
     double bias = 0.5;                                // Schlick's; 0.5 changes nothing
     std::array<double, 2> clamp{-std::numeric_limits<double>::infinity(),
                                 std::numeric_limits<double>::infinity()};
+
+    bool operator==(const NoiseChannel&) const = default;
 };
 
 enum class NoiseSampling { centers, corners, slices_at_corners };
@@ -65,6 +69,8 @@ struct Noise {
     NoisePacking pack = NoisePacking::none;
     bool aliases = false;                // octaves too fine for `size` are intended
     std::vector<NoiseChannel> channels;  // in the order R, G, B, A
+
+    bool operator==(const Noise&) const = default;
 };
 
 // These are the keys that describe one series of octaves in a channel's section.

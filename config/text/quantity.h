@@ -7,12 +7,14 @@ namespace skybake::config {
 struct Length {
     double meters = 0;
     constexpr double kilometers() const { return meters / 1000; }
+    bool operator==(const Length&) const = default;
 };
 
 // This is a coefficient of scattering, absorption or extinction.
 struct InverseLength {
     double per_meter = 0;
     constexpr double per_kilometer() const { return per_meter * 1000; }
+    bool operator==(const InverseLength&) const = default;
 };
 
 // This is a number of particles per volume.
@@ -22,6 +24,7 @@ struct NumberDensity {
 
 struct Angle {
     double radians = 0;
+    bool operator==(const Angle&) const = default;
 };
 
 // This is one entry of a density table: `table = [["0 km", 1.0], ...]`.
@@ -34,6 +37,7 @@ struct DensityPoint {
 struct HeightPoint {
     double height = 0;  // in [0, 1]
     double value = 0;
+    bool operator==(const HeightPoint&) const = default;
 };
 
 }  // namespace skybake::config

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
@@ -154,6 +157,77 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
     return volume;
 }
 
+// All that voxels depend on.
+struct CloudVoxels {
+    Cloud cloud;
+    config::Noise base;
+    std::optional<config::Noise> detail;
+    std::array<int, 3> size{};
+    std::vector<std::string> maps;  // hashes of their pixels
+    bool operator==(const CloudVoxels&) const = default;
+};
+
+// None: a map's pixels are not known by a hash.
+std::optional<CloudVoxels> voxels_of(const Cloud& cloud, const CloudVolumeBake& bake,
+                                     const CloudInputs& inputs) {
+    CloudVoxels voxels{cloud, *inputs.base, std::nullopt, bake.size, {}};
+    if (inputs.detail != nullptr) voxels.detail = *inputs.detail;
+    for (const auto* map : {&inputs.maps.coverage, &inputs.maps.type}) {
+        if (!*map) continue;
+        if ((*map)->content_hash().empty()) return std::nullopt;
+        voxels.maps.push_back((*map)->content_hash());
+    }
+    return voxels;
+}
+
+// The clouds whose voxels some asset of this process has.
+class SharedVoxels {
+  public:
+    static SharedVoxels& instance() {
+        static SharedVoxels shared;
+        return shared;
+    }
+
+    // Null: nobody has them.
+    std::shared_ptr<const VoxelSource> find(const CloudVoxels& wanted) {
+        const std::lock_guard lock(mutex_);
+        for (const Entry& entry : entries_) {
+            if (entry.of == wanted) return entry.voxels.lock();
+        }
+        return nullptr;
+    }
+
+    void add(CloudVoxels of, const std::shared_ptr<const VoxelSource>& voxels) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(entries_,
+                      [&](const Entry& entry) { return entry.voxels.expired() || entry.of == of; });
+        entries_.push_back({std::move(of), voxels});
+    }
+
+  private:
+    struct Entry {
+        CloudVoxels of;
+        std::weak_ptr<const VoxelSource> voxels;
+    };
+    std::mutex mutex_;
+    std::vector<Entry> entries_;
+};
+
+// Replaces the voxels on demand of a volume by voxels in memory, if there is room for them. They
+// are not made under the lock: that waits for threads, which may bake clouds too.
+void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
+                 const BakeOptions& options, Baked& volume) {
+    std::optional<CloudVoxels> of = voxels_of(cloud, bake, inputs);
+    if (!of) return hold_voxels(options, volume);
+    if (auto voxels = SharedVoxels::instance().find(*of)) {
+        volume.levels.front().voxels = std::move(voxels);
+        return;
+    }
+    hold_voxels(options, volume);
+    if (options.cancelled()) return;
+    SharedVoxels::instance().add(std::move(*of), volume.levels.front().voxels);
+}
+
 }  // namespace
 
 float filtered_threshold(const Cloud& cloud) {
@@ -166,11 +240,20 @@ Baked make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const C
     return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
 }
 
+Baked hold_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
+                        const BakeOptions& options, Baked volume) {
+    volume = make_cloud_volume(cloud, bake, inputs, std::move(volume));
+    hold_shared(cloud, bake, inputs, options, volume);
+    return volume;
+}
+
 Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake,
                                  const CloudInputs& inputs, const BakeOptions& options,
                                  Baked volume) {
     const auto field = make_field(cloud, bake, inputs);
     volume = describe(cloud, bake, inputs, field, std::move(volume));
+    hold_shared(cloud, bake, inputs, options, volume);
+    if (options.cancelled()) return {};
     volume.seam_error = seam_error(*field, bake.size);
     add_mip_levels(bake.mips, options, volume);
     // Densities are shares of 1, and so is noise.

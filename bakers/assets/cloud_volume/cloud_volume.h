@@ -30,6 +30,12 @@ float filtered_threshold(const config::Cloud& cloud);
 Baked make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                         const CloudInputs& inputs, Baked volume);
 
+// Returns the same with the voxels in memory, if options.held_voxel_bytes allows it. Assets that are
+// made of one volume share them for as long as one of them has them. They are incomplete after an
+// interruption.
+Baked hold_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
+                        const CloudInputs& inputs, const BakeOptions& options, Baked volume);
+
 // Bakes the same, surveyed and certified. Returns E0401 or E0402 for a voxel that the pixel type
 // cannot hold, and neither value nor diagnostics after an interruption.
 config::Outcome<Baked> bake_cloud_volume(const config::Cloud& cloud,

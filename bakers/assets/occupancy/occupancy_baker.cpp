@@ -39,7 +39,9 @@ Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
     Baked volume = labelled_volume(std::move(label));
     const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
     if (!inputs.value) return {{}, inputs.diagnostics};
-    const Baked voxels = make_cloud_volume(cloud, of, *inputs.value, {});
+    const Baked voxels = hold_cloud_volume(cloud, of, *inputs.value, options, {});
+    if (options.cancelled()) return {};
+    volume.bake_seconds = voxels.bake_seconds;
     return bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume));
 }
 

@@ -1,0 +1,106 @@
+// Voxels in memory: which assets share them, and that they are those that are made on demand.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "tests/clouds/clouds.h"
+
+namespace skybake {
+namespace {
+
+config::CloudVolumeBake bake_of(const test::CloudCase& any) {
+    config::CloudVolumeBake bake;
+    bake.size = any.size;
+    bake.pixel_type = config::PixelType::half;
+    return bake;
+}
+
+BakeOptions options_with(std::int64_t held_voxel_bytes) {
+    BakeOptions options;
+    options.certification = Certification::off;
+    options.held_voxel_bytes = held_voxel_bytes;
+    return options;
+}
+
+constexpr std::int64_t kPlenty = 1 << 24;
+
+std::shared_ptr<const VoxelSource> held(const test::CloudCase& any) {
+    const Baked volume =
+        hold_cloud_volume(any.cloud, bake_of(any), {&any.base, any.detail_noise(), any.maps},
+                          options_with(kPlenty), {});
+    return volume.levels.front().voxels;
+}
+
+TEST(HeldClouds, AreSharedAsLongAsSomebodyHasThem) {
+    const test::CloudCase any = test::plain_case({16, 16, 8});
+    auto first = held(any);
+    EXPECT_EQ(held(any), first);
+    const std::weak_ptr<const VoxelSource> seen = first;
+    first.reset();
+    EXPECT_TRUE(seen.expired());
+    EXPECT_NE(held(any), nullptr);
+}
+
+TEST(HeldClouds, AreNotSharedByOtherClouds) {
+    using Change = std::function<void(test::CloudCase&)>;
+    const std::vector<Change> changes = {
+        [](test::CloudCase& any) { any.cloud.threshold += 0.01; },
+        [](test::CloudCase& any) { any.cloud.coverage -= 0.01; },
+        [](test::CloudCase& any) {
+            any.cloud.height_profile.table.push_back({0.5, 0.5});
+        },
+        [](test::CloudCase& any) {
+            any.cloud.towers.push_back(test::tower(0.5, 0.5, 0.1, 0.1, 1));
+        },
+        [](test::CloudCase& any) { any.base.seed += 1; },
+        [](test::CloudCase& any) { any.base.channels.front().octaves.gains.front() *= 2; },
+        [](test::CloudCase& any) { any.detail = any.base; },
+        [](test::CloudCase& any) { any.size[2] *= 2; },
+    };
+    const test::CloudCase any = test::plain_case({16, 16, 8});
+    const auto first = held(any);
+    for (const Change& change : changes) {
+        test::CloudCase other = any;
+        change(other);
+        EXPECT_NE(held(other), first);
+    }
+}
+
+test::CloudCase with_map(const std::string& content_hash) {
+    test::CloudCase any = test::plain_case({16, 16, 8});
+    any.maps.coverage = cloud::MapLookup({1, 1, {0.5F}, content_hash}, config::MapWrap::repeat,
+                                         config::MapFilter::linear);
+    return any;
+}
+
+TEST(HeldClouds, AreSharedByEqualMapsOnly) {
+    const auto first = held(with_map("a"));
+    EXPECT_EQ(held(with_map("a")), first);
+    EXPECT_NE(held(with_map("b")), first);
+    const auto unknown = held(with_map(""));
+    EXPECT_NE(held(with_map("")), unknown);
+}
+
+TEST(HeldClouds, HaveTheBytesOfThoseMadeOnDemand) {
+    const test::CloudCase any = test::plain_case({32, 24, 17});
+    config::CloudVolumeBake bake = bake_of(any);
+    bake.mips = 3;
+    std::vector<std::vector<std::string>> hashes;
+    for (const std::int64_t bytes : {std::int64_t{0}, kPlenty}) {
+        const auto outcome = bake_cloud_volume(
+            any.cloud, bake, {&any.base, any.detail_noise(), any.maps}, options_with(bytes), {});
+        ASSERT_TRUE(outcome.value);
+        std::vector<std::string>& of_levels = hashes.emplace_back();
+        for (const Level& level : outcome.value->levels) of_levels.push_back(level.content_hash);
+    }
+    EXPECT_EQ(hashes[0].size(), 3U);
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+}  // namespace
+}  // namespace skybake
