@@ -12,9 +12,9 @@ namespace {
 using testing::FunctionVoxels;
 using testing::sample_voxel;
 
-constexpr std::array<int, 3> kSize = {70, 66, 130};  // several boxes, the last ones smaller
+constexpr std::array<int, 3> kSize = {700, 300, 5};  // slices of two boxes, the second smaller
 constexpr int kChannels = 2;
-constexpr std::int64_t kBytes = std::int64_t{70} * 66 * 130 * kChannels * 4;
+constexpr std::int64_t kBytes = std::int64_t{700} * 300 * 5 * kChannels * 4;
 
 BakeOptions options_with(std::int64_t held_voxel_bytes) {
     BakeOptions options;
@@ -42,8 +42,8 @@ TEST(HeldVoxels, AreMadeOnceAndReadInAnyBox) {
     ASSERT_NE(held, source);
     for (int pass = 0; pass < 2; ++pass) {
         for (const VoxelBox& box :
-             {VoxelBox{{}, kSize}, VoxelBox{{69, 65, 129}, {1, 1, 1}},
-              VoxelBox{{3, 2, 7}, {50, 60, 100}}, VoxelBox{{0, 60, 15}, {70, 6, 2}}}) {
+             {VoxelBox{{}, kSize}, VoxelBox{{699, 299, 4}, {1, 1, 1}},
+              VoxelBox{{3, 2, 1}, {600, 290, 3}}, VoxelBox{{0, 180, 2}, {700, 60, 2}}}) {
             std::vector<float> wanted(static_cast<std::size_t>(box.count()));
             std::vector<float> found(wanted.size());
             FunctionVoxels(sample_voxel).fill(box, {nullptr, wanted.data()});
@@ -57,8 +57,8 @@ TEST(HeldVoxels, AreMadeOnceAndReadInAnyBox) {
 TEST(HeldVoxels, KnowWhichBoxesAreEmpty) {
     const auto held =
         held_voxels(std::make_shared<CountedVoxels>(), kSize, kChannels, options_with(kBytes));
-    EXPECT_TRUE(held->is_empty({{}, {70, 66, 65}}));
-    EXPECT_FALSE(held->is_empty({{}, {70, 66, 66}}));
+    EXPECT_TRUE(held->is_empty({{}, {700, 300, 2}}));
+    EXPECT_FALSE(held->is_empty({{}, {700, 300, 3}}));
 }
 
 TEST(HeldVoxels, AreMadeOnDemandWhereTheyDoNotFit) {
