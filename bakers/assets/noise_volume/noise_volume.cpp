@@ -157,7 +157,6 @@ Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake
     level.size = bake.size;
     level.voxels = field;
     volume.levels.push_back(std::move(level));
-    hold_voxels(options, volume);
     add_mip_levels(bake.mips, options, volume);
     volume.seam_error = seam_error(*field, bake.size);
     return finish_volume(
