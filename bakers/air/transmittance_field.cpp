@@ -127,4 +127,31 @@ TransmittanceField::Row TransmittanceField::row_at(double altitude_km) const {
             {2 * t3 - 3 * t2 + 1, 3 * t2 - 2 * t3, t3 - 2 * t2 + t, t3 - t2}};
 }
 
+void TransmittanceField::read(double altitude_km, const double* s_km, int count,
+                              double* values) const {
+    const Row row = row_at(altitude_km);
+    const int n = row_size();
+    const double nearest_km = shell_.thickness_km - altitude_km;
+    const double farthest_km =
+        horizon_distance_km(shell_, altitude_km) + horizon_distance_km(shell_, shell_.thickness_km);
+    // At the top all ways to a sun above the horizontal are 0.
+    const double columns_per_km = (columns_ - 1) / (farthest_km - nearest_km);
+    for (int i = 0; i < count; ++i) {
+        const double way_km = distance_to_top_km(shell_, altitude_km, s_km[i]) - nearest_km;
+        const double column = std::clamp(way_km * columns_per_km, 0.0, columns_ - 1.0);
+        const int left = static_cast<int>(column);
+        const double t = column - left;
+        for (int c = 0; c < channels_; ++c) {
+            const double* at = row.values + c * row_stride() + left;
+            const double* slope = row.slopes + c * row_stride() + left;
+            const auto between = [t](const double* pair) {
+                return pair[0] + t * (pair[1] - pair[0]);
+            };
+            values[c * count + i] =
+                row.weights[0] * between(at) + row.weights[1] * between(at + n) +
+                row.weights[2] * between(slope) + row.weights[3] * between(slope + n);
+        }
+    }
+}
+
 }  // namespace skybake

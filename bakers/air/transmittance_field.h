@@ -38,6 +38,10 @@ class TransmittanceField {
     };
     Row row_at(double altitude_km) const;
 
+    // Reads the transmittances at one altitude towards `count` suns with r mu_s = s_km[i], which
+    // must not be below the horizon: channel c of sun i is written to values[c * count + i].
+    void read(double altitude_km, const double* s_km, int count, double* values) const;
+
     const Shell& shell() const { return shell_; }
     int channels() const { return channels_; }
     int columns() const { return columns_; }

@@ -39,48 +39,11 @@ void add_gathered(double from, double to, int nodes, std::vector<WeightedAngle>&
 
 SunZenith sun_of_cosine(double cosine) { return {cosine, std::sqrt((1 - cosine) * (1 + cosine))}; }
 
-// Integrates over zenith angles and azimuths, on both sides of the sun.
-Spectrum integrate(const SkyLight& light, const SkyMedium& medium,
-                   const HigherOrders* higher_orders, double altitude_km, const SunZenith& sun,
-                   const std::vector<WeightedAngle>& zenith_angles,
-                   const std::vector<WeightedAngle>& azimuths, Spectrum SkyRadiance::*part) {
-    std::vector<double> azimuth_cosines;
-    for (const WeightedAngle& azimuth : azimuths) {
-        azimuth_cosines.push_back(std::clamp(cosine_of(azimuth.angle), -1.0, 1.0));
-    }
-    const SkyIntegrator integrator(medium, higher_orders);
-    Spectrum sum{};
-    for (const WeightedAngle& zenith : zenith_angles) {
-        const double mu = std::clamp(cosine_of(zenith.angle), 0.0, 1.0);
-        const double sine = std::clamp(sine_of(zenith.angle), 0.0, 1.0);
-        const auto ray_at = [&](double azimuth_cosine) {
-            return sky_ray(light.shell(), altitude_km, sun,
-                           sky_direction(sun, mu, sine, azimuth_cosine));
-        };
-        const SkyRow row(integrator, medium, higher_orders, ray_at(1));
-        const std::vector<SkyRadiance> radiance = row.radiance(ray_at, azimuth_cosines);
-        for (std::size_t i = 0; i < azimuths.size(); ++i) {
-            const double weight = 2 * zenith.weight * azimuths[i].weight * sine * mu;
-            sum += weight * (radiance[i].*part);
-        }
-    }
-    return sum;
-}
-
-Spectrum single_irradiance(const SkyLight& light, double altitude_km, const SunZenith& sun,
-                           int nodes) {
-    std::vector<WeightedAngle> zenith_angles;
-    const double from = std::min(arc_cosine(sun.cosine), std::numbers::pi / 2);
-    add_gathered(from, 0, nodes, zenith_angles);
-    add_gathered(from, std::numbers::pi / 2, nodes, zenith_angles);
-    std::vector<WeightedAngle> azimuths;
-    add_gathered(0, std::numbers::pi, nodes, azimuths);
-    SkyMedium medium = light.medium();
+SkyMedium without_forward_functions(SkyMedium medium) {
     for (SkyLayer& layer : medium.layers) {
         if (!(largest(layer.forward_share) > 0)) layer.first_phase = {};
     }
-    return integrate(light, medium, nullptr, altitude_km, sun, zenith_angles, azimuths,
-                     &SkyRadiance::single);
+    return medium;
 }
 
 // Replaces the light that peaks scatter forward from next to the sun by sunlight that would not
@@ -100,38 +63,150 @@ void add_aureole(const SkyLight& light, double altitude_km, const SunZenith& sun
     }
 }
 
-// Gauss' rule for the integral over azimuths of a polynomial in their cosine: evenly spaced ones.
-Spectrum multiple_irradiance(const SkyLight& light, double altitude_km, const SunZenith& sun,
-                             const IrradianceNodes& nodes) {
-    std::vector<WeightedAngle> zenith_angles;
-    add_gathered(std::numbers::pi / 2, 0, nodes.zenith_angles, zenith_angles);
+// Azimuths over half a turn: Gauss' rule for polynomials in their cosine, evenly spaced ones.
+std::vector<WeightedAngle> even_azimuths(int count) {
     std::vector<WeightedAngle> azimuths;
-    // The mean over evenly spaced azimuths is exact below twice their number.
-    const int degree = light.higher_orders()->azimuth_degree();
-    const int count =
-        degree > kSmoothDegree ? std::max(nodes.azimuths, degree / 2 + 1) : nodes.azimuths;
     for (int i = 0; i < count; ++i) {
         azimuths.push_back({std::numbers::pi * (i + 0.5) / count, std::numbers::pi / count});
     }
-    return integrate(light, light.medium(), light.higher_orders(), altitude_km, sun, zenith_angles,
-                     azimuths, &SkyRadiance::multiple);
+    return azimuths;
 }
 
 }  // namespace
 
-Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
-                        const IrradianceNodes& nodes) {
+// The rays of one zenith angle.
+struct SkyIrradiance::TracedZenith {
+    double mu;
+    double sine;
+    double weight;  // of an integral over the zenith angle
+    SkyRow row;
+};
+
+namespace {
+
+// Adds the integral over zenith angles and azimuths, on both sides of the sun. `light` returns the
+// light of a row, given its rays and the cosines of its azimuths.
+template <class TracedZeniths, class Light>
+void add_integral(const Shell& shell, double altitude_km, const SunZenith& sun,
+                  const TracedZeniths& zeniths, const std::vector<WeightedAngle>& azimuths,
+                  const Light& light, Spectrum& sum) {
+    std::vector<double> azimuth_cosines;
+    for (const WeightedAngle& azimuth : azimuths) {
+        azimuth_cosines.push_back(std::clamp(cosine_of(azimuth.angle), -1.0, 1.0));
+    }
+    for (const auto& zenith : zeniths) {
+        const auto ray_at = [&](double azimuth_cosine) {
+            return sky_ray(shell, altitude_km, sun,
+                           sky_direction(sun, zenith.mu, zenith.sine, azimuth_cosine));
+        };
+        const std::vector<Spectrum> values = light(zenith.row, ray_at, azimuth_cosines);
+        for (std::size_t i = 0; i < azimuths.size(); ++i) {
+            const double weight = 2 * zenith.weight * azimuths[i].weight * zenith.sine * zenith.mu;
+            sum += weight * values[i];
+        }
+    }
+}
+
+}  // namespace
+
+SkyIrradiance::SkyIrradiance(const SkyLight& light, double altitude_km,
+                             const TransmittanceField* sunlight)
+    : light_(light),
+      altitude_km_(altitude_km),
+      sunlight_(sunlight),
+      once_(without_forward_functions(light.medium())),
+      once_integrator_(once_, nullptr, sunlight),
+      before_integrator_(light.medium(), light.higher_orders()) {}
+
+SkyIrradiance::~SkyIrradiance() = default;
+
+// Of light scattered `before`, else of light scattered once.
+SkyIrradiance::TracedZeniths SkyIrradiance::trace(double from, double to, int nodes,
+                                                  bool before) const {
+    std::vector<WeightedAngle> angles;
+    add_gathered(from, to, nodes, angles);
+    TracedZeniths zeniths;
+    for (const WeightedAngle& angle : angles) {
+        const double mu = std::clamp(cosine_of(angle.angle), 0.0, 1.0);
+        const double sine = std::clamp(sine_of(angle.angle), 0.0, 1.0);
+        // Any sun and any azimuth: rows use what all rays share.
+        const SunZenith above = {1, 0};
+        const SkyRay any =
+            sky_ray(light_.shell(), altitude_km_, above, sky_direction(above, mu, sine, 1));
+        zeniths.push_back(
+            {mu, sine, angle.weight,
+             before ? SkyRow(before_integrator_, light_.medium(), light_.higher_orders(), any)
+                    : SkyRow(once_integrator_, once_, nullptr, any, sunlight_)});
+    }
+    return zeniths;
+}
+
+// Traces those from the horizon up when first asked for them, and when their number changes.
+const SkyIrradiance::TracedZeniths& SkyIrradiance::kept(TracedZeniths& zeniths, int nodes,
+                                                        bool before) const {
+    if (zeniths.size() != static_cast<std::size_t>(nodes)) {
+        zeniths = trace(std::numbers::pi / 2, 0, nodes, before);
+    }
+    return zeniths;
+}
+
+Spectrum SkyIrradiance::single(const SunZenith& sun, int nodes) {
+    std::vector<WeightedAngle> azimuths;
+    add_gathered(0, std::numbers::pi, nodes, azimuths);
+    const auto light = [](const SkyRow& row, const auto& ray_at, const auto& cosines) {
+        std::vector<Spectrum> values;
+        for (const SkyRadiance& radiance : row.radiance(ray_at, cosines)) {
+            values.push_back(radiance.single);
+        }
+        return values;
+    };
+    Spectrum sum{};
+    const auto add = [&](const TracedZeniths& zeniths) {
+        add_integral(light_.shell(), altitude_km_, sun, zeniths, azimuths, light, sum);
+    };
+    if (sun.cosine <= 0) {
+        add(kept(dark_, nodes, false));
+        return sum;
+    }
+    const double at_sun = arc_cosine(sun.cosine);
+    add(trace(at_sun, 0, nodes, false));
+    add(trace(at_sun, std::numbers::pi / 2, nodes, false));
+    return sum;
+}
+
+Spectrum SkyIrradiance::multiple(const SunZenith& sun, const IrradianceNodes& nodes) {
+    // The mean over evenly spaced azimuths is exact below twice their number.
+    const int degree = light_.higher_orders()->azimuth_degree();
+    const int count =
+        degree > kSmoothDegree ? std::max(nodes.azimuths, degree / 2 + 1) : nodes.azimuths;
+    Spectrum sum{};
+    add_integral(
+        light_.shell(), altitude_km_, sun, kept(before_, nodes.zenith_angles, true),
+        even_azimuths(count),
+        [](const SkyRow& row, const auto& ray_at, const auto& cosines) {
+            return row.multiple(ray_at, cosines);
+        },
+        sum);
+    return sum;
+}
+
+Spectrum SkyIrradiance::under(double sun_cos_zenith, const IrradianceNodes& nodes) {
     assert(sun_cos_zenith >= -1 && sun_cos_zenith <= 1);
     const SunZenith sun = sun_of_cosine(sun_cos_zenith);
     Spectrum sum{};
-    if (light.orders() != config::SkyOrders::multiple) {
-        sum = single_irradiance(light, altitude_km, sun, nodes.single);
-        if (light.has_peaks()) add_aureole(light, altitude_km, sun, sum);
+    if (light_.orders() != config::SkyOrders::multiple) {
+        sum = single(sun, nodes.single);
+        if (light_.has_peaks()) add_aureole(light_, altitude_km_, sun, sum);
     }
-    if (light.higher_orders() != nullptr && light.orders() != config::SkyOrders::single) {
-        sum += not_negative(multiple_irradiance(light, altitude_km, sun, nodes));
+    if (light_.higher_orders() != nullptr && light_.orders() != config::SkyOrders::single) {
+        sum += not_negative(multiple(sun, nodes));
     }
     return sum;
+}
+
+Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
+                        const IrradianceNodes& nodes) {
+    return SkyIrradiance(light, altitude_km).under(sun_cos_zenith, nodes);
 }
 
 Spectrum sun_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith) {

@@ -11,7 +11,11 @@
 // surfaces at the top (nothing above them).
 #pragma once
 
+#include <vector>
+
+#include "bakers/air/transmittance_field.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/light/sky_radiance.h"
 
 namespace skybake {
 
@@ -22,8 +26,43 @@ struct IrradianceNodes {
     int azimuths = 3;
 };
 
-// Returns the irradiance for a solar irradiance of 1, by light of light.orders() alone.
-// `sun_cos_zenith` is in [-1, 1], `altitude_km` in [0, thickness].
+// The irradiance of surfaces at one altitude, in [0, thickness], under many suns. Directions that
+// do not depend on the sun are traced once: those of light scattered before, and all under suns
+// below the horizontal.
+class SkyIrradiance {
+  public:
+    // With `sunlight` the light scattered once is made from a table of the transmittance through
+    // light.medium().air; with null it is exact. The arguments must outlive this object.
+    SkyIrradiance(const SkyLight& light, double altitude_km,
+                  const TransmittanceField* sunlight = nullptr);
+    ~SkyIrradiance();
+    SkyIrradiance(const SkyIrradiance&) = delete;
+    SkyIrradiance& operator=(const SkyIrradiance&) = delete;
+
+    // Returns the irradiance for a solar irradiance of 1, by light of light.orders() alone.
+    // `sun_cos_zenith` is in [-1, 1].
+    Spectrum under(double sun_cos_zenith, const IrradianceNodes& nodes);
+
+  private:
+    struct TracedZenith;
+    using TracedZeniths = std::vector<TracedZenith>;
+
+    TracedZeniths trace(double from, double to, int nodes, bool before) const;
+    const TracedZeniths& kept(TracedZeniths& zeniths, int nodes, bool before) const;
+    Spectrum single(const SunZenith& sun, int nodes);
+    Spectrum multiple(const SunZenith& sun, const IrradianceNodes& nodes);
+
+    const SkyLight& light_;
+    double altitude_km_;
+    const TransmittanceField* sunlight_;
+    SkyMedium once_;  // the medium without the peaks that no nodes would find
+    SkyIntegrator once_integrator_;
+    SkyIntegrator before_integrator_;
+    TracedZeniths dark_;    // from the horizon up, of light scattered once
+    TracedZeniths before_;  // the same of light scattered before
+};
+
+// Returns the irradiance of one surface, exactly.
 Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
                         const IrradianceNodes& nodes);
 

@@ -39,12 +39,14 @@ Spectrum interpolate(const std::vector<Spectrum>& values, double x) {
 }  // namespace
 
 SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
-               const HigherOrders* higher_orders, const SkyRay& any)
+               const HigherOrders* higher_orders, const SkyRay& any,
+               const TransmittanceField* sunlight)
     : integrator_(integrator),
       medium_(medium),
       higher_orders_(higher_orders),
       shell_(shell_of(medium.air)),
-      any_(any) {
+      any_(any),
+      sunlight_(sunlight) {
     Spectrum depth{};
     if (any.length_km > 0) {
         const std::vector<RayBreak> cuts = ray_breaks(
@@ -56,6 +58,16 @@ SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
         }
     }
     transmittance_ = exponential(-depth);
+    for (std::size_t n = 0; higher_orders_ != nullptr && n < nodes_.size(); ++n) {
+        higher_orders_at_.push_back(higher_orders_->at(
+            nodes_[n].altitude_km, view_cosine(nodes_[n]), nodes_[n].scattering));
+    }
+}
+
+double SkyRow::view_cosine(const Node& node) const {
+    return std::clamp((any_.s_km + node.distance_km) / (shell_.ground_radius_km + node.altitude_km),
+                      -1.0,
+                      1.0);  // rounding
 }
 
 Spectrum SkyRow::depth_km(double distance_km) const {
@@ -104,6 +116,19 @@ void SkyRow::add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& r
         const SkyRadiance part = integrator_.between(rays[i], piece.from_km, piece.to_km);
         sums[i].single += part.single;
     }
+}
+
+// Of suns above the node's horizon: channel c of sun i is at c * count + i.
+void SkyRow::find_sunlight(const Node& node, const std::vector<double>& s_km,
+                           std::vector<double>& sunlight) const {
+    const auto count = static_cast<int>(s_km.size());
+    if (sunlight_ != nullptr) {
+        sunlight_->read(node.altitude_km, s_km.data(), count, sunlight.data());
+        return;
+    }
+    optical_depth_to_top(medium_.air, node.altitude_km, s_km.data(), count, sunlight.data());
+    for (double& value : sunlight) value = -value;
+    exponentials(sunlight.data(), count * medium_.air.channels);
 }
 
 void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const {
@@ -155,10 +180,7 @@ void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance
                 s[i] =
                     is_hidden[i] ? 0 : rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun;
             }
-            optical_depth_to_top(medium_.air, node.altitude_km, s.data(), static_cast<int>(count),
-                                 sun.data());
-            for (double& value : sun) value = -value;
-            exponentials(sun.data(), static_cast<int>(count * channels));
+            find_sunlight(node, s, sun);
             for (std::size_t c = 0; c < channels; ++c) {
                 for (std::size_t i = 0; i < count; ++i) {
                     if (is_hidden[i]) continue;
@@ -175,12 +197,9 @@ void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance
 
 std::vector<Spectrum> SkyRow::multiple(const std::vector<SkyRay>& rays) const {
     std::vector<Spectrum> sums(rays.size());
-    for (const Node& node : nodes_) {
-        const double view_cosine = std::clamp(
-            (any_.s_km + node.distance_km) / (shell_.ground_radius_km + node.altitude_km), -1.0,
-            1.0);  // rounding
-        const HigherOrders::OfSun of_sun =
-            higher_orders_->at(node.altitude_km, view_cosine, node.scattering);
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        const Node& node = nodes_[n];
+        const HigherOrders::OfSun& of_sun = higher_orders_at_[n];
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const double s = rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun;
             const ScatteringPoint point =
@@ -194,6 +213,25 @@ std::vector<Spectrum> SkyRow::multiple(const std::vector<SkyRay>& rays) const {
 // Along a ray the sun moves, so that the light is not quite a polynomial of its degree.
 int SkyRow::azimuth_nodes() const { return std::max(higher_orders_->azimuth_degree(), 8) + 8; }
 
+// Of higher orders.
+std::vector<Spectrum> SkyRow::multiple(const RayOfAzimuth& ray_at,
+                                       const std::vector<double>& azimuth_cosines) const {
+    const int count = azimuth_nodes();
+    const bool interpolates = azimuth_cosines.size() > static_cast<std::size_t>(count);
+    std::vector<SkyRay> rays;
+    for (int k = 0; interpolates && k < count; ++k) {
+        rays.push_back(ray_at(chebyshev_point(k, count)));
+    }
+    for (std::size_t i = 0; !interpolates && i < azimuth_cosines.size(); ++i) {
+        rays.push_back(ray_at(azimuth_cosines[i]));
+    }
+    std::vector<Spectrum> values = multiple(rays);
+    if (!interpolates) return values;
+    std::vector<Spectrum> interpolated;
+    for (const double cosine : azimuth_cosines) interpolated.push_back(interpolate(values, cosine));
+    return interpolated;
+}
+
 std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
                                           const std::vector<double>& azimuth_cosines) const {
     std::vector<SkyRay> rays;
@@ -202,16 +240,8 @@ std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
     for (SkyRadiance& sum : sums) sum.transmittance = transmittance_;
     add_single(rays, sums);
     if (higher_orders_ != nullptr) {
-        const int count = azimuth_nodes();
-        const bool interpolates = rays.size() > static_cast<std::size_t>(count);
-        std::vector<SkyRay> at_nodes;
-        for (int k = 0; interpolates && k < count; ++k) {
-            at_nodes.push_back(ray_at(chebyshev_point(k, count)));
-        }
-        const std::vector<Spectrum> values = multiple(interpolates ? at_nodes : rays);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            sums[i].multiple = interpolates ? interpolate(values, azimuth_cosines[i]) : values[i];
-        }
+        const std::vector<Spectrum> values = multiple(ray_at, azimuth_cosines);
+        for (std::size_t i = 0; i < rays.size(); ++i) sums[i].multiple = values[i];
     }
     for (std::size_t i = 0; i < rays.size() && any_.meets_ground; ++i) {
         sums[i].ground =

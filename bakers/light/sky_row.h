@@ -2,8 +2,9 @@
 // the same air, whatever their azimuth. This is sky_radiance.h for one row of a table, many times
 // faster.
 //
-// Nodes, transmittances and densities are computed once for the row. Sunlight is exact and is
-// computed for all rays of a node at once (optical_depth.h). Only pieces that the edge of the
+// Nodes, transmittances and densities are computed once for the row, which may serve many suns.
+// Sunlight is computed for all rays of a node at once: exactly (optical_depth.h), or it is read from
+// a table. Only pieces that the edge of the
 // planet's shadow crosses are left to SkyIntegrator, ray by ray. The light of higher orders is a
 // smooth function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
 // that many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
@@ -14,6 +15,7 @@
 #include <functional>
 #include <vector>
 
+#include "bakers/air/transmittance_field.h"
 #include "bakers/light/sky_radiance.h"
 
 namespace skybake {
@@ -26,12 +28,18 @@ using RayOfAzimuth = std::function<SkyRay(double azimuth_cosine)>;
 class SkyRow {
   public:
     // The arguments except `any` must outlive this object. `any` may be any ray of the row: only
-    // what all rays share is used.
+    // what all rays share is used. With null for `sunlight` it is exact.
     SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
-           const HigherOrders* higher_orders, const SkyRay& any);
+           const HigherOrders* higher_orders, const SkyRay& any,
+           const TransmittanceField* sunlight = nullptr);
 
+    // One thread at a time: higher orders keep what several suns share.
     std::vector<SkyRadiance> radiance(const RayOfAzimuth& ray_at,
                                       const std::vector<double>& azimuth_cosines) const;
+
+    // Returns the light of higher orders alone.
+    std::vector<Spectrum> multiple(const RayOfAzimuth& ray_at,
+                                   const std::vector<double>& azimuth_cosines) const;
 
   private:
     struct Node {
@@ -49,10 +57,13 @@ class SkyRow {
     void add_pieces(double from_km, double to_km, const Spectrum& depth_from,
                     const Spectrum& depth_to, int halvings);
     Spectrum depth_km(double distance_km) const;
+    void find_sunlight(const Node& node, const std::vector<double>& s_km,
+                       std::vector<double>& sunlight) const;
     void add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const;
     void add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& rays,
                             const std::vector<bool>& is_cut, std::vector<SkyRadiance>& sums) const;
     int azimuth_nodes() const;
+    double view_cosine(const Node& node) const;
     std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;
 
     const SkyIntegrator& integrator_;
@@ -60,7 +71,9 @@ class SkyRow {
     const HigherOrders* higher_orders_;
     Shell shell_;
     SkyRay any_;
+    const TransmittanceField* sunlight_;
     std::vector<Node> nodes_;
+    std::vector<HigherOrders::OfSun> higher_orders_at_;  // each node
     std::vector<Piece> pieces_;
     Spectrum transmittance_{};
 };

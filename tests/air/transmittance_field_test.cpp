@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
@@ -53,6 +54,26 @@ TEST(TransmittanceField, Converges) {
     const double fine = rms_error(earth, {512, 256});
     EXPECT_LT(coarse, 6e-5);
     EXPECT_LT(fine, 0.35 * coarse);
+}
+
+// Suns from the zenith to the horizon, at the ground, between, and at the top.
+TEST(TransmittanceField, IsReadForManySuns) {
+    const Medium earth = test::preset_medium("earth");
+    const Shell shell = shell_of(earth);
+    const TransmittanceField field(earth, break_altitudes_km(earth, {1, 4, 12}), {256, 128}, 1);
+    for (const double altitude_km : {0.0, 0.3, 7.0, 60.0, shell.thickness_km}) {
+        const double r = shell.ground_radius_km + altitude_km;
+        std::vector<double> s_km = {-horizon_distance_km(shell, altitude_km)};
+        for (const double cosine : {0.0, 0.01, 0.3, 1.0}) s_km.push_back(r * cosine);
+        std::vector<double> values(3 * s_km.size());
+        field.read(altitude_km, s_km.data(), static_cast<int>(s_km.size()), values.data());
+        for (std::size_t i = 0; i < s_km.size(); ++i) {
+            const Spectrum exact = exponential(-optical_depth_to_top(earth, altitude_km, s_km[i]));
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(values[c * s_km.size() + i], exact[c], 3e-4) << altitude_km << ' ' << i;
+            }
+        }
+    }
 }
 
 TEST(TransmittanceField, StaysInRangeWhereALayerIsSharp) {

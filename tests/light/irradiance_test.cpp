@@ -2,6 +2,7 @@
 
 #include "bakers/assets/irradiance/irradiance_table.h"
 #include "bakers/assets/registry.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/irradiance.h"
@@ -64,6 +65,28 @@ TEST(SkyIrradiance, PartsAddUp) {
     const auto of = [](const TestSky& sky) { return sky_irradiance(sky.light(), 3, 0.4, {8}); };
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(of(rest)[c] + of(mie)[c] + of(rayleigh)[c], of(all)[c], 1e-13);
+    }
+}
+
+// What surfaces at one altitude share changes nothing, and tabulated sunlight hardly anything.
+TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
+    for (const char* preset : {"earth", "mars", "tiny_planet"}) {
+        const TestSky sky(test::preset_atmosphere(preset), SkyOrders::all);
+        const Medium& air = sky.light().medium().air;
+        const TransmittanceField field(air, quadrature_altitudes_km(air), {384, 128}, 1);
+        for (const double altitude_km : {0.0, 0.03 * air.thickness_km, 0.4 * air.thickness_km}) {
+            SkyIrradiance exactly(sky.light(), altitude_km);
+            SkyIrradiance by_table(sky.light(), altitude_km, &field);
+            for (const double elevation : {70.0, 8.0, -1.0, 0.0, -3.0, 30.0}) {
+                const double sun = sun_at_elevation(elevation * kDegree).cosine;
+                const Spectrum alone = sky_irradiance(sky.light(), altitude_km, sun, {8, 8, 4});
+                EXPECT_EQ(exactly.under(sun, {8, 8, 4}), alone) << preset << ' ' << elevation;
+                const Spectrum found = by_table.under(sun, {8, 8, 4});
+                for (std::size_t c = 0; c < 3; ++c) {
+                    EXPECT_NEAR(found[c] / alone[c], 1, 5e-4) << preset << ' ' << elevation;
+                }
+            }
+        }
     }
 }
 

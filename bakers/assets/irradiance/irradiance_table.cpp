@@ -7,12 +7,17 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "bakers/air/ray.h"
+#include "bakers/air/transmittance_field.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/irradiance.h"
@@ -29,18 +34,50 @@ constexpr std::array<IrradianceNodes, 5> kNodes = {
     {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}}};
 constexpr IrradianceNodes kReferenceZenithNodes = {28, 32, 12};
 
-Spectrum irradiance(const SkyLight& light, IrradianceContent content, double altitude_km,
-                    double sun_cos_zenith, const IrradianceNodes& nodes) {
-    Spectrum value{};
-    if (content != IrradianceContent::direct) {
-        value = sky_irradiance(light, altitude_km, sun_cos_zenith, nodes);
+// Of sunlight, from which the levels make the light scattered once; the reference's is exact.
+constexpr TransmittanceField::Size kField = {384, 128};
+
+// The light of a table, with the sunlight that all its rows share.
+class IrradianceRows {
+  public:
+    IrradianceRows(const SkyLight& light, const IrradianceBake& bake, int threads)
+        : light_(light), content_(bake.content), mapping_(bake.mapping), threads_(threads) {}
+
+    // Channels interleaved in values.
+    void row(const IrradianceNodes& nodes, bool exact, double y, const std::vector<double>& x,
+             double* values) const {
+        const double altitude_km = irradiance_altitude_km(light_.shell(), y);
+        SkyIrradiance sky(light_, altitude_km, exact ? nullptr : sunlight());
+        for (const double coordinate : x) {
+            const double sun = sun_cos_zenith_at(mapping_, coordinate);
+            Spectrum value{};
+            if (content_ != IrradianceContent::direct) value += sky.under(sun, nodes);
+            if (content_ != IrradianceContent::sky) {
+                value += sun_irradiance(light_, altitude_km, sun);
+            }
+            values = std::copy_n(data(value), light_.medium().air.channels, values);
+        }
     }
-    if (content != IrradianceContent::sky) {
-        const Spectrum sun = sun_irradiance(light, altitude_km, sun_cos_zenith);
-        value += sun;
+
+  private:
+    // Made when first asked for; null where no light is scattered once.
+    const TransmittanceField* sunlight() const {
+        if (content_ == IrradianceContent::direct) return nullptr;
+        if (light_.orders() == config::SkyOrders::multiple) return nullptr;
+        std::call_once(made_, [this] {
+            const Medium& air = light_.medium().air;
+            sunlight_.emplace(air, quadrature_altitudes_km(air), kField, threads_);
+        });
+        return &*sunlight_;
     }
-    return value;
-}
+
+    const SkyLight& light_;
+    IrradianceContent content_;
+    config::MultipleScatteringMapping mapping_;
+    int threads_;
+    mutable std::once_flag made_;
+    mutable std::optional<TransmittanceField> sunlight_;
+};
 
 std::string content_text(const IrradianceBake& bake) {
     const std::string surface =
@@ -86,30 +123,20 @@ config::SkyOrders orders_of(const IrradianceBake& bake) {
     return bake.content == IrradianceContent::sky ? bake.orders : config::SkyOrders::all;
 }
 
-TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
-    const auto channels = light.medium().air.channels;
-    const auto values_at = [&light, channels, content = bake.content, mapping = bake.mapping](
-                               const IrradianceNodes& nodes, double y, const std::vector<double>& x,
-                               double* values) {
-        for (const double coordinate : x) {
-            const Spectrum value =
-                irradiance(light, content, irradiance_altitude_km(light.shell(), y),
-                           sun_cos_zenith_at(mapping, coordinate), nodes);
-            values = std::copy_n(data(value), channels, values);
-        }
-    };
+TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake, int threads) {
+    const auto rows = std::make_shared<const IrradianceRows>(light, bake, threads);
     TableModel model;
-    model.channels = channels;
+    model.channels = light.medium().air.channels;
     model.lowest = 0;
     model.highest = std::numeric_limits<double>::max();
     for (const IrradianceNodes& nodes : kNodes) {
         model.cost_per_texel.push_back(2.0 * nodes.single * nodes.single);
     }
-    model.row = [values_at](int level, double y, const std::vector<double>& x, double* values) {
-        values_at(kNodes[static_cast<std::size_t>(level)], y, x, values);
+    model.row = [rows](int level, double y, const std::vector<double>& x, double* values) {
+        rows->row(kNodes[static_cast<std::size_t>(level)], false, y, x, values);
     };
-    model.reference = [values_at](double y, const std::vector<double>& x, double* values) {
-        values_at(kReferenceZenithNodes, y, x, values);
+    model.reference = [rows](double y, const std::vector<double>& x, double* values) {
+        rows->row(kReferenceZenithNodes, true, y, x, values);
     };
     model.error = relative_error;
     return model;
@@ -130,7 +157,7 @@ config::Outcome<Baked> bake_irradiance(const SkyLight& light, const IrradianceBa
         return Place{{"altitude_km", irradiance_altitude_km(light.shell(), y)},
                      {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
     };
-    return finish_table(irradiance_model(light, bake), request, options, place_of,
+    return finish_table(irradiance_model(light, bake, options.threads), request, options, place_of,
                         std::move(table));
 }
 
