@@ -397,8 +397,9 @@ constexpr std::array codes = {
         "E0405", "physical check failed",
         "A baked table breaks a law that it must obey, such as a transmittance above 1 or energy "
         "from nowhere, or the light of all orders could not be solved for, as in air with an "
-        "optical depth of hundreds or with much scattering of g beyond 0.95. Such air is beyond "
-        "skybake; everything else is a bug: please report the recipe. Nothing is written.",
+        "optical depth above 100, in air higher than 100 radii of its ground, or with much "
+        "scattering of g beyond 0.95. Such air is beyond skybake; everything else is a bug: please "
+        "report the recipe. Nothing is written.",
         "", "", failed_check},
 
     DiagnosticCode{"E0406", "variants of a sweep failed",

@@ -151,7 +151,7 @@ config::Outcome<Baked> bake_irradiance(const SkyLight& light, const IrradianceBa
     request.max_texel_error = bake.max_texel_error;
     request.quick = {8, 8};
     request.full = {64, 16};
-    request.quick_search = {24, 16, 4, 4, 32};
+    request.quick_search = {64, 32, 8, 8, 128};
     request.full_search = {128, 64, 16, 16, 512};
     const auto place_of = [&light, mapping](double x, double y) {
         return Place{{"altitude_km", irradiance_altitude_km(light.shell(), y)},

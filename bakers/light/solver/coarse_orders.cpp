@@ -1,7 +1,6 @@
 #include "bakers/light/solver/coarse_orders.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 #include "bakers/air/optical_depth.h"

@@ -10,6 +10,7 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/first_light.h"
+#include "bakers/light/solver/residual_search.h"
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/parallel.h"
@@ -18,14 +19,6 @@
 namespace skybake {
 
 namespace {
-
-void add(const LightField& more, LightField& sum) {
-    const auto add_values = [](const std::vector<double>& from, std::vector<double>& to) {
-        for (std::size_t i = 0; i < to.size(); ++i) to[i] += from[i];
-    };
-    add_values(more.moments, sum.moments);
-    add_values(more.sky_irradiance, sum.sky_irradiance);
-}
 
 constexpr int kLastOrders = 2;
 
