@@ -42,9 +42,9 @@ const AnyBaker& baker_of(const config::Bake& bake);
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
 
 // Bakes one section of a recipe. Unless certification is off, light that is scattered more than once
-// is compared with paths of light. E0405 if it needs solved light of air that scatters over a zenith
-// optical depth above 1000. W0214 if its lookups are measured and far off. Diagnostics name
-// the line of the section, or of its key that they speak of.
+// is compared with paths of light. E0405 if it needs light that cannot be solved for
+// (solvable_air.h). W0214 if its lookups are measured and far off. Diagnostics name the line of the
+// section, or of its key that they speak of.
 config::Outcome<Baked> bake_asset(const config::Recipe& recipe, const config::Bake& bake,
                                   const BakeOptions& options);
 
