@@ -5,7 +5,6 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/bake_options.h"
 
 namespace skybake {
 
@@ -76,10 +75,8 @@ Estimate estimate_volume(const AssetFiles& files, const Size& size, std::size_t 
     const auto formats = static_cast<double>(files.formats.size());
     Estimate result;
     result.size.assign(size.begin(), size.end());
-    // Where they are not held, the voxels are made once to be measured, and again for each file.
-    const double held_bytes = voxels_of(size, 1) * static_cast<double>(channels * sizeof(float));
-    const bool are_held = held_bytes <= static_cast<double>(BakeOptions().held_voxel_bytes);
-    result.seconds = voxels * seconds_per_voxel * (are_held ? 1.0 : 1.0 + formats);
+    // The voxels are made once to be measured, and again for each file.
+    result.seconds = voxels * seconds_per_voxel * (1.0 + formats);
     for (const config::FileFormat format : files.formats) {
         result.seconds += bytes * seconds_per_byte(format, files);
     }
@@ -88,7 +85,7 @@ Estimate estimate_volume(const AssetFiles& files, const Size& size, std::size_t 
     const double values = static_cast<double>(boxes.largest_count()) *
                           static_cast<double>(channels) * std::min(box_slots(0), boxes.count());
     // The libraries of files take as much again to pack them (measured, rounded up), and the
-    // program with its modules 64 MiB. Voxels that are held do not count: they take what is left.
+    // program with its modules 64 MiB.
     result.memory_mib = 64 + 2 * values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
     result.disk_mib = bytes * formats / kMebibyte;
     return result;
