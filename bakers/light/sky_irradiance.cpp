@@ -109,13 +109,11 @@ void add_integral(const Shell& shell, double altitude_km, const SunZenith& sun,
 
 }  // namespace
 
-SkyIrradiance::SkyIrradiance(const SkyLight& light, double altitude_km,
-                             const TransmittanceField* sunlight)
+SkyIrradiance::SkyIrradiance(const SkyLight& light, double altitude_km)
     : light_(light),
       altitude_km_(altitude_km),
-      sunlight_(sunlight),
       once_(without_forward_functions(light.medium())),
-      once_integrator_(once_, nullptr, sunlight),
+      once_integrator_(once_, nullptr),
       before_integrator_(light.medium(), light.higher_orders()) {}
 
 SkyIrradiance::~SkyIrradiance() = default;
@@ -136,7 +134,7 @@ SkyIrradiance::TracedZeniths SkyIrradiance::trace(double from, double to, int no
         zeniths.push_back(
             {mu, sine, angle.weight,
              before ? SkyRow(before_integrator_, light_.medium(), light_.higher_orders(), any)
-                    : SkyRow(once_integrator_, once_, nullptr, any, sunlight_)});
+                    : SkyRow(once_integrator_, once_, nullptr, any, &light_.sunlight())});
     }
     return zeniths;
 }

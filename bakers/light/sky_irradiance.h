@@ -13,7 +13,6 @@
 
 #include <vector>
 
-#include "bakers/air/transmittance_field.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_radiance.h"
 
@@ -31,10 +30,8 @@ struct IrradianceNodes {
 // below the horizontal.
 class SkyIrradiance {
   public:
-    // With `sunlight` the light scattered once is made from a table of the transmittance through
-    // light.medium().air; with null it is exact. The arguments must outlive this object.
-    SkyIrradiance(const SkyLight& light, double altitude_km,
-                  const TransmittanceField* sunlight = nullptr);
+    // `light` must outlive this object.
+    SkyIrradiance(const SkyLight& light, double altitude_km);
     ~SkyIrradiance();
     SkyIrradiance(const SkyIrradiance&) = delete;
     SkyIrradiance& operator=(const SkyIrradiance&) = delete;
@@ -54,7 +51,6 @@ class SkyIrradiance {
 
     const SkyLight& light_;
     double altitude_km_;
-    const TransmittanceField* sunlight_;
     SkyMedium once_;  // the medium without the peaks that no nodes would find
     SkyIntegrator once_integrator_;
     SkyIntegrator before_integrator_;
@@ -62,7 +58,7 @@ class SkyIrradiance {
     TracedZeniths before_;  // the same of light scattered before
 };
 
-// Returns the irradiance of one surface, exactly.
+// Returns the irradiance of one surface.
 Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
                         const IrradianceNodes& nodes);
 

@@ -9,6 +9,7 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/air/optical_depth.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/transcendental.h"
@@ -43,16 +44,18 @@ SkyLight::SkyLight(const config::Atmosphere& atmosphere, SkyOrders orders,
       orders_(orders),
       solved_(solve_unless_single(medium_, orders, options)),
       higher_orders_(solved_orders(medium_, orders, solved_.get())),
-      integrator_(medium_, higher_orders_.get()) {}
+      integrator_(medium_, higher_orders_.get()),
+      threads_(options.threads) {}
 
 SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,
-                   std::unique_ptr<const HigherOrders> higher_orders)
+                   std::unique_ptr<const HigherOrders> higher_orders, int threads)
     : medium_(std::move(medium)),
       whole_air_(medium_.air),
       shell_(shell_of(medium_.air)),
       orders_(orders),
       higher_orders_(std::move(higher_orders)),
-      integrator_(medium_, higher_orders_.get()) {}
+      integrator_(medium_, higher_orders_.get()),
+      threads_(threads) {}
 
 std::optional<config::Diagnostic> SkyLight::problem(const std::string& name) const {
     if (!solved_) return std::nullopt;
@@ -63,6 +66,14 @@ Spectrum SkyLight::sun_transmittance(double altitude_km, double s_km) const {
     if (!has_peaks()) return integrator_.sunlight(altitude_km, s_km);
     if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
     return exponential(-optical_depth_to_top(whole_air_, altitude_km, s_km));
+}
+
+const TransmittanceField& SkyLight::sunlight() const {
+    static constexpr TransmittanceField::Size kSize = {1024, 256};
+    std::call_once(sunlight_made_, [this] {
+        sunlight_.emplace(medium_.air, quadrature_altitudes_km(medium_.air), kSize, threads_);
+    });
+    return *sunlight_;
 }
 
 bool SkyLight::has_peaks() const {

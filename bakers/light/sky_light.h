@@ -3,11 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bakers/air/medium.h"
+#include "bakers/air/transmittance_field.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
@@ -27,7 +29,7 @@ class SkyLight {
 
     // Uses the given higher orders instead of the solution; null stands for none.
     SkyLight(SkyMedium medium, config::SkyOrders orders,
-             std::unique_ptr<const HigherOrders> higher_orders);
+             std::unique_ptr<const HigherOrders> higher_orders, int threads = 1);
 
     SkyLight(const SkyLight&) = delete;
     SkyLight& operator=(const SkyLight&) = delete;
@@ -45,6 +47,10 @@ class SkyLight {
     const Shell& shell() const { return shell_; }
     const SkyIntegrator& integrator() const { return integrator_; }
     const HigherOrders* higher_orders() const { return higher_orders_.get(); }
+    // Returns a table of the transmittance through medium().air towards the sun, for integrals over
+    // many rays. On Earth its lookups are 3e-6 off in the root mean square, and 2e-4 where rays graze
+    // the edge of a layer. It is made when it is first asked for, by any thread.
+    const TransmittanceField& sunlight() const;
     config::SkyOrders orders() const { return orders_; }
 
     // Returns the part of a radiance that `orders` asks for: with `single` the light scattered once
@@ -59,6 +65,9 @@ class SkyLight {
     std::shared_ptr<const SolvedLight> solved_;  // null if it was not solved for
     std::unique_ptr<const HigherOrders> higher_orders_;
     SkyIntegrator integrator_;
+    int threads_;
+    mutable std::once_flag sunlight_made_;
+    mutable std::optional<TransmittanceField> sunlight_;
 };
 
 // Replaces negative values by 0. Moments that end at a degree, and interpolation between azimuths,

@@ -10,6 +10,7 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/ray_pieces.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/transcendental.h"
 
@@ -24,22 +25,15 @@ struct SkyIntegrator::Piece {
     Spectrum depth_to;
 };
 
-SkyIntegrator::SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders,
-                             const TransmittanceField* sunlight)
+SkyIntegrator::SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders)
     : medium_(medium),
       higher_orders_(higher_orders),
-      sunlight_(sunlight),
       shell_(shell_of(medium.air)),
       break_altitudes_km_(quadrature_altitudes_km(medium.air)) {}
 
 Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
     if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
-    if (sunlight_ == nullptr) {
-        return exponential(-optical_depth_to_top(medium_.air, altitude_km, s_km));
-    }
-    Spectrum value{};
-    sunlight_->read(altitude_km, &s_km, 1, data(value));
-    return value;
+    return exponential(-optical_depth_to_top(medium_.air, altitude_km, s_km));
 }
 
 Spectrum SkyIntegrator::depth_km(const SkyRay& ray, double distance_km) const {

@@ -21,7 +21,6 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/ray.h"
-#include "bakers/air/transmittance_field.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_ray.h"
 
@@ -40,10 +39,7 @@ class SkyIntegrator {
   public:
     // `medium` and `higher_orders` must outlive this object. If `higher_orders` is null, the result
     // has only single scattering and ground in sunlight.
-    // Sunlight is exact, or read from `sunlight` if that is not null: a table of the transmittance
-    // through medium.air.
-    SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders,
-                  const TransmittanceField* sunlight = nullptr);
+    SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher_orders);
 
     // Returns the radiance at an altitude in [0, thickness]. Single scattering is within 2e-4 of
     // adaptive quadrature.
@@ -79,7 +75,6 @@ class SkyIntegrator {
 
     const SkyMedium& medium_;
     const HigherOrders* higher_orders_;
-    const TransmittanceField* sunlight_;
     Shell shell_;
     std::vector<double> break_altitudes_km_;
 };

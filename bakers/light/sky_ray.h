@@ -1,14 +1,11 @@
-// View directions, straight rays of a camera through the air, and the limits by which integrators
-// divide such rays into pieces.
+// View directions, and straight rays of a camera through the air.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "bakers/air/ray.h"
-#include "bakers/math/quadrature.h"
 #include "bakers/math/vectors.h"
 
 namespace skybake {
@@ -121,51 +118,34 @@ inline CameraRay camera_ray(const Shell& shell, double altitude_km, const SunZen
     return ray;
 }
 
-// --- Pieces --------------------------------------------------------------------------------------
+// The stretch of a ray in the planet's shadow, by distances along the ray; empty unless begin is
+// below end. It is one stretch since the shadow, half a cylinder, is convex.
+struct DarkStretch {
+    double begin_km = 0;
+    double end_km = 0;
+};
 
-// The limits by which sky_radiance.h and its fast rows (sky_row.h) divide a ray into pieces, and
-// the rule that integrates a piece.
-namespace ray_pieces {
-
-inline constexpr double kLargestDepth = 1;  // optical depth of a piece, along the ray
-// Light that has passed this optical depth contributes e^-25 = 1e-11 of its radiance.
-inline constexpr double kLastLight = 25;
-// The largest number of halvings of a piece: 2^-20 of a ray is a few metres.
-inline constexpr int kMostHalvings = 20;
-
-// Over a piece of a row of rays the vertical turns by less than this, about a degree. Along a
-// horizontal ray at dusk the sun's rays graze one scale height after the other, a few degrees apart.
-inline constexpr double kLongestTurn = 1.0 / 48;
-
-// Returns the greatest length of the piece of a ray between two distances from its start, in km. It
-// grows with the distance from the planet's centre only far outside of the planet: in air that is a
-// hundred radii deep a ray would otherwise have thousands of pieces.
-inline double longest_piece_km(const Shell& shell, double altitude_km, double s_km, double from_km,
-                               double to_km) {
-    const double r = shell.ground_radius_km + altitude_km;
-    const double square = (r - s_km) * (r + s_km);
-    const double nearest = std::max({s_km + from_km, -(s_km + to_km), 0.0});
-    const double r_nearest = std::sqrt(std::max(square, 0.0) + nearest * nearest);
-    return kLongestTurn * std::max(shell.ground_radius_km, 0.5 * r_nearest);
+// Returns the stretch of the ray that starts at an altitude with s = r mu. `sun_s_km` is r mu_s
+// there. The cosine between ray and sun need not belong to a direction.
+//
+// The sun's ray through P grazes the ground where |P|^2 - (P . sun)^2 = R^2; along the view ray
+// that is a x^2 + 2 b x + c = 0. Between the roots P is within the cylinder, on the night's side
+// where P . sun < 0; as the ray is above the ground, that part of it is on one side only.
+inline DarkStretch dark_stretch(const Shell& shell, double altitude_km, double s_km,
+                                double length_km, double sun_s_km, double cosine_to_sun) {
+    const double a = (1 - cosine_to_sun) * (1 + cosine_to_sun);
+    const double b = s_km - sun_s_km * cosine_to_sun;
+    const double c = altitude_km * (2 * shell.ground_radius_km + altitude_km) - sun_s_km * sun_s_km;
+    const double discriminant = b * b - a * c;
+    if (!(discriminant > 0)) return {};
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+    // A ray along the sun's has a root at infinity.
+    const double first = c / q;
+    const double second = a > 0 ? q / a : std::copysign(HUGE_VAL, q);
+    const double begin = std::max(std::min(first, second), 0.0);
+    const double end = std::min(std::max(first, second), length_km);
+    if (!(begin < end) || 2 * sun_s_km + cosine_to_sun * (begin + end) >= 0) return {};
+    return {begin, end};
 }
-
-// Returns the greatest optical depth of a piece, from the depths at its ends, over the channels
-// whose light still reaches it; nothing if no light does.
-inline std::optional<double> lit_depth(const Spectrum& from, const Spectrum& to, int channels) {
-    std::optional<double> depth;
-    for (int c = 0; c < channels; ++c) {
-        if (data(from)[c] > kLastLight) continue;
-        depth = std::max(depth.value_or(0), data(to)[c] - data(from)[c]);
-    }
-    return depth;
-}
-
-// Returns Gauss's rule with the five nodes that integrate each piece.
-inline const QuadratureRule& gauss_rule() {
-    static const QuadratureRule rule = gauss_legendre(5);
-    return rule;
-}
-
-}  // namespace ray_pieces
 
 }  // namespace skybake

@@ -47,17 +47,10 @@ SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
       shell_(shell_of(medium.air)),
       any_(any),
       sunlight_(sunlight) {
-    Spectrum depth{};
-    if (any.length_km > 0) {
-        const std::vector<RayBreak> cuts = ray_breaks(
-            shell_, any.altitude_km, any.s_km, any.length_km, quadrature_altitudes_km(medium.air));
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-            const Spectrum next = depth_km(cuts[i + 1].distance_km);
-            add_pieces(cuts[i].distance_km, cuts[i + 1].distance_km, depth, next, 0);
-            depth = next;
-        }
-    }
-    transmittance_ = exponential(-depth);
+    const ray_pieces::CutRay ray = ray_pieces::cut(
+        medium.air, any.altitude_km, any.s_km, any.length_km, quadrature_altitudes_km(medium.air));
+    for (const ray_pieces::Piece& piece : ray.pieces) add_piece(piece);
+    transmittance_ = exponential(-ray.depth);
     for (std::size_t n = 0; higher_orders_ != nullptr && n < nodes_.size(); ++n) {
         higher_orders_at_.push_back(higher_orders_->at(
             nodes_[n].altitude_km, view_cosine(nodes_[n]), nodes_[n].scattering));
@@ -70,52 +63,57 @@ double SkyRow::view_cosine(const Node& node) const {
                       1.0);  // rounding
 }
 
-Spectrum SkyRow::depth_km(double distance_km) const {
-    const double r = shell_.ground_radius_km + any_.altitude_km;
-    return optical_depth_along(medium_.air, any_.altitude_km, any_.s_km / r, distance_km);
-}
-
-void SkyRow::add_pieces(double from_km, double to_km, const Spectrum& depth_from,
-                        const Spectrum& depth_to, int halvings) {
-    const auto depth = ray_pieces::lit_depth(depth_from, depth_to, medium_.air.channels);
-    if (!depth) return;
-    const bool is_long = to_km - from_km > ray_pieces::longest_piece_km(shell_, any_.altitude_km,
-                                                                        any_.s_km, from_km, to_km);
-    if ((*depth > ray_pieces::kLargestDepth || is_long) && halvings < ray_pieces::kMostHalvings) {
-        const double middle = 0.5 * (from_km + to_km);
-        const Spectrum depth_middle = depth_km(middle);
-        add_pieces(from_km, middle, depth_from, depth_middle, halvings + 1);
-        add_pieces(middle, to_km, depth_middle, depth_to, halvings + 1);
-        return;
-    }
-    pieces_.push_back({from_km, to_km, nodes_.size()});
-    const double width = to_km - from_km;
-    for (std::size_t i = 0; i < ray_pieces::gauss_rule().nodes.size(); ++i) {
+void SkyRow::add_piece(const ray_pieces::Piece& piece) {
+    pieces_.push_back({piece.from_km, piece.to_km, nodes_.size()});
+    for (const ray_pieces::Node& at : piece.nodes) {
         Node node;
-        node.distance_km = from_km + width * ray_pieces::gauss_rule().nodes[i];
-        node.altitude_km = std::clamp(
-            altitude_along_km(shell_, any_.altitude_km, any_.s_km, node.distance_km), 0.0,
-            shell_.thickness_km);  // rounding
-        node.horizon_km = horizon_distance_km(shell_, node.altitude_km);
-        const Spectrum depth_here = depth_km(node.distance_km);
-        node.weight = width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here);
+        node.distance_km = at.distance_km;
+        node.altitude_km = at.altitude_km;
+        node.horizon_km = horizon_distance_km(shell_, at.altitude_km);
+        node.weight = at.width_km * at.transmittance;
         for (const SkyLayer& layer : medium_.layers) {
-            node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, node.altitude_km)
+            node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, at.altitude_km)
                                                      : Spectrum{});
         }
         nodes_.push_back(std::move(node));
     }
 }
 
-// Pieces at whose ends, or between, a ray has and has not the sun.
-void SkyRow::add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& rays,
-                                const std::vector<bool>& is_cut,
-                                std::vector<SkyRadiance>& sums) const {
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (!is_cut[i]) continue;
-        const SkyRadiance part = integrator_.between(rays[i], piece.from_km, piece.to_km);
-        sums[i].single += part.single;
+// Adds what a ray receives on a lit stretch of a piece through which the shadow's edge runs. What
+// the stretch sends to the eye is interpolated between the piece's nodes.
+void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, const SkyRay& ray,
+                             const std::vector<Spectrum>& phases, Spectrum& sum) const {
+    if (!(from_km < to_km)) return;
+    const QuadratureRule& rule = ray_pieces::gauss_rule();
+    for (std::size_t j = 0; j < ray_pieces::kNodes; ++j) {
+        const double x = from_km + (to_km - from_km) * rule.nodes[j];
+        const double altitude_km =
+            std::clamp(altitude_along_km(shell_, any_.altitude_km, any_.s_km, x), 0.0,
+                       shell_.thickness_km);  // rounding
+        // Rounding may take a place next to the shadow's edge beyond it.
+        const double s_km = std::max(ray.sun_s_km + x * ray.cosine_to_sun,
+                                     -horizon_distance_km(shell_, altitude_km));
+        const auto shares =
+            ray_pieces::node_shares((x - piece.from_km) / (piece.to_km - piece.from_km));
+        Spectrum sent{};
+        for (std::size_t n = 0; n < ray_pieces::kNodes; ++n) {
+            const Node& node = nodes_[piece.first_node + n];
+            const double per_width = shares[n] / (rule.weights[n] * (piece.to_km - piece.from_km));
+            for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+                sent += per_width * node.weight * node.scattering[k] * phases[k];
+            }
+        }
+        sum += (to_km - from_km) * rule.weights[j] * sent * sunlight_at(altitude_km, s_km);
     }
+}
+
+Spectrum SkyRow::sunlight_at(double altitude_km, double s_km) const {
+    if (sunlight_ == nullptr) {
+        return exponential(-optical_depth_to_top(medium_.air, altitude_km, s_km));
+    }
+    Spectrum value{};
+    sunlight_->read(altitude_km, &s_km, 1, data(value));
+    return value;
 }
 
 // Of suns above the node's horizon: channel c of sun i is at c * count + i.
@@ -132,64 +130,58 @@ void SkyRow::find_sunlight(const Node& node, const std::vector<double>& s_km,
 }
 
 void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const {
-    const auto channels = static_cast<std::size_t>(medium_.air.channels);
     const std::size_t count = rays.size();
-    std::vector<Spectrum> phases(medium_.layers.size() * count);
-    for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-        for (std::size_t i = 0; i < count; ++i) {
-            phases[k * count + i] = first_phase_values(medium_.layers[k], rays[i].one_minus_cosine,
-                                                       rays[i].one_plus_cosine);
+    std::vector<DarkStretch> dark(count);
+    std::vector<std::vector<Spectrum>> phases(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        dark[i] = dark_stretch(shell_, any_.altitude_km, any_.s_km, any_.length_km,
+                               rays[i].sun_s_km, rays[i].cosine_to_sun);
+        for (const SkyLayer& layer : medium_.layers) {
+            phases[i].push_back(
+                first_phase_values(layer, rays[i].one_minus_cosine, rays[i].one_plus_cosine));
         }
     }
-    std::vector<double> s(count);
-    std::vector<double> sun(count * kMaxChannels);
-    std::vector<bool> is_cut(count);
-    std::vector<bool> is_hidden(count);
-    const auto nodes_per_piece = ray_pieces::gauss_rule().nodes.size();
+    std::vector<std::size_t> lit;
     for (const Piece& piece : pieces_) {
-        // The shadow's edge is where (r mu_s)^2 = r^2 - R^2 with the sun below the horizontal:
-        // along a ray, a quadratic, whose lit part between two nodes or ends is lost on neither
-        // unless it is shorter than the gap between them.
-        const auto lit_at = [&](const SkyRay& ray, double distance_km) {
-            const double altitude =
-                std::max(altitude_along_km(shell_, any_.altitude_km, any_.s_km, distance_km), 0.0);
-            return ray.sun_s_km + distance_km * ray.cosine_to_sun >=
-                   -horizon_distance_km(shell_, altitude);
-        };
-        bool any_cut = false;
+        lit.clear();
         for (std::size_t i = 0; i < count; ++i) {
-            const bool first = lit_at(rays[i], piece.from_km);
-            bool differs = lit_at(rays[i], piece.to_km) != first;
-            for (std::size_t n = 0; n < nodes_per_piece && !differs; ++n) {
-                const Node& node = nodes_[piece.first_node + n];
-                differs = (rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun >=
-                           -node.horizon_km) != first;
+            const double begin = std::max(dark[i].begin_km, piece.from_km);
+            const double end = std::min(dark[i].end_km, piece.to_km);
+            if (!(begin < end)) {
+                lit.push_back(i);
+                continue;
             }
-            is_cut[i] = differs;
-            is_hidden[i] = differs || !first;
-            any_cut = any_cut || differs;
+            add_lit_stretch(piece, piece.from_km, begin, rays[i], phases[i], sums[i].single);
+            add_lit_stretch(piece, end, piece.to_km, rays[i], phases[i], sums[i].single);
         }
-        if (any_cut) add_shadowed_piece(piece, rays, is_cut, sums);
-        if (std::all_of(is_hidden.begin(), is_hidden.end(), [](bool hidden) { return hidden; })) {
-            continue;
+        if (!lit.empty()) add_lit_piece(piece, lit, rays, phases, sums);
+    }
+}
+
+// Adds the light of a piece on which the rays `lit` have the sun all along.
+void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& lit,
+                           const std::vector<SkyRay>& rays,
+                           const std::vector<std::vector<Spectrum>>& phases,
+                           std::vector<SkyRadiance>& sums) const {
+    std::vector<double> s(lit.size());
+    std::vector<double> sun(lit.size() * kMaxChannels);
+    for (std::size_t n = 0; n < ray_pieces::kNodes; ++n) {
+        const Node& node = nodes_[piece.first_node + n];
+        for (std::size_t j = 0; j < lit.size(); ++j) {
+            const SkyRay& ray = rays[lit[j]];
+            // Rounding may take a place next to the shadow's edge beyond it.
+            s[j] = std::max(ray.sun_s_km + node.distance_km * ray.cosine_to_sun, -node.horizon_km);
         }
-        for (std::size_t n = 0; n < nodes_per_piece; ++n) {
-            const Node& node = nodes_[piece.first_node + n];
-            for (std::size_t i = 0; i < count; ++i) {
-                // Rays without the sun ask for a place of the table all the same.
-                s[i] =
-                    is_hidden[i] ? 0 : rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun;
+        find_sunlight(node, s, sun);
+        for (std::size_t j = 0; j < lit.size(); ++j) {
+            Spectrum sent{};
+            for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+                sent += node.scattering[k] * phases[lit[j]][k];
             }
-            find_sunlight(node, s, sun);
-            for (std::size_t c = 0; c < channels; ++c) {
-                for (std::size_t i = 0; i < count; ++i) {
-                    if (is_hidden[i]) continue;
-                    double towards_eye = 0;
-                    for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-                        towards_eye += node.scattering[k][c] * phases[k * count + i][c];
-                    }
-                    sums[i].single[c] += node.weight[c] * towards_eye * sun[c * count + i];
-                }
+            sent *= node.weight;
+            Spectrum& sum = sums[lit[j]].single;
+            for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.air.channels); ++c) {
+                sum[c] += sent[c] * sun[c * lit.size() + j];
             }
         }
     }

@@ -4,8 +4,8 @@
 //
 // Nodes, transmittances and densities are computed once for the row, which may serve many suns.
 // Sunlight is computed for all rays of a node at once: exactly (optical_depth.h), or it is read from
-// a table. Only pieces that the edge of the
-// planet's shadow crosses are left to SkyIntegrator, ray by ray. The light of higher orders is a
+// a table. Pieces that the edge of the planet's shadow crosses are integrated over their lit
+// stretches, ray by ray. The light of higher orders is a
 // smooth function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
 // that many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
 //
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bakers/air/transmittance_field.h"
+#include "bakers/light/ray_pieces.h"
 #include "bakers/light/sky_radiance.h"
 
 namespace skybake {
@@ -54,14 +55,17 @@ class SkyRow {
         double to_km;
         std::size_t first_node;
     };
-    void add_pieces(double from_km, double to_km, const Spectrum& depth_from,
-                    const Spectrum& depth_to, int halvings);
-    Spectrum depth_km(double distance_km) const;
+    void add_piece(const ray_pieces::Piece& piece);
     void find_sunlight(const Node& node, const std::vector<double>& s_km,
                        std::vector<double>& sunlight) const;
     void add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const;
-    void add_shadowed_piece(const Piece& piece, const std::vector<SkyRay>& rays,
-                            const std::vector<bool>& is_cut, std::vector<SkyRadiance>& sums) const;
+    void add_lit_piece(const Piece& piece, const std::vector<std::size_t>& lit,
+                       const std::vector<SkyRay>& rays,
+                       const std::vector<std::vector<Spectrum>>& phases,
+                       std::vector<SkyRadiance>& sums) const;
+    void add_lit_stretch(const Piece& piece, double from_km, double to_km, const SkyRay& ray,
+                         const std::vector<Spectrum>& phases, Spectrum& sum) const;
+    Spectrum sunlight_at(double altitude_km, double s_km) const;
     int azimuth_nodes() const;
     double view_cosine(const Node& node) const;
     std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;

@@ -166,7 +166,7 @@ Claim claim_of_irradiance(RandomCase& random) {
     bake.pixel_type = config::PixelType::float32;
     const Baked table = as_fine_as_possible(
         bake, [&] { return bake_irradiance(sky.light(), bake, kClaimOptions, empty_table()); });
-    const TableModel model = irradiance_model(sky.light(), bake, kClaimOptions.threads);
+    const TableModel model = irradiance_model(sky.light(), bake);
     return claim_of(model, table, kernel_row(model, 1), {8, 8}, random);
 }
 

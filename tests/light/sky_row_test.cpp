@@ -4,7 +4,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cstdio>
+
+#include "bakers/air/optical_depth.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/ray_pieces.h"
+#include "bakers/math/quadrature.h"
+#include "bakers/math/transcendental.h"
 #include "tests/light/sky_media.h"
 
 namespace skybake {
@@ -76,6 +82,35 @@ TEST(SkyRow, IsWhatItsRaysAre) {
                 }
             }
         }
+    }
+}
+
+// What tables of sky views read in place of exact sunlight.
+TEST(SkyLight, SunlightIsReadAsItIs) {
+    for (const char* preset : {"earth", "mars", "tiny_planet", "dense_earth"}) {
+        const TestSky sky(test::preset_atmosphere(preset), SkyOrders::single);
+        const Medium& air = sky.light().medium().air;
+        const Shell shell = sky.light().shell();
+        double largest_error = 0;
+        double squares = 0;
+        for (const PointRow& point : low_discrepancy_points(4000, 1)) {
+            const double altitude_km = point.y * point.y * shell.thickness_km;
+            const double r = shell.ground_radius_km + altitude_km;
+            const double horizon = -horizon_distance_km(shell, altitude_km);
+            const double s_km = horizon + point.x[0] * point.x[0] * (r - horizon);
+            const Spectrum exact = exponential(-optical_depth_to_top(air, altitude_km, s_km));
+            Spectrum found{};
+            sky.light().sunlight().read(altitude_km, &s_km, 1, data(found));
+            for (std::size_t c = 0; c < static_cast<std::size_t>(air.channels); ++c) {
+                const double error = found[c] - exact[c];
+                largest_error = std::max(largest_error, std::fabs(error));
+                squares += error * error;
+            }
+        }
+        std::printf("  sunlight of %s: largest error %.1e, root mean square %.1e\n", preset,
+                    largest_error, std::sqrt(squares / 12000));
+        EXPECT_LT(largest_error, 4e-4) << preset << ": next to the edge of Earth's ozone";
+        EXPECT_LT(std::sqrt(squares / 12000), 6e-6) << preset;
     }
 }
 

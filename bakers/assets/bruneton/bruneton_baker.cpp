@@ -244,7 +244,7 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {.version = 5,
+    static const Baker<config::BrunetonBake> row = {.version = 6,
                                                     .bake = bake,
                                                     .estimate = estimate,
                                                     .places = places,

@@ -69,7 +69,7 @@ Outcome<Baked> bake_irradiance(SkyMedium medium, const SolvedLight* light, const
         higher = std::make_unique<SolvedOrders>(of_orders, *light, light->degree());
     }
     const auto orders = light != nullptr ? config::SkyOrders::all : config::SkyOrders::single;
-    const SkyLight sky(std::move(medium), orders, std::move(higher));
+    const SkyLight sky(std::move(medium), orders, std::move(higher), options.threads);
     return bake_bruneton_irradiance(sky, bake, options, std::move(volume));
 }
 

@@ -35,8 +35,4 @@ std::vector<BundlePiece> make_bundle_ray(const SkyMedium& medium,
                                          const std::vector<double>& break_altitudes_km,
                                          const ScatteringView& view);
 
-// Returns, at a share in [0, 1] of a piece, the polynomials that are 1 at one node and 0 at the
-// others. They interpolate what nodes send.
-std::array<double, kBundleNodes> node_shares(double share);
-
 }  // namespace skybake

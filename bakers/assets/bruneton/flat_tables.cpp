@@ -147,13 +147,12 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
                          darkest](const IrradianceNodes& nodes) -> FlatRow {
         return [&light, &solar_irradiance, nodes, colours, thickness_km, darkest](
                    double y, const std::vector<double>& x, double* values) {
+            SkyIrradiance sky(light, y * thickness_km);
             Spectrum irradiance{};
             double last_sun = 2;  // none
             for (const double at : x) {
                 const double sun = std::max(2 * at - 1, darkest);
-                if (sun != last_sun) {
-                    irradiance = sky_irradiance(light, y * thickness_km, sun, nodes);
-                }
+                if (sun != last_sun) irradiance = sky.under(sun, nodes);
                 last_sun = sun;
                 for (std::size_t c = 0; c < colours; ++c) {
                     *values++ = irradiance[c] * solar_irradiance[c];

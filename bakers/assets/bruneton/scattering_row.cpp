@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/ray_pieces.h"
 #include "bakers/light/sky_ray.h"
 
 namespace skybake {
@@ -32,26 +33,9 @@ ScatteringRows::ScatteringRows(const SkyMedium& medium, const SolvedLight* light
 }
 
 Spectrum ScatteringRows::sunlight(double altitude_km, double s_km) const {
-    const TransmittanceField::Row row = sunlight_.row_at(altitude_km);
-    const double horizon = horizon_distance_km(shell_, altitude_km);
-    const double gain = shell_.thickness_km - altitude_km;
-    const double distance = distance_to_top_km(shell_, altitude_km, std::max(s_km, -horizon));
-    const double range = horizon + horizon_distance_km(shell_, shell_.thickness_km) - gain;
-    const double column =
-        std::clamp((distance - gain) / range, 0.0, 1.0) * (sunlight_.columns() - 1);
-    const int left = static_cast<int>(column);
-    const double t = column - left;
-    const int n = sunlight_.row_size();
+    const double lit_s_km = std::max(s_km, -horizon_distance_km(shell_, altitude_km));
     Spectrum value{};
-    for (int c = 0; c < sunlight_.channels(); ++c) {
-        for (int side = 0; side < 2; ++side) {
-            const int i = c * sunlight_.row_stride() + left + side;
-            const double there =
-                row.weights[0] * row.values[i] + row.weights[1] * row.values[i + n] +
-                row.weights[2] * row.slopes[i] + row.weights[3] * row.slopes[i + n];
-            value[static_cast<std::size_t>(c)] += (side == 0 ? 1 - t : t) * there;
-        }
-    }
+    sunlight_.read(altitude_km, &lit_s_km, 1, data(value));
     return value;
 }
 
@@ -69,7 +53,8 @@ void ScatteringRows::add_cut_piece(const ScatteringView& view, const BundlePiece
         // Suns that there are not may be higher than the zenith.
         const double s = std::min(begin_s + x * nu, shell_.ground_radius_km + altitude);
         const Spectrum sun = sunlight(altitude, s);
-        const auto shares = node_shares((x - piece.from_km) / (piece.to_km - piece.from_km));
+        const auto shares =
+            ray_pieces::node_shares((x - piece.from_km) / (piece.to_km - piece.from_km));
         const double weight = rule.weights[j] * (to_km - from_km);
         for (std::size_t i = 0; i < shares.size(); ++i) {
             for (std::size_t k = 0; k < sums.size(); ++k) {
@@ -83,9 +68,11 @@ ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunBundle& s
     const auto count = static_cast<std::size_t>(suns.count);
     const auto wanted = static_cast<std::size_t>(suns.wanted);
     const std::size_t layers = medium_.layers.size();
+    const double r = shell_.ground_radius_km + view.altitude_km;
     std::vector<DarkStretch> dark(count);
     for (std::size_t i = 0; i < count; ++i) {
-        dark[i] = dark_stretch(shell_, view, suns.sun_cosines[i], suns.nu[i]);
+        dark[i] = dark_stretch(shell_, view.altitude_km, view.s_km, view.length_km,
+                               r * suns.sun_cosines[i], suns.nu[i]);
     }
     std::vector<double> lit(count);
     std::vector<double> single(layers * kMaxChannels * count);
@@ -127,28 +114,6 @@ ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunBundle& s
         }
     }
     return result;
-}
-
-// The sun's ray through P grazes the ground where |P|^2 - (P . sun)^2 = R^2; along the view ray
-// that is a x^2 + 2 b x + c = 0. Between the roots P is within the cylinder, on the night's side
-// where P . sun < 0; as the ray is above the ground, that part of it is on one side only.
-DarkStretch dark_stretch(const Shell& shell, const ScatteringView& view, double sun_cos_zenith,
-                         double nu) {
-    const double h = view.altitude_km;
-    const double sun_s = (shell.ground_radius_km + h) * sun_cos_zenith;
-    const double a = (1 - nu) * (1 + nu);
-    const double b = view.s_km - sun_s * nu;
-    const double c = h * (2 * shell.ground_radius_km + h) - sun_s * sun_s;
-    const double discriminant = b * b - a * c;
-    if (!(discriminant > 0)) return {};
-    const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-    // A ray along the sun's has a root at infinity.
-    const double first = c / q;
-    const double second = a > 0 ? q / a : std::copysign(HUGE_VAL, q);
-    const double begin = std::max(std::min(first, second), 0.0);
-    const double end = std::min(std::max(first, second), view.length_km);
-    if (!(begin < end) || 2 * sun_s + nu * (begin + end) >= 0) return {};
-    return {begin, end};
 }
 
 }  // namespace skybake

@@ -1,5 +1,4 @@
-// Texels that share a view ray: the light scattered towards its beginning under many suns, and the
-// part of the ray in the planet's shadow.
+// Texels that share a view ray: the light scattered towards its beginning under many suns.
 #pragma once
 
 #include <memory>
@@ -46,17 +45,5 @@ class ScatteringRows {
     std::vector<std::vector<Spectrum>> phase_moments_;
     TransmittanceField sunlight_;
 };
-
-// The stretch of a view ray in the planet's shadow, by distances along the ray; empty unless begin
-// is below end. It is one stretch since the shadow, half a cylinder, is convex.
-struct DarkStretch {
-    double begin_km = 0;
-    double end_km = 0;
-};
-
-// Returns the stretch for two cosines that need not belong to directions: between sun and zenith
-// where the ray begins, and between sun and ray.
-DarkStretch dark_stretch(const Shell& shell, const ScatteringView& view, double sun_cos_zenith,
-                         double nu);
 
 }  // namespace skybake

@@ -86,7 +86,7 @@ void draft(EnvironmentBake& asset, int) {
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 4,
+    static const Baker<EnvironmentBake> row = {.version = 5,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .places = places,

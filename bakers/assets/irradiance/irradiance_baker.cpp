@@ -106,7 +106,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {.version = 5,
+    static const Baker<config::IrradianceBake> row = {.version = 6,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .places = places,

@@ -7,17 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "bakers/air/ray.h"
-#include "bakers/air/transmittance_field.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
-#include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/irradiance.h"
@@ -32,52 +27,23 @@ namespace {
 // Of each level, and of the reference.
 constexpr std::array<IrradianceNodes, 5> kNodes = {
     {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}}};
-constexpr IrradianceNodes kReferenceZenithNodes = {28, 32, 12};
+constexpr IrradianceNodes kReferenceNodes = {28, 32, 12};
 
-// Of sunlight, from which the levels make the light scattered once; the reference's is exact.
-constexpr TransmittanceField::Size kField = {384, 128};
-
-// The light of a table, with the sunlight that all its rows share.
-class IrradianceRows {
-  public:
-    IrradianceRows(const SkyLight& light, const IrradianceBake& bake, int threads)
-        : light_(light), content_(bake.content), mapping_(bake.mapping), threads_(threads) {}
-
-    // Channels interleaved in values.
-    void row(const IrradianceNodes& nodes, bool exact, double y, const std::vector<double>& x,
-             double* values) const {
-        const double altitude_km = irradiance_altitude_km(light_.shell(), y);
-        SkyIrradiance sky(light_, altitude_km, exact ? nullptr : sunlight());
-        for (const double coordinate : x) {
-            const double sun = sun_cos_zenith_at(mapping_, coordinate);
-            Spectrum value{};
-            if (content_ != IrradianceContent::direct) value += sky.under(sun, nodes);
-            if (content_ != IrradianceContent::sky) {
-                value += sun_irradiance(light_, altitude_km, sun);
-            }
-            values = std::copy_n(data(value), light_.medium().air.channels, values);
+// Writes the channels of a row of the table, interleaved, for suns at x.
+void fill_row(const SkyLight& light, const IrradianceBake& bake, const IrradianceNodes& nodes,
+              double y, const std::vector<double>& x, double* values) {
+    const double altitude_km = irradiance_altitude_km(light.shell(), y);
+    SkyIrradiance sky(light, altitude_km);
+    for (const double coordinate : x) {
+        const double sun = sun_cos_zenith_at(bake.mapping, coordinate);
+        Spectrum value{};
+        if (bake.content != IrradianceContent::direct) value += sky.under(sun, nodes);
+        if (bake.content != IrradianceContent::sky) {
+            value += sun_irradiance(light, altitude_km, sun);
         }
+        values = std::copy_n(data(value), light.medium().air.channels, values);
     }
-
-  private:
-    // Made when first asked for; null where no light is scattered once.
-    const TransmittanceField* sunlight() const {
-        if (content_ == IrradianceContent::direct) return nullptr;
-        if (light_.orders() == config::SkyOrders::multiple) return nullptr;
-        std::call_once(made_, [this] {
-            const Medium& air = light_.medium().air;
-            sunlight_.emplace(air, quadrature_altitudes_km(air), kField, threads_);
-        });
-        return &*sunlight_;
-    }
-
-    const SkyLight& light_;
-    IrradianceContent content_;
-    config::MultipleScatteringMapping mapping_;
-    int threads_;
-    mutable std::once_flag made_;
-    mutable std::optional<TransmittanceField> sunlight_;
-};
+}
 
 std::string content_text(const IrradianceBake& bake) {
     const std::string surface =
@@ -106,7 +72,7 @@ void describe(const IrradianceBake& bake, const Shell& shell, Baked& table) {
     set_files(bake, table);
     table.certificate.reference =
         fmt::format("the same integral with {} directions above and below the sun, and around",
-                    kReferenceZenithNodes.single);
+                    kReferenceNodes.single);
     table.certificate.scale = kRelativeErrorScale;
 }
 
@@ -123,8 +89,7 @@ config::SkyOrders orders_of(const IrradianceBake& bake) {
     return bake.content == IrradianceContent::sky ? bake.orders : config::SkyOrders::all;
 }
 
-TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake, int threads) {
-    const auto rows = std::make_shared<const IrradianceRows>(light, bake, threads);
+TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
     TableModel model;
     model.channels = light.medium().air.channels;
     model.lowest = 0;
@@ -132,11 +97,11 @@ TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake, i
     for (const IrradianceNodes& nodes : kNodes) {
         model.cost_per_texel.push_back(2.0 * nodes.single * nodes.single);
     }
-    model.row = [rows](int level, double y, const std::vector<double>& x, double* values) {
-        rows->row(kNodes[static_cast<std::size_t>(level)], false, y, x, values);
+    model.row = [&light, bake](int level, double y, const std::vector<double>& x, double* values) {
+        fill_row(light, bake, kNodes[static_cast<std::size_t>(level)], y, x, values);
     };
-    model.reference = [rows](double y, const std::vector<double>& x, double* values) {
-        rows->row(kReferenceZenithNodes, true, y, x, values);
+    model.reference = [&light, bake](double y, const std::vector<double>& x, double* values) {
+        fill_row(light, bake, kReferenceNodes, y, x, values);
     };
     model.error = relative_error;
     return model;
@@ -157,7 +122,7 @@ config::Outcome<Baked> bake_irradiance(const SkyLight& light, const IrradianceBa
         return Place{{"altitude_km", irradiance_altitude_km(light.shell(), y)},
                      {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
     };
-    return finish_table(irradiance_model(light, bake, options.threads), request, options, place_of,
+    return finish_table(irradiance_model(light, bake), request, options, place_of,
                         std::move(table));
 }
 

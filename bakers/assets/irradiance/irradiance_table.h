@@ -19,8 +19,8 @@ double irradiance_coordinate(const Shell& shell, double altitude_km);
 
 // The table as a function: irradiance of a level surface at the sun's cosine of x, mapped as in
 // multiple_scattering_mapping.h, and at the altitude of y. The reference is the same integral with
-// more directions and exact sunlight. `light` must outlive the model.
-TableModel irradiance_model(const SkyLight& light, const config::IrradianceBake& bake, int threads);
+// more directions. `light` must outlive the model.
+TableModel irradiance_model(const SkyLight& light, const config::IrradianceBake& bake);
 
 // Returns the orders for which the light must be solved.
 config::SkyOrders orders_of(const config::IrradianceBake& bake);

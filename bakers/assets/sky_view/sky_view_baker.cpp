@@ -39,7 +39,8 @@ std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphe
     }
     SkyMedium medium = make_sky_medium(atmosphere);
     auto strips = std::make_unique<StripOrders>(medium, options);
-    return std::make_unique<SkyLight>(std::move(medium), asset.orders, std::move(strips));
+    return std::make_unique<SkyLight>(std::move(medium), asset.orders, std::move(strips),
+                                      options.threads);
 }
 
 Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
@@ -142,7 +143,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {.version = 6,
+    static const Baker<config::SkyViewBake> row = {.version = 7,
                                                    .bake = bake,
                                                    .estimate = estimate,
                                                    .places = places,

@@ -103,7 +103,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
         std::vector<double> cosines;
         for (const double azimuth : x) cosines.push_back(cosine_of_pi(azimuth));
         const SkyRow row(light.integrator(), light.medium(), light.higher_orders(),
-                         camera.ray(y, sun, 1));
+                         camera.ray(y, sun, 1), &light.sunlight());
         const auto ray_at = [&](double cosine) { return camera.ray(y, sun, cosine); };
         for (const SkyRadiance& radiance : row.radiance(ray_at, cosines)) {
             const Spectrum wanted = light.wanted(radiance);
