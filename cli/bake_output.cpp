@@ -204,9 +204,17 @@ std::string plan_event(const FolderPlan& plan) {
                           {"memory_mib", asset.estimate.memory_mib},
                           {"disk_mib", asset.estimate.disk_mib}});
     }
+    Json intermediates = Json::array();
+    for (const PlannedIntermediate& one : plan.intermediates()) {
+        intermediates.push_back({{"name", one.need.name},
+                                 {"seconds", one.need.seconds},
+                                 {"memory_mib", one.need.memory_mib},
+                                 {"assets", one.assets}});
+    }
     return event_line({{"event", "plan"},
                        {"stale", plan.stale_count()},
                        {"assets", std::move(assets)},
+                       {"intermediates", std::move(intermediates)},
                        {"retired", paths_of(plan.retired)},
                        {"pruned", paths_of(plan.pruned)}});
 }
@@ -233,6 +241,18 @@ std::string extent_text(std::span<const int> size) {
     return fmt::format("{}", fmt::join(size.begin(), size.end(), "x"));
 }
 
+// Says what is made once for several assets.
+std::string shared_text(const FolderPlan& plan) {
+    std::string text;
+    for (const PlannedIntermediate& one : plan.intermediates()) {
+        if (one.assets.size() < 2) continue;
+        text += fmt::format(
+            "made once: {} ({}, {}) for {}\n", one.need.name, time_text(one.need.seconds),
+            byte_size_text(one.need.memory_mib * 1024 * 1024), fmt::join(one.assets, ", "));
+    }
+    return text;
+}
+
 std::string plan_text(const FolderPlan& plan) {
     TextTable table({Align::left, Align::right, Align::left, Align::right, Align::right,
                      Align::left, Align::left});
@@ -247,7 +267,7 @@ std::string plan_text(const FolderPlan& plan) {
              asset.stale() && !chosen ? byte_size_text(estimate.disk_mib * 1024 * 1024) : "",
              asset.stale() ? fmt::format("{}", fmt::join(asset.reasons, "; ")) : "up to date"});
     }
-    return table.text() + planned_retired_text(plan);
+    return table.text() + shared_text(plan) + planned_retired_text(plan);
 }
 
 std::string reasons_text(const FolderPlan& plan) {

@@ -14,6 +14,7 @@
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/check_options.h"
@@ -48,10 +49,16 @@ std::vector<std::string> retired(const fs::path& folder, const std::vector<std::
 using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
+// What assets and the pictures of the sky are made from.
+struct SharedLight {
+    Intermediates intermediates{BakeOptions().held_voxel_bytes};
+    Intermediates::Expected pictures;
+};
+
 // Bakes the recipe's assets for the preview. Options that no picture uses are reported before
 // anything is baked.
 Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest& request,
-                                   StageProgress& progress) {
+                                   SharedLight& shared, StageProgress& progress) {
     auto selection = select_bakes(invocation);
     if (!selection.value) return {{}, std::move(selection.diagnostics)};
     const std::vector<config::Bake>& bakes = selection.value->bakes;
@@ -61,17 +68,23 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
     const BakeStages stages = {&progress,
                                static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
     request.options.stages_before = static_cast<int>(bakes.size());
-    auto assets =
-        bake_assets(selection.value->recipe, bakes, request.paths[0].filename().string(),
-                    {selection.value->threads, Certification::quick, &progress}, nullptr, stages);
+    const BakeOptions options{.threads = selection.value->threads,
+                              .progress = &progress,
+                              .intermediates = &shared.intermediates};
+    shared.pictures = shared.intermediates.expect(needs_of_pictures(selection.value->recipe));
+    request.options.intermediates = &shared.intermediates;
+    auto assets = bake_assets(selection.value->recipe, bakes, request.paths[0].filename().string(),
+                              options, nullptr, stages);
     assets.diagnostics.insert(assets.diagnostics.begin(), selection.diagnostics.begin(),
                               selection.diagnostics.end());
     return assets;
 }
 
 Outcome<PreviewAssets> gather(const Invocation& invocation, PreviewRequest& request,
-                              StageProgress& progress) {
-    if (request.subject == Subject::recipe) return bake_recipe(invocation, request, progress);
+                              SharedLight& shared, StageProgress& progress) {
+    if (request.subject == Subject::recipe) {
+        return bake_recipe(invocation, request, shared, progress);
+    }
     if (request.subject == Subject::folder) return load_folder(request.paths[0]);
     return load_files(request.paths);
 }
@@ -82,7 +95,8 @@ Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest requ
     PreviewOptions& options = request.options;
     options.progress = &progress;
     if (request.subject == Subject::sweep) return make_sweep_preview(request.paths[0], options);
-    auto assets = gather(invocation, request, progress);
+    SharedLight shared;
+    auto assets = gather(invocation, request, shared, progress);
     if (!assets.value) return {{}, std::move(assets.diagnostics)};
     if (request.report) {
         auto problems = measure_plots(*assets.value, options.threads, &progress);

@@ -8,10 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "bakers/assets/registry.h"
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
@@ -215,12 +217,18 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
         if (code != ExitCode::done) return code;
     }
 
+    Intermediates intermediates(BakeOptions().held_voxel_bytes);
+    std::vector<Intermediates::Expected> expected;
+    for (const Bake& bake : bakes) {
+        expected.push_back(intermediates.expect(
+            baker_of(bake).needs(selection.value->recipe.parameters, bake, Certification::quick)));
+    }
     std::vector<AssetReport> reports;
     for (const Bake& bake : bakes) {
         Outcome<AssetReport> report = [&] {
             BakeProgress progress(bake.name, console);
             const ReportOptions options{selection.value->threads, invocation[options::quick],
-                                        &progress};
+                                        &progress, &intermediates};
             return report_asset(selection.value->recipe, bake, options);
         }();
         if (interrupted()) return ExitCode::interrupted;

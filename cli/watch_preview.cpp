@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/check_options.h"
 #include "cli/console.h"
@@ -173,8 +174,13 @@ class Watch {
             }
         }
         const int count = static_cast<int>(bakes.size());
-        const BakeOptions options{selection.threads,
-                                  draft ? Certification::off : Certification::quick, &progress};
+        // Light that this round and the one before need alike stays.
+        pictures_need_ = intermediates_.expect(needs_of_pictures(recipe));
+        const BakeOptions options{
+            .threads = selection.threads,
+            .certification = draft ? Certification::off : Certification::quick,
+            .progress = &progress,
+            .intermediates = &intermediates_};
         const BakeStages stages{&progress,
                                 count + picture_stages(bakes.size(), lit_pictures_of(bakes))};
         Outcome<PreviewPage> outcome;
@@ -186,6 +192,7 @@ class Watch {
         pictures.progress = &progress;
         pictures.stages_before = count;
         pictures.memory = &memory.pictures;
+        pictures.intermediates = &intermediates_;
         add(outcome, make_preview(*assets.value, pictures));
         return outcome;
     }
@@ -235,6 +242,9 @@ class Watch {
     WatchedFiles files_;
     std::vector<fs::path> good_inputs_;
     std::optional<BakeSelection> selection_;  // those of the draft that is shown
+    // Pictures of one round and of the next may be made from the same light.
+    Intermediates intermediates_{BakeOptions().held_voxel_bytes};
+    Intermediates::Expected pictures_need_;
     RoundMemo draft_;
     RoundMemo full_;
     PageState state_;

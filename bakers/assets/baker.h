@@ -17,6 +17,7 @@
 #include "bakers/assets/traced_light.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
 
@@ -35,6 +36,9 @@ struct Baker {
     config::Outcome<Baked> (*bake)(const config::Parameters& parameters, const Asset& asset,
                                    const BakeOptions& options, AssetLabel label) = nullptr;
     Estimate (*estimate)(const config::Parameters& parameters, const Asset& asset) = nullptr;
+    // What it is made from and shares with other assets. None: nothing.
+    std::vector<Need> (*needs)(const config::Parameters& parameters, const Asset& asset,
+                               Certification certification) = nullptr;
     // How a runtime looks up what the probes name, of a table or volume as it is stored.
     AssetPlaces (*places)(const config::Parameters& parameters, const Asset& asset,
                           const StoredTexels& stored) = nullptr;

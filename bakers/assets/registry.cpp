@@ -35,6 +35,11 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     any.estimate = [&baker](const Parameters& parameters, const Bake& bake) {
         return baker.estimate(parameters, bake.as<Asset>());
     };
+    any.needs = [&baker](const Parameters& parameters, const Bake& bake,
+                         Certification certification) {
+        return baker.needs ? baker.needs(parameters, bake.as<Asset>(), certification)
+                           : std::vector<Need>{};
+    };
     any.places = [&baker](const Parameters& parameters, const Bake& bake,
                           const StoredTexels& stored) {
         return baker.places(parameters, bake.as<Asset>(), stored);

@@ -20,6 +20,8 @@ struct AnyBaker {
     int version = 0;
     std::function<std::vector<InputFile>(const config::Parameters&, const config::Bake&)> inputs;
     std::function<Estimate(const config::Parameters&, const config::Bake&)> estimate;
+    std::function<std::vector<Need>(const config::Parameters&, const config::Bake&, Certification)>
+        needs;
     std::function<AssetPlaces(const config::Parameters&, const config::Bake&, const StoredTexels&)>
         places;
     std::function<AssetLookup(const config::Parameters&, const config::Bake&, const StoredTexels&)>

@@ -1,8 +1,14 @@
 #include "bakers/assets/sky_asset.h"
 
+#include "bakers/light/shared_light.h"
 #include "bakers/math/relative_error.h"
 
 namespace skybake {
+
+std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders) {
+    if (orders == config::SkyOrders::single) return {};
+    return {need_of(LightRequest{.atmosphere = atmosphere})};
+}
 
 AccuracyRequest sky_table_request(const std::array<int, 2>& size) {
     AccuracyRequest request;

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bakers/assets/asset_label.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/math/intermediates.h"
 
 namespace skybake {
 
@@ -20,6 +23,9 @@ config::Outcome<Baked> bake_of_light(const SkyLight& light, const std::string& n
     if (const auto problem = light.problem(name)) return {{}, {*problem}};
     return make(light);
 }
+
+// Returns the solved light of an asset, which it needs unless it shows light that was scattered once.
+std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders);
 
 // For a table of radiance around a camera (1/sr): the number of points that certify it, and its
 // conventions, reference and scale of errors. The table already has its channels' names.

@@ -9,9 +9,8 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/air/optical_depth.h"
 #include "bakers/light/higher_orders.h"
-#include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/solver/energy_balance.h"
-#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -20,12 +19,11 @@ using config::SkyOrders;
 
 namespace {
 
-std::shared_ptr<const SolvedLight> solve_unless_single(const SkyMedium& medium, SkyOrders orders,
+std::shared_ptr<const SolvedLight> solve_unless_single(const config::Atmosphere& atmosphere,
+                                                       const SkyMedium& medium, SkyOrders orders,
                                                        const BakeOptions& options) {
     if (orders == SkyOrders::single) return nullptr;
-    SolverSettings settings;
-    settings.degree = sky_degree(medium);
-    return remembered_light(medium, settings, options.threads, options.progress);
+    return light_of({.atmosphere = atmosphere}, medium, options);
 }
 
 std::unique_ptr<const HigherOrders> solved_orders(const SkyMedium& medium, SkyOrders orders,
@@ -38,14 +36,16 @@ std::unique_ptr<const HigherOrders> solved_orders(const SkyMedium& medium, SkyOr
 
 SkyLight::SkyLight(const config::Atmosphere& atmosphere, SkyOrders orders,
                    const std::vector<std::string>& layers, const BakeOptions& options)
-    : medium_(scattering_only(without_forward_peaks(make_sky_medium(atmosphere)), layers)),
+    : medium_(scattering_only(medium_of({.atmosphere = atmosphere}), layers)),
       whole_air_(make_medium(atmosphere)),
       shell_(shell_of(medium_.air)),
       orders_(orders),
-      solved_(solve_unless_single(medium_, orders, options)),
+      solved_(solve_unless_single(atmosphere, medium_, orders, options)),
       higher_orders_(solved_orders(medium_, orders, solved_.get())),
       integrator_(medium_, higher_orders_.get()),
-      threads_(options.threads) {}
+      make_sunlight_([this, atmosphere, options] {
+          return sunlight_of({atmosphere}, medium_.air, options);
+      }) {}
 
 SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,
                    std::unique_ptr<const HigherOrders> higher_orders, int threads)
@@ -55,7 +55,7 @@ SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,
       orders_(orders),
       higher_orders_(std::move(higher_orders)),
       integrator_(medium_, higher_orders_.get()),
-      threads_(threads) {}
+      make_sunlight_([this, threads] { return make_sunlight(medium_.air, threads); }) {}
 
 std::optional<config::Diagnostic> SkyLight::problem(const std::string& name) const {
     if (!solved_) return std::nullopt;
@@ -69,10 +69,7 @@ Spectrum SkyLight::sun_transmittance(double altitude_km, double s_km) const {
 }
 
 const TransmittanceField& SkyLight::sunlight() const {
-    static constexpr TransmittanceField::Size kSize = {1024, 256};
-    std::call_once(sunlight_made_, [this] {
-        sunlight_.emplace(medium_.air, quadrature_altitudes_km(medium_.air), kSize, threads_);
-    });
+    std::call_once(sunlight_made_, [this] { sunlight_ = make_sunlight_(); });
     return *sunlight_;
 }
 

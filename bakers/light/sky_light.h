@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,9 +22,9 @@ namespace skybake {
 
 class SkyLight {
   public:
-    // Solves for all orders unless `orders` is single. `layers` names the layers that scatter; if
-    // it is empty, all do. The other layers still dim the light. After an interruption the light
-    // must not be used.
+    // Solves for all orders unless `orders` is single. `layers` names the layers that scatter, of
+    // single scattering only; if it is empty, all do. The other layers still dim the light. After
+    // an interruption the light must not be used.
     SkyLight(const config::Atmosphere& atmosphere, config::SkyOrders orders,
              const std::vector<std::string>& layers, const BakeOptions& options);
 
@@ -48,8 +49,7 @@ class SkyLight {
     const SkyIntegrator& integrator() const { return integrator_; }
     const HigherOrders* higher_orders() const { return higher_orders_.get(); }
     // Returns a table of the transmittance through medium().air towards the sun, for integrals over
-    // many rays. On Earth its lookups are 3e-6 off in the root mean square, and 2e-4 where rays graze
-    // the edge of a layer. It is made when it is first asked for, by any thread.
+    // many rays (shared_light.h). It is made when it is first asked for, by any thread.
     const TransmittanceField& sunlight() const;
     config::SkyOrders orders() const { return orders_; }
 
@@ -65,9 +65,9 @@ class SkyLight {
     std::shared_ptr<const SolvedLight> solved_;  // null if it was not solved for
     std::unique_ptr<const HigherOrders> higher_orders_;
     SkyIntegrator integrator_;
-    int threads_;
+    std::function<std::shared_ptr<const TransmittanceField>()> make_sunlight_;
     mutable std::once_flag sunlight_made_;
-    mutable std::optional<TransmittanceField> sunlight_;
+    mutable std::shared_ptr<const TransmittanceField> sunlight_;
 };
 
 // Replaces negative values by 0. Moments that end at a degree, and interpolation between azimuths,

@@ -26,6 +26,8 @@ inline bool is_cancelled(const Progress* progress) {
 // How thoroughly a table's error is measured.
 enum class Certification { off, quick, full };
 
+class Intermediates;
+
 struct BakeOptions {
     int threads = 0;  // 0: as many as the machine has
     Certification certification = Certification::quick;
@@ -33,6 +35,8 @@ struct BakeOptions {
     // How many bytes the voxels of volumes that are held in memory may take, those of all running
     // bakes together. Others are made again by each pass over them.
     std::int64_t held_voxel_bytes = std::int64_t{256} << 20;
+    // What assets that are baked with the same options share (intermediates.h); null: nothing.
+    Intermediates* intermediates = nullptr;
 
     // True once the bake has been interrupted. It then returns early and its result must not be
     // used.

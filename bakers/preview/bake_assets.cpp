@@ -64,11 +64,22 @@ class PreviewBake {
   public:
     PreviewBake(const config::Recipe& recipe, const BakeOptions& options, AssetMemo* memory,
                 const BakeStages& stages)
-        : recipe_(recipe), options_(options), memory_(memory), stages_(stages) {}
+        : recipe_(recipe),
+          options_(options),
+          memory_(memory),
+          stages_(stages),
+          own_intermediates_(options.held_voxel_bytes) {
+        if (options_.intermediates == nullptr) options_.intermediates = &own_intermediates_;
+    }
 
     Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
         shown_.title = title;
         shown_.recipe = recipe_;
+        std::vector<Intermediates::Expected> expected;
+        for (const config::Bake& bake : bakes) {
+            expected.push_back(options_.intermediates->expect(
+                baker_of(bake).needs(recipe_.parameters, bake, options_.certification)));
+        }
         for (const config::Bake& bake : bakes) {
             if (stages_.progress != nullptr) {
                 stages_.progress->begin_stage(++stage_, stages_.count, bake.name);
@@ -119,9 +130,10 @@ class PreviewBake {
     }
 
     const config::Recipe& recipe_;
-    const BakeOptions& options_;
+    BakeOptions options_;
     AssetMemo* memory_;
     const BakeStages& stages_;
+    Intermediates own_intermediates_;
     int stage_ = 0;
     AssetMemo fresh_memory_;
     PreviewAssets shown_;

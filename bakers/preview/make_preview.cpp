@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -66,6 +67,7 @@ class Preview {
         sky.exposure_stops = options_.exposure_stops;
         if (options_.altitude_m) sky.camera_altitude_km = *options_.altitude_m / 1000;
         sky.progress = options_.progress;
+        sky.intermediates = options_.intermediates;
         return sky;
     }
 
@@ -129,6 +131,16 @@ class Preview {
 
 int picture_stages(std::size_t assets, const LitPictures& lit) {
     return static_cast<int>(assets) + (lit.sky ? 1 : 0);
+}
+
+std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
+    const auto has = [&recipe](std::string_view kind) {
+        return std::any_of(
+            recipe.parameters.bakes.begin(), recipe.parameters.bakes.end(),
+            [kind](const config::Bake& bake) { return config::kind_of(bake).facts.name == kind; });
+    };
+    if (!has("transmittance") || !has("multiple_scattering")) return {};
+    return needs_of_sky_pictures(recipe.parameters.atmosphere);
 }
 
 Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {

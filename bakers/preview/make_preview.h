@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "bakers/math/intermediates.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/page.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
@@ -34,13 +35,17 @@ struct PreviewOptions {
     bool draft = false;   // few pictures, small and fast
     int threads = 0;      // 0: as many as the machine has
     StageProgress* progress = nullptr;
-    int stages_before = 0;          // stages already reported, of the same preview
-    PictureMemo* memory = nullptr;  // of earlier previews with the same options
+    int stages_before = 0;                   // stages already reported, of the same preview
+    PictureMemo* memory = nullptr;           // of earlier previews with the same options
+    Intermediates* intermediates = nullptr;  // of the assets' bake; null: none
 };
 
 // Returns the number of stages for the pictures of such assets: one for each asset and one for the
 // sky.
 int picture_stages(std::size_t assets, const LitPictures& lit);
+
+// Returns what pictures of a recipe's assets are made from besides the assets.
+std::vector<Need> needs_of_pictures(const config::Recipe& recipe);
 
 // Makes all pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
 // the preset "earth". Diagnostics are those of unused_options and camera_above_air

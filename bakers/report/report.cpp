@@ -80,7 +80,9 @@ Sweep sweep_of(const Bake& bake, const Medium& medium, const Baked& baked, std::
 Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake& bake,
                                         const ReportOptions& options) {
     Outcome<AssetReport> outcome;
-    const BakeOptions bake_options{.threads = options.threads, .progress = options.progress};
+    const BakeOptions bake_options{.threads = options.threads,
+                                   .progress = options.progress,
+                                   .intermediates = options.intermediates};
     AssetReport report;
     Outcome<Baked> baked = bake_asset(recipe, subject(bake), bake_options);
     const bool holds = !misses_texel_bound(baked);
@@ -157,8 +159,10 @@ Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake
     if (!outcome.value || outcome.value->sky || !baker.traced(recipe.parameters, bake)) {
         return outcome;
     }
-    const Outcome<Baked> baked = bake_asset(
-        recipe, bake, BakeOptions{.threads = options.threads, .progress = options.progress});
+    const Outcome<Baked> baked = bake_asset(recipe, bake,
+                                            BakeOptions{.threads = options.threads,
+                                                        .progress = options.progress,
+                                                        .intermediates = options.intermediates});
     if (is_cancelled(options.progress)) return {};
     if (baked.value) outcome.value->sky = baked.value->certificate.sky;
     return outcome;

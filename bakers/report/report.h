@@ -93,6 +93,7 @@ struct ReportOptions {
     int threads = 0;     // for references only; 0: as many as the machine has
     bool quick = false;  // fewer repetitions, points and sizes
     Progress* progress = nullptr;
+    Intermediates* intermediates = nullptr;  // what the reports of a recipe share; null: nothing
 };
 
 // Makes and measures the variants for one section of a recipe. Errors are pure functions of the

@@ -76,9 +76,10 @@ AssetReport describe(const Baked& volume, const VolumeReportSubject& subject, bo
 
 Outcome<AssetReport> report_volume(const config::Recipe& recipe, const VolumeReportSubject& subject,
                                    const ReportOptions& options) {
-    Outcome<Baked> baked =
-        bake_asset(recipe, subject.bake,
-                   BakeOptions{.threads = options.threads, .progress = options.progress});
+    Outcome<Baked> baked = bake_asset(recipe, subject.bake,
+                                      BakeOptions{.threads = options.threads,
+                                                  .progress = options.progress,
+                                                  .intermediates = options.intermediates});
     if (options.progress != nullptr && options.progress->cancelled()) return {};
     Outcome<AssetReport> outcome;
     outcome.diagnostics = std::move(baked.diagnostics);

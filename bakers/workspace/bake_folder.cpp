@@ -47,8 +47,14 @@ std::int64_t held_voxel_bytes(const FolderBake& bake, const FolderPlan& plan) {
 class FolderMaker {
   public:
     FolderMaker(const FolderBake& bake, const FolderPlan& plan, BakeObserver& observer)
-        : bake_(bake), plan_(plan), observer_(observer), prepared_(plan.assets.size()) {
+        : bake_(bake),
+          plan_(plan),
+          observer_(observer),
+          own_intermediates_(held_voxel_bytes(bake, plan)),
+          intermediates_(bake.intermediates ? *bake.intermediates : own_intermediates_),
+          prepared_(plan.assets.size()) {
         for (const PlannedAsset& planned : plan.assets) {
+            expected_.push_back(intermediates_.expect(planned.needs));
             FinishedAsset& finished = result_.assets.emplace_back();
             if (planned.stale()) continue;
             finished.state = AssetState::up_to_date;
@@ -92,6 +98,7 @@ class FolderMaker {
             if (!plan_.assets[i].stale()) continue;
             const auto progress = observer_.begin(plan_.assets[i].bake->name);
             good = (copy(i, *progress) || bake(i, *progress)) && good;
+            expected_[i] = {};
             if (observer_.cancelled()) return stop_for_interruption();
         }
         return good;
@@ -121,6 +128,7 @@ class FolderMaker {
         options.certification = bake_.certification;
         options.progress = &progress;
         options.held_voxel_bytes = held_voxel_bytes(bake_, plan_);
+        options.intermediates = &intermediates_;
         const Stopwatch stopwatch;
         auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
         const double seconds = stopwatch.seconds();
@@ -257,6 +265,9 @@ class FolderMaker {
     const FolderBake& bake_;
     const FolderPlan& plan_;
     BakeObserver& observer_;
+    Intermediates own_intermediates_;
+    Intermediates& intermediates_;
+    std::vector<Intermediates::Expected> expected_;  // of each asset, until it is made
     BakedFolder result_;
     Manifest manifest_;
     AtomicFiles files_;

@@ -139,6 +139,19 @@ std::size_t FolderPlan::stale_count() const {
         assets.begin(), assets.end(), [](const PlannedAsset& asset) { return asset.stale(); }));
 }
 
+std::vector<PlannedIntermediate> FolderPlan::intermediates() const {
+    std::vector<PlannedIntermediate> found;
+    for (const PlannedAsset& asset : assets) {
+        for (const Need& need : asset.needs) {
+            auto same = std::find_if(found.begin(), found.end(),
+                                     [&](const auto& one) { return one.need.key == need.key; });
+            if (same == found.end()) same = found.insert(found.end(), {need, {}});
+            same->assets.push_back(asset.bake->name);
+        }
+    }
+    return found;
+}
+
 // Assets are made one after the other. Tables are held in memory until all files are written;
 // volumes are made again while files are written, unless there is room to hold them too.
 double FolderPlan::memory_mib() const {
@@ -166,6 +179,10 @@ Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
         planned.identity = std::move(*identity.value);
         planned.estimate = baker_of(section).estimate(bake.recipe->parameters, section);
         compare_with_folder(plan.folder, planned);
+        if (planned.stale()) {
+            planned.needs =
+                baker_of(section).needs(bake.recipe->parameters, section, bake.certification);
+        }
         plan.assets.push_back(std::move(planned));
     }
     plan_retired(bake, plan);

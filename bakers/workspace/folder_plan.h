@@ -12,6 +12,7 @@
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
@@ -59,6 +60,7 @@ struct FolderBake {
     std::optional<double> memory_limit_mib = {};  // stop before starting if more may be needed
     // Memory for voxels that are held (BakeOptions), as far as memory_limit_mib leaves it.
     std::int64_t held_voxel_bytes = BakeOptions().held_voxel_bytes;
+    Intermediates* intermediates = nullptr;  // that several bakes share; null: the bake has its own
     std::vector<AssetSource*> sources = {};  // asked in this order; each is offered new assets
 };
 
@@ -66,10 +68,17 @@ struct PlannedAsset {
     const config::Bake* bake = nullptr;
     AssetIdentity identity;
     Estimate estimate;
+    std::vector<Need> needs;                  // what a stale asset shares with others
     std::vector<std::string> reasons;         // why it must be made; empty: it is up to date
     std::optional<ManifestAsset> up_to_date;  // its entry in the folder's manifest
 
     bool stale() const { return !up_to_date; }
+};
+
+// Something that is made once for all stale assets that need it.
+struct PlannedIntermediate {
+    Need need;
+    std::vector<std::string> assets;  // their names
 };
 
 struct FolderPlan {
@@ -79,6 +88,8 @@ struct FolderPlan {
     std::vector<RetiredFile> pruned;   // those of `retired` that FolderBake::prune removes
 
     std::size_t stale_count() const;
+    // In the order in which they are first needed.
+    std::vector<PlannedIntermediate> intermediates() const;
     // A rough estimate, in MiB, of the most memory that making the stale assets needs at once.
     double memory_mib() const;
 };

@@ -28,6 +28,7 @@ struct Layer {
     Phase phase = Phase::isotropic;
     double g = 0;              // henyey_greenstein, cornette_shanks
     LayerParticles particles;  // mie: scattering, extinction and phase function follow from these
+    bool operator==(const Layer&) const = default;
 };
 
 struct Atmosphere {
@@ -35,6 +36,7 @@ struct Atmosphere {
     Length top_radius;
     std::vector<double> ground_albedo;  // one per channel
     std::vector<Layer> layers;          // the enabled layers, sorted by name
+    bool operator==(const Atmosphere&) const = default;
 };
 
 // Returns the density of a layer integrated over altitude from 0 to `thickness`, in metres. It uses

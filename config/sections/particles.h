@@ -29,6 +29,7 @@ struct Particles {
     double effective_variance = 0;   // gamma: relative to its square, in (0, 0.5)
     double alpha = 0;                // modified_gamma
     double gamma = 1;                // modified_gamma
+    bool operator==(const Particles&) const = default;
 };
 
 // These are the particles of a layer where its density is 1.
@@ -36,6 +37,7 @@ struct LayerParticles {
     Particles particles;
     NumberDensity number_density;
     std::vector<Length> wavelengths;  // one per channel
+    bool operator==(const LayerParticles&) const = default;
 };
 
 }  // namespace skybake::config

@@ -20,6 +20,7 @@ struct InverseLength {
 // This is a number of particles per volume.
 struct NumberDensity {
     double per_cubic_meter = 0;
+    bool operator==(const NumberDensity&) const = default;
 };
 
 struct Angle {
@@ -31,6 +32,7 @@ struct Angle {
 struct DensityPoint {
     Length altitude;
     double density = 0;
+    bool operator==(const DensityPoint&) const = default;
 };
 
 // This is one entry of a height table: `table = [[0, 0.0], [0.2, 1.0]]`.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/solver/solve_light.h"
 #include "config/assets/bruneton.h"
 #include "tests/light/sky_media.h"
@@ -30,8 +31,8 @@ Table table_of(const config::Atmosphere& atmosphere, std::array<int, 3> size, in
     bake.solar_irradiance = {1, 1, 1};
     const ScatteringMapping mapping(shell_of(medium.air), size, nu_size, -0.2);
     const ScatteringContent content(medium, bake);
-    const TableParts parts =
-        remembered_parts(medium, nullptr, content, mapping, true, false, BakeOptions{.threads = 2});
+    const TableParts parts = make_parts(medium, nullptr, make_sunlight(medium.air, 2), content,
+                                        mapping, BakeOptions{.threads = 2});
     DenseVolume voxels = scattering_texels(content, mapping, parts);
     return {std::move(medium), bake, mapping, std::move(voxels)};
 }

@@ -10,6 +10,7 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/light/path_tracer/sky_truth.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/transcendental.h"
@@ -164,7 +165,7 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
         make_sky_medium(test::preset_atmosphere("earth", {"atmosphere.ground_albedo=0"}));
     SolverSettings settings;
     settings.degree = sky_degree(medium);
-    const auto light = remembered_light(medium, settings, 2, nullptr);
+    const SolvedLight light = solve_light(medium, settings, 2);
     const config::BrunetonBake bake = bake_of("earth", "combined = false\n");
     const config::BrunetonBake mie_bake = bake_of("earth", "table = \"single_mie\"\n");
     const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
@@ -172,7 +173,8 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
     const BakeOptions options{.threads = 2};
     const ScatteringContent content(medium, bake);
     const ScatteringContent mie_content(medium, mie_bake);
-    const TableParts parts = remembered_parts(medium, light, content, mapping, true, true, options);
+    const TableParts parts =
+        make_parts(medium, &light, make_sunlight(medium.air, 2), content, mapping, options);
     DenseVolume air = scattering_texels(content, mapping, parts);
     DenseVolume mie = scattering_texels(mie_content, mapping, parts);
     fit_lookups(mapping, 3, options, air);

@@ -18,7 +18,7 @@ TEST(IteratedScattering, AgreesWithTheSolutionOfTwoOrders) {
     settings.orders = 1;
     settings.suns = 24;
     const SolvedLight light = solve_light(medium, settings, 2);
-    const ScatteringRows rows(medium, &light, false, 2);
+    const ScatteringRows rows(medium, &light, nullptr);
     // By day, on the ground, upwards and not along the horizon: there the grid is fine enough.
     std::vector<double> ratios;
     for (const int v : {8, 9, 10, 11, 12}) {

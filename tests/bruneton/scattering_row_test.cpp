@@ -5,6 +5,7 @@
 
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/solver/solve_light.h"
 #include "tests/light/sky_media.h"
 
@@ -69,7 +70,7 @@ TEST(ScatteringRow, EqualsDirectIntegrationOnEarth) {
     const SolvedLight light = solve_light(medium, settings, 2);
     const SolvedOrders orders(medium, light, settings.degree);
     const SkyIntegrator integrator(medium, &orders);
-    const ScatteringRows rows(medium, &light, true, 2);
+    const ScatteringRows rows(medium, &light, make_sunlight(medium.air, 2));
     const ScatteringMapping mapping(shell_of(medium.air), {256, 128, 32}, 8, -0.2);
     const std::vector<double> suns = {-0.15, -0.07, -0.02, 0, 0.05, 0.3, 1};
     double worst = 0;
@@ -84,7 +85,7 @@ TEST(ScatteringRow, EqualsDirectIntegrationOnEarth) {
 
 RC_GTEST_PROP(ScatteringRow, EqualsDirectIntegrationOfSingleScattering, ()) {
     const SkyMedium medium = make_sky_medium(test::random_atmosphere());
-    const ScatteringRows rows(medium, nullptr, true, 2);
+    const ScatteringRows rows(medium, nullptr, make_sunlight(medium.air, 2));
     const SkyIntegrator integrator(medium, nullptr);
     const ScatteringMapping mapping(shell_of(medium.air), {8, 4, 4}, 2, -0.3);
     const ScatteringView view =
@@ -95,7 +96,7 @@ RC_GTEST_PROP(ScatteringRow, EqualsDirectIntegrationOfSingleScattering, ()) {
 
 TEST(ScatteringRow, GoesOnSmoothlyWhereThereAreNoSuchSuns) {
     const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth"));
-    const ScatteringRows rows(medium, nullptr, true, 2);
+    const ScatteringRows rows(medium, nullptr, make_sunlight(medium.air, 2));
     const ScatteringMapping mapping(shell_of(medium.air), {256, 128, 32}, 8, -0.2);
     const ScatteringView view = mapping.view_of_texel(90, 2);
     const double edge = feasible_cosines(cosine_of(mapping.shell(), view), 0.1).high;

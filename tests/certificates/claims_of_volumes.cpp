@@ -7,6 +7,7 @@
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/assets/optical_depth/column_volume.h"
 #include "bakers/field/certify.h"
+#include "bakers/light/shared_light.h"
 #include "tests/certificates/claims.h"
 #include "tests/certificates/dense_scattering.h"
 #include "tests/light/sky_media.h"
@@ -57,12 +58,12 @@ Claim claim_of_single_mie(RandomCase& random) {
     bake.pixel_type = config::PixelType::float32;
     const SkyMedium medium = make_sky_medium(atmosphere);
     const Baked volume =
-        value_of(bake_scattering(medium, nullptr, bake, kClaimOptions, empty_table()));
+        value_of(bake_scattering(atmosphere, medium, nullptr, bake, kClaimOptions, empty_table()));
     const auto& table = static_cast<const DenseVolume&>(*volume.levels[0].voxels);
     const ScatteringContent content(medium, bake);
     const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
                                     bake.sun_cos_zenith_min);
-    const ScatteringRows rows(medium, nullptr, true, kClaimOptions.threads);
+    const ScatteringRows rows(medium, nullptr, make_sunlight(medium.air, kClaimOptions.threads));
     const ScatteringReference reference(medium, content, nullptr);
     const ExactTexel exact = exact_texel(content, reference);
     const Certificate even = measure_scattering(table, mapping, exact, largest_values(table),

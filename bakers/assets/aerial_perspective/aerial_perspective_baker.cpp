@@ -25,12 +25,20 @@ namespace {
 
 using config::AerialPerspectiveBake;
 
+// What must be solved for.
+config::SkyOrders solved_orders(const AerialPerspectiveBake& asset) {
+    const bool has_light = asset.content != config::AerialContent::transmittance;
+    return has_light ? asset.orders : config::SkyOrders::single;
+}
+
+std::vector<Need> needs(const Parameters& parameters, const AerialPerspectiveBake& asset,
+                        Certification) {
+    return light_needs(parameters.atmosphere, solved_orders(asset));
+}
+
 Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const bool has_light = asset.content != config::AerialContent::transmittance;
-    const SkyLight light(parameters.atmosphere,
-                         has_light ? asset.orders : config::SkyOrders::single, asset.layers,
-                         options);
+    const SkyLight light(parameters.atmosphere, solved_orders(asset), asset.layers, options);
     return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
         return bake_aerial_perspective(found, asset, options, colour_names(parameters),
                                        labelled_sky_volume(parameters, std::move(label)));
@@ -156,6 +164,7 @@ const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspec
     static const Baker<config::AerialPerspectiveBake> row = {.version = 5,
                                                              .bake = bake,
                                                              .estimate = estimate,
+                                                             .needs = needs,
                                                              .places = places,
                                                              .lookup = lookup,
                                                              .traced = traced,

@@ -38,6 +38,10 @@ Outcome<Baked> bake(const Parameters& parameters, const BrunetonBake& asset,
                          labelled_sky_volume(parameters, std::move(label)));
 }
 
+std::vector<Need> needs(const Parameters& parameters, const BrunetonBake& asset, Certification) {
+    return needs_of_bruneton(parameters.atmosphere, asset);
+}
+
 Estimate estimate(const Parameters&, const BrunetonBake& asset) {
     const bool has_light = asset.table != BrunetonTable::transmittance;
     Estimate result = estimate_volume(asset, asset.size, 4, has_light ? 4e-6 : 2e-7);
@@ -247,6 +251,7 @@ const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
     static const Baker<config::BrunetonBake> row = {.version = 6,
                                                     .bake = bake,
                                                     .estimate = estimate,
+                                                    .needs = needs,
                                                     .places = places,
                                                     .lookup = lookup,
                                                     .traced = traced,

@@ -12,9 +12,11 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/bruneton/flat_tables.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
+#include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/light/solver/solve_light.h"
@@ -34,12 +36,18 @@ bool has_higher_orders(const BrunetonBake& bake) {
            bake.table != BrunetonTable::transmittance;
 }
 
-// Null: there is none.
-std::shared_ptr<const SolvedLight> light_of(const SkyMedium& medium, const BrunetonBake& bake,
-                                            const BakeOptions& options) {
-    const std::optional<SolverSettings> settings = light_settings(medium, bake);
-    if (!settings) return nullptr;
-    return remembered_light(medium, *settings, options.threads, options.progress);
+// The iterated method ends after some orders.
+int last_order(const BrunetonBake& bake) {
+    const bool iterated = bake.method == config::BrunetonMethod::iterated;
+    return iterated && bake.orders == 0 ? kIteratedOrders : bake.orders;
+}
+
+// None: there are no higher orders.
+std::optional<LightRequest> light_request(const config::Atmosphere& atmosphere,
+                                          const BrunetonBake& bake) {
+    if (!has_higher_orders(bake)) return std::nullopt;
+    const int last = last_order(bake);
+    return LightRequest{.atmosphere = atmosphere, .orders = last > 0 ? last - 1 : 0};
 }
 
 std::vector<std::string> channel_names(const SkyMedium& medium, const BrunetonBake& bake) {
@@ -75,6 +83,23 @@ Outcome<Baked> bake_irradiance(SkyMedium medium, const SolvedLight* light, const
 
 }  // namespace
 
+std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
+                                    const BrunetonBake& bake) {
+    std::vector<Need> needs;
+    if (bake.table == BrunetonTable::transmittance) return needs;
+    const std::optional<LightRequest> request = light_request(atmosphere, bake);
+    if (request) needs.push_back(need_of(*request));
+    const bool is_flat = bake.table == BrunetonTable::irradiance;
+    if (bake.table != BrunetonTable::higher_orders) {
+        needs.push_back(need_of(SunlightRequest{atmosphere}));
+        if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, true)));
+    }
+    if (request && !is_flat && bake.method != config::BrunetonMethod::iterated) {
+        needs.push_back(need_of(parts_request(atmosphere, bake, false)));
+    }
+    return needs;
+}
+
 std::optional<SolverSettings> light_settings(const SkyMedium& medium, const BrunetonBake& bake) {
     if (!has_higher_orders(bake)) return std::nullopt;
     SolverSettings settings;
@@ -86,8 +111,7 @@ std::optional<SolverSettings> light_settings(const SkyMedium& medium, const Brun
 Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& asked,
                              const BakeOptions& options, Baked volume) {
     BrunetonBake bake = asked;
-    const bool iterated = bake.method == config::BrunetonMethod::iterated;
-    if (iterated && bake.orders == 0) bake.orders = kIteratedOrders;
+    bake.orders = last_order(bake);
     const SkyMedium air = make_sky_medium(atmosphere);
     SkyMedium medium = without_forward_peaks(air);
     volume.kind = "bruneton";
@@ -103,7 +127,8 @@ Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere, const Bruneto
         return bake_bruneton_transmittance(air.air, bake, options, std::move(volume));
     }
     const auto start = std::chrono::steady_clock::now();
-    const std::shared_ptr<const SolvedLight> light = light_of(medium, bake, options);
+    const std::optional<LightRequest> request = light_request(atmosphere, bake);
+    const auto light = request ? light_of(*request, medium, options) : nullptr;
     if (options.cancelled()) return {};
     if (light && bake.orders == 0) {
         if (const auto problem = check_light(energy_balance(medium, *light), *light, volume.name)) {
@@ -115,7 +140,7 @@ Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere, const Bruneto
     if (bake.table == BrunetonTable::irradiance) {
         return bake_irradiance(std::move(medium), light.get(), bake, options, std::move(volume));
     }
-    return bake_scattering(medium, light, bake, options, std::move(volume));
+    return bake_scattering(atmosphere, medium, light, bake, options, std::move(volume));
 }
 
 using config::Layer;

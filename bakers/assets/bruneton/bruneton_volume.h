@@ -3,10 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bakers/field/baked.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "config/assets/bruneton.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/atmosphere.h"
@@ -18,6 +20,10 @@ namespace skybake {
 config::Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere,
                                      const config::BrunetonBake& bake, const BakeOptions& options,
                                      Baked volume);
+
+// Returns the light that is scattered once more to make orders 2 and up, if a table has any of them.
+std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
+                                    const config::BrunetonBake& bake);
 
 // Returns the settings that solve for the light which is scattered once more to make orders 2 and
 // up; nothing if a table has none of these orders.

@@ -11,6 +11,7 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
@@ -91,7 +92,7 @@ class Iteration {
     }
 
     void make_first() {
-        const ScatteringRows rows(medium_, nullptr, true, options_.threads);
+        const ScatteringRows rows(medium_, nullptr, make_sunlight(medium_.air, options_.threads));
         single_.assign(medium_.layers.size(), Grid(texels_));
         for_each_row("first order", [&](int v, int w) {
             const ScatteringView view = mapping_.view_of_texel(v, w);

@@ -11,21 +11,13 @@
 
 namespace skybake {
 
-namespace {
-
-// Of the sun's transmittance; lookups are within 1e-5 of it on Earth.
-constexpr TransmittanceField::Size kSunlightSize = {1024, 256};
-
-}  // namespace
-
-ScatteringRows::ScatteringRows(const SkyMedium& medium, const SolvedLight* light, bool wants_single,
-                               int threads)
+ScatteringRows::ScatteringRows(const SkyMedium& medium, const SolvedLight* light,
+                               std::shared_ptr<const TransmittanceField> sunlight)
     : medium_(medium),
       light_(light),
-      wants_single_(wants_single),
       shell_(shell_of(medium.air)),
       break_altitudes_km_(quadrature_altitudes_km(medium.air)),
-      sunlight_(medium.air, break_altitudes_km_, kSunlightSize, threads) {
+      sunlight_(std::move(sunlight)) {
     if (light_ == nullptr) return;
     for (const SkyLayer& layer : medium.layers) {
         phase_moments_.push_back(scattered_moments(layer, light->degree()));
@@ -35,7 +27,7 @@ ScatteringRows::ScatteringRows(const SkyMedium& medium, const SolvedLight* light
 Spectrum ScatteringRows::sunlight(double altitude_km, double s_km) const {
     const double lit_s_km = std::max(s_km, -horizon_distance_km(shell_, altitude_km));
     Spectrum value{};
-    sunlight_.read(altitude_km, &lit_s_km, 1, data(value));
+    sunlight_->read(altitude_km, &lit_s_km, 1, data(value));
     return value;
 }
 
@@ -79,7 +71,7 @@ ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunBundle& s
     std::vector<double> scattered(light_ == nullptr ? 0 : count * kChannelSlots);
     std::vector<std::vector<Spectrum>> cut(wanted, std::vector<Spectrum>(layers));
     for (const BundlePiece& piece : make_bundle_ray(medium_, break_altitudes_km_, view)) {
-        for (std::size_t i = 0; i < count && wants_single_; ++i) {
+        for (std::size_t i = 0; i < count && sunlight_; ++i) {
             const double begin = std::max(dark[i].begin_km, piece.from_km);
             const double end = std::min(dark[i].end_km, piece.to_km);
             lit[i] = begin < end ? 0 : 1;
@@ -93,7 +85,7 @@ ScatteringRow ScatteringRows::row(const ScatteringView& view, const SunBundle& s
                               cut[i]);
             }
         }
-        if (wants_single_) add_sunlight(sunlight_, view, piece, suns, lit, single.data());
+        if (sunlight_) add_sunlight(*sunlight_, view, piece, suns, lit, single.data());
         if (light_ != nullptr) {
             add_solved_light(*light_, phase_moments_, shell_, view, piece, suns, scattered.data());
         }

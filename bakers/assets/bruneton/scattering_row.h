@@ -23,10 +23,11 @@ struct ScatteringRow {
 
 class ScatteringRows {
   public:
-    // `medium` and `light` must outlive this object. If `light` is null there are no higher orders;
-    // single scattering is 0 unless it is wanted.
-    ScatteringRows(const SkyMedium& medium, const SolvedLight* light, bool wants_single,
-                   int threads);
+    // `medium` and `light` must outlive this object. If `light` is null there are no higher orders.
+    // `sunlight` is a table of the transmittance through medium.air (shared_light.h); if it is null,
+    // there is no single scattering.
+    ScatteringRows(const SkyMedium& medium, const SolvedLight* light,
+                   std::shared_ptr<const TransmittanceField> sunlight);
 
     // `suns` may hold combinations of angles that do not exist (sun_bundle.h).
     ScatteringRow row(const ScatteringView& view, const SunBundle& suns) const;
@@ -39,11 +40,10 @@ class ScatteringRows {
 
     const SkyMedium& medium_;
     const SolvedLight* light_;
-    bool wants_single_;
     Shell shell_;
     std::vector<double> break_altitudes_km_;
     std::vector<std::vector<Spectrum>> phase_moments_;
-    TransmittanceField sunlight_;
+    std::shared_ptr<const TransmittanceField> sunlight_;
 };
 
 }  // namespace skybake

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
+#include "bakers/assets/estimate.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
 
@@ -100,36 +100,21 @@ double DenseVolume::largest(std::size_t channel) const {
 
 namespace {
 
-struct Remembered {
-    SkyMedium medium;
-    std::vector<bool> is_mie;
-    std::array<int, 3> size{};
-    int nu_size = 0;
-    double sun_cos_zenith_min = 0;
-    std::shared_ptr<const SolvedLight> light;  // of the higher orders
-    TableParts parts;
-
-    bool is_of(const SkyMedium& other, const ScatteringContent& content,
-               const ScatteringMapping& mapping) const {
-        return size == mapping.size() && nu_size == mapping.nu_size() &&
-               sun_cos_zenith_min == mapping.sun_cos_zenith_min() && is_mie == content.is_mie() &&
-               medium == other;
-    }
-};
-
 StoredSpectrum stored(const Spectrum& value) {
     return {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
 }
 
 }  // namespace
 
-TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wants_first,
+TableParts make_parts(const SkyMedium& medium, const SolvedLight* light,
+                      std::shared_ptr<const TransmittanceField> sunlight,
                       const ScatteringContent& content, const ScatteringMapping& mapping,
                       const BakeOptions& options) {
     const std::array<int, 3>& size = mapping.size();
     const auto width = static_cast<std::size_t>(size[0]);
     const std::size_t texels =
         width * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]);
+    const bool wants_first = sunlight != nullptr;
     auto first = std::make_shared<FirstOrderParts>();
     auto higher = std::make_shared<HigherOrderParts>();
     if (wants_first) {
@@ -137,7 +122,7 @@ TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wa
         first->mie.resize(texels);
     }
     if (light != nullptr) higher->resize(texels);
-    const ScatteringRows rows(medium, light, wants_first, options.threads);
+    const ScatteringRows rows(medium, light, std::move(sunlight));
     for_each_tile(size[1] * size[2], options, "scattering", [&](int tile) {
         const std::vector<ScatteringParts> parts = parts_of_row(
             rows, content, mapping, mapping.view_of_texel(tile % size[1], tile / size[1]));
@@ -156,41 +141,47 @@ TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wa
     return result;
 }
 
-TableParts remembered_parts(const SkyMedium& medium,
-                            const std::shared_ptr<const SolvedLight>& light,
-                            const ScatteringContent& content, const ScatteringMapping& mapping,
-                            bool wants_first, bool wants_higher, const BakeOptions& options) {
-    static std::mutex mutex;
-    static Remembered last;
-    TableParts known;
-    {
-        const std::lock_guard lock(mutex);
-        if (last.is_of(medium, content, mapping)) {
-            known.first = last.parts.first;
-            if (last.light == light) known.higher = last.parts.higher;
-        }
+PartsRequest parts_request(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+                           bool is_first) {
+    return {.atmosphere = atmosphere,
+            .mie_layers = bake.mie_layers,
+            .size = bake.size,
+            .nu_size = bake.nu_size,
+            .sun_cos_zenith_min = bake.sun_cos_zenith_min,
+            .is_first = is_first,
+            .orders = is_first ? 1 : bake.orders};
+}
+
+Need need_of(const PartsRequest& request) {
+    constexpr double kSecondsPerTexel = 2e-6;
+    const double texels = voxels_of(request.size, 1);
+    const double bytes = texels * static_cast<double>(sizeof(StoredSpectrum));
+    return {NeedKey(request),
+            request.is_first ? "light scattered once" : "light scattered more than once",
+            texels * kSecondsPerTexel, (request.is_first ? 2 : 1) * bytes / kMebibyte};
+}
+
+TableParts shared_parts(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+                        const SkyMedium& medium, const SolvedLight* light,
+                        std::shared_ptr<const TransmittanceField> sunlight,
+                        const ScatteringContent& content, const ScatteringMapping& mapping,
+                        const BakeOptions& options) {
+    TableParts parts;
+    if (sunlight) {
+        parts.first = shared_or_made<FirstOrderParts>(
+            options.intermediates, NeedKey(parts_request(atmosphere, bake, true)), [&] {
+                TableParts made = make_parts(medium, nullptr, sunlight, content, mapping, options);
+                return options.cancelled() ? nullptr : std::move(made.first);
+            });
     }
-    const bool makes_first = wants_first && !known.first;
-    const bool makes_higher = wants_higher && light && !known.higher;
-    if (makes_first || makes_higher) {
-        // Not under the lock: threads of the loop may be given other tasks.
-        TableParts made = make_parts(medium, makes_higher ? light.get() : nullptr, makes_first,
-                                     content, mapping, options);
-        if (makes_first) known.first = std::move(made.first);
-        if (makes_higher) known.higher = std::move(made.higher);
-        if (options.cancelled()) return known;
-        const std::lock_guard lock(mutex);
-        last = {medium,
-                content.is_mie(),
-                mapping.size(),
-                mapping.nu_size(),
-                mapping.sun_cos_zenith_min(),
-                known.higher ? light : nullptr,
-                known};
+    if (light != nullptr) {
+        parts.higher = shared_or_made<HigherOrderParts>(
+            options.intermediates, NeedKey(parts_request(atmosphere, bake, false)), [&] {
+                TableParts made = make_parts(medium, light, nullptr, content, mapping, options);
+                return options.cancelled() ? nullptr : std::move(made.higher);
+            });
     }
-    if (!wants_first) known.first = nullptr;
-    if (!wants_higher) known.higher = nullptr;
-    return known;
+    return parts;
 }
 
 HigherOrderParts over_rayleigh(const std::vector<Spectrum>& light,

@@ -10,14 +10,19 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bakers/air/medium.h"
+#include "bakers/air/transmittance_field.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
+#include "config/assets/bruneton.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 
@@ -56,18 +61,37 @@ struct TableParts {
     std::shared_ptr<const HigherOrderParts> higher;  // null if not wanted
 };
 
-// Makes the parts. If `light` is null there are no higher orders.
-TableParts make_parts(const SkyMedium& medium, const SolvedLight* light, bool wants_first,
+// Makes the parts. If `light` is null there are no higher orders, if `sunlight` is null there is no
+// first order (scattering_row.h).
+TableParts make_parts(const SkyMedium& medium, const SolvedLight* light,
+                      std::shared_ptr<const TransmittanceField> sunlight,
                       const ScatteringContent& content, const ScatteringMapping& mapping,
                       const BakeOptions& options);
 
-// Returns the same parts as make_parts, from the previous call if it had the same arguments. The
-// last parts that were made are kept, 36 bytes per texel. After an interruption the parts must not
-// be used, and are not kept.
-TableParts remembered_parts(const SkyMedium& medium,
-                            const std::shared_ptr<const SolvedLight>& light,
-                            const ScatteringContent& content, const ScatteringMapping& mapping,
-                            bool wants_first, bool wants_higher, const BakeOptions& options);
+// The first order of some tables, or their higher ones.
+struct PartsRequest {
+    config::Atmosphere atmosphere;
+    std::vector<std::string> mie_layers;
+    std::array<int, 3> size{};
+    int nu_size = 0;
+    double sun_cos_zenith_min = 0;
+    bool is_first = false;
+    int orders = 0;  // of the higher ones: the last order; 0: all
+    bool operator==(const PartsRequest&) const = default;
+};
+
+PartsRequest parts_request(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+                           bool is_first);
+
+Need need_of(const PartsRequest& request);
+
+// Returns the same parts as make_parts for a table with this light, shared with other tables. After
+// an interruption the parts must not be used.
+TableParts shared_parts(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+                        const SkyMedium& medium, const SolvedLight* light,
+                        std::shared_ptr<const TransmittanceField> sunlight,
+                        const ScatteringContent& content, const ScatteringMapping& mapping,
+                        const BakeOptions& options);
 
 // The farthest continuation in nu: one step of nu in a table of 8, beyond which no lookup in that
 // table goes. Polynomials of degree 8, by which higher orders are continued, grow by at most half

@@ -19,6 +19,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/image.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/shared_light.h"
 
 namespace skybake {
 
@@ -95,7 +96,8 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content,
 
 }  // namespace
 
-config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
+config::Outcome<Baked> bake_scattering(const config::Atmosphere& atmosphere,
+                                       const SkyMedium& medium,
                                        const std::shared_ptr<const SolvedLight>& light,
                                        const BrunetonBake& bake, const BakeOptions& options,
                                        Baked volume) {
@@ -106,8 +108,11 @@ config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
     const auto start = std::chrono::steady_clock::now();
     const SolvedLight* wanted = content.wants_higher() ? light.get() : nullptr;
     const bool iterated = wanted != nullptr && bake.method == config::BrunetonMethod::iterated;
-    TableParts parts = remembered_parts(medium, light, content, mapping, content.wants_single(),
-                                        wanted != nullptr && !iterated, options);
+    const std::shared_ptr<const TransmittanceField> sunlight =
+        content.wants_single() ? sunlight_of({atmosphere}, medium.air, options) : nullptr;
+    TableParts parts = shared_parts(atmosphere, bake, medium, iterated ? nullptr : wanted, sunlight,
+                                    content, mapping, options);
+    if (options.cancelled()) return {};
     if (iterated) {
         parts.higher = std::make_shared<const HigherOrderParts>(
             over_rayleigh(iterated_scattering(medium, mapping, bake.orders, options), mapping));
@@ -135,7 +140,7 @@ config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
             measure_scattering(*table, mapping, exact, largest, baked.pixel_type,
                                scattering_points(how.certification), how);
         if (how.cancelled()) return certificate;
-        const ScatteringRows rows(medium, wanted, content.wants_single(), how.threads);
+        const ScatteringRows rows(medium, wanted, sunlight);
         search_scattering(*table, mapping, exact, texel_row(content, rows), largest,
                           baked.pixel_type, how, certificate);
         return certificate;

@@ -12,12 +12,14 @@
 #include "bakers/math/bake_options.h"
 #include "config/assets/bruneton.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/sections/atmosphere.h"
 
 namespace skybake {
 
 // Bakes the volume. `volume` comes with name, parameters, details and channels. If `light` is null
 // there are no higher orders.
-config::Outcome<Baked> bake_scattering(const SkyMedium& medium,
+config::Outcome<Baked> bake_scattering(const config::Atmosphere& atmosphere,
+                                       const SkyMedium& medium,
                                        const std::shared_ptr<const SolvedLight>& light,
                                        const config::BrunetonBake& bake, const BakeOptions& options,
                                        Baked volume);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -158,74 +157,32 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
 }
 
 // All that voxels depend on.
-struct CloudVoxels {
-    Cloud cloud;
+struct VoxelRequest {
+    Cloud cloud;  // with the paths of its maps
     config::Noise base;
     std::optional<config::Noise> detail;
     std::array<int, 3> size{};
-    std::vector<std::string> maps;  // hashes of their pixels
-    bool operator==(const CloudVoxels&) const = default;
+    bool operator==(const VoxelRequest&) const = default;
 };
 
-// None: a map's pixels are not known by a hash.
-std::optional<CloudVoxels> voxels_of(const Cloud& cloud, const CloudVolumeBake& bake,
-                                     const CloudInputs& inputs) {
-    CloudVoxels voxels{cloud, *inputs.base, std::nullopt, bake.size, {}};
-    if (inputs.detail != nullptr) voxels.detail = *inputs.detail;
-    for (const auto* map : {&inputs.maps.coverage, &inputs.maps.type}) {
-        if (!*map) continue;
-        if ((*map)->content_hash().empty()) return std::nullopt;
-        voxels.maps.push_back((*map)->content_hash());
-    }
-    return voxels;
+NeedKey key_of_voxels(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise& base,
+                      const config::Noise* detail) {
+    VoxelRequest request{cloud, base, std::nullopt, bake.size};
+    if (detail != nullptr) request.detail = *detail;
+    return NeedKey(std::move(request));
 }
 
-// The clouds whose voxels some asset of this process has.
-class SharedVoxels {
-  public:
-    static SharedVoxels& instance() {
-        static SharedVoxels shared;
-        return shared;
-    }
-
-    // Null: nobody has them.
-    std::shared_ptr<const VoxelSource> find(const CloudVoxels& wanted) {
-        const std::lock_guard lock(mutex_);
-        for (const Entry& entry : entries_) {
-            if (entry.of == wanted) return entry.voxels.lock();
-        }
-        return nullptr;
-    }
-
-    void add(CloudVoxels of, const std::shared_ptr<const VoxelSource>& voxels) {
-        const std::lock_guard lock(mutex_);
-        std::erase_if(entries_,
-                      [&](const Entry& entry) { return entry.voxels.expired() || entry.of == of; });
-        entries_.push_back({std::move(of), voxels});
-    }
-
-  private:
-    struct Entry {
-        CloudVoxels of;
-        std::weak_ptr<const VoxelSource> voxels;
-    };
-    std::mutex mutex_;
-    std::vector<Entry> entries_;
-};
-
-// Replaces the voxels on demand of a volume by voxels in memory, if there is room for them. They
-// are not made under the lock: that waits for threads, which may bake clouds too.
+// Replaces the voxels on demand of a volume by voxels in memory, if there is room for them.
 void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
                  const BakeOptions& options, Baked& volume) {
-    std::optional<CloudVoxels> of = voxels_of(cloud, bake, inputs);
-    if (!of) return hold_voxels(options, volume);
-    if (auto voxels = SharedVoxels::instance().find(*of)) {
-        volume.levels.front().voxels = std::move(voxels);
-        return;
-    }
-    hold_voxels(options, volume);
-    if (options.cancelled()) return;
-    SharedVoxels::instance().add(std::move(*of), volume.levels.front().voxels);
+    auto& voxels = volume.levels.front().voxels;
+    const auto held = shared_or_made<VoxelSource>(
+        options.intermediates, key_of_voxels(cloud, bake, *inputs.base, inputs.detail),
+        [&]() -> std::shared_ptr<const VoxelSource> {
+            hold_voxels(options, volume);
+            return options.cancelled() ? nullptr : voxels;
+        });
+    if (held) voxels = held;
 }
 
 }  // namespace
@@ -238,6 +195,17 @@ float filtered_threshold(const Cloud& cloud) {
 Baked make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
                         Baked volume) {
     return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
+}
+
+Need need_of_voxels(const config::Parameters& parameters, const CloudVolumeBake& asset) {
+    const Cloud& cloud = cloud_named(parameters, asset.cloud);
+    const config::Noise& base = noise_named(parameters, cloud.noise);
+    const config::Noise* detail =
+        cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
+    const auto channels = config::cloud_channel_names(base, cloud.channels).size();
+    return {key_of_voxels(cloud, asset, base, detail), "voxels of " + cloud.name,
+            estimate_cloud_volume(parameters, asset).seconds,
+            voxels_of(asset.size, 1) * static_cast<double>(channels * sizeof(float)) / kMebibyte};
 }
 
 Baked hold_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,

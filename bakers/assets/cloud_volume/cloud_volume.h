@@ -30,9 +30,11 @@ float filtered_threshold(const config::Cloud& cloud);
 Baked make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                         const CloudInputs& inputs, Baked volume);
 
-// Returns the same with the voxels in memory, if options.held_voxel_bytes allows it. Assets that are
-// made of one volume share them for as long as one of them has them. They are incomplete after an
-// interruption.
+// The voxels of a volume, which it shares with the grids that are made of it.
+Need need_of_voxels(const config::Parameters& parameters, const config::CloudVolumeBake& asset);
+
+// Returns the same with the voxels in memory, if options.held_voxel_bytes allows it. They are
+// incomplete after an interruption.
 Baked hold_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                         const CloudInputs& inputs, const BakeOptions& options, Baked volume);
 

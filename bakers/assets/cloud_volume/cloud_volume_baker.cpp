@@ -28,6 +28,10 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
                              std::move(volume));
 }
 
+std::vector<Need> needs(const Parameters& parameters, const CloudVolumeBake& asset, Certification) {
+    return {need_of_voxels(parameters, asset)};
+}
+
 AssetPlaces places(const Parameters& parameters, const CloudVolumeBake& asset,
                    const StoredTexels&) {
     const Cloud cloud = spanned_cloud(parameters, asset);
@@ -121,6 +125,7 @@ const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
     static const Baker<CloudVolumeBake> row = {.version = 3,
                                                .bake = bake,
                                                .estimate = estimate_cloud_volume,
+                                               .needs = needs,
                                                .places = places,
                                                .lookup = lookup,
                                                .draft = draft,

@@ -12,6 +12,7 @@
 #include "bakers/assets/baker.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/sky_asset.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/environment.h"
@@ -31,6 +32,12 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
         return bake_environment(found, asset, options,
                                 labelled_table(parameters, std::move(label)));
     });
+}
+
+std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
+    std::vector<Need> needs = light_needs(parameters.atmosphere, asset.orders);
+    needs.push_back(need_of(SunlightRequest{parameters.atmosphere}));
+    return needs;
 }
 
 Estimate estimate(const Parameters&, const EnvironmentBake& asset) {
@@ -89,6 +96,7 @@ const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
     static const Baker<EnvironmentBake> row = {.version = 5,
                                                .bake = bake,
                                                .estimate = estimate,
+                                               .needs = needs,
                                                .places = places,
                                                .lookup = lookup,
                                                .traced = traced,

@@ -14,6 +14,7 @@
 #include "bakers/assets/sky_asset.h"
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "config/assets/irradiance.h"
 
@@ -32,6 +33,16 @@ Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
     return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
         return bake_irradiance(found, asset, options, labelled_table(parameters, std::move(label)));
     });
+}
+
+std::vector<Need> needs(const Parameters& parameters, const IrradianceBake& asset, Certification) {
+    if (asset.content == config::IrradianceContent::direct) return {};
+    const config::SkyOrders orders = orders_of(asset);
+    std::vector<Need> needs = light_needs(parameters.atmosphere, orders);
+    if (orders != config::SkyOrders::multiple) {
+        needs.push_back(need_of(SunlightRequest{parameters.atmosphere}));
+    }
+    return needs;
 }
 
 Estimate estimate(const Parameters&, const IrradianceBake& asset) {
@@ -109,6 +120,7 @@ const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
     static const Baker<config::IrradianceBake> row = {.version = 6,
                                                       .bake = bake,
                                                       .estimate = estimate,
+                                                      .needs = needs,
                                                       .places = places,
                                                       .lookup = lookup,
                                                       .traced = traced,

@@ -52,6 +52,12 @@ Outcome<Baked> bake(const Parameters& parameters, const MultipleScatteringBake& 
                                     std::move(table));
 }
 
+std::vector<Need> needs(const Parameters& parameters, const MultipleScatteringBake& asset,
+                        Certification certification) {
+    if (!is_solved(asset)) return {};
+    return needs_of_solved_scattering(parameters.atmosphere, asset, certification);
+}
+
 Estimate estimate(const Parameters&, const MultipleScatteringBake& asset) {
     if (!is_solved(asset)) return estimate_table(asset, 1e-4, 0.1);
     const std::array<int, 2> size =
@@ -204,6 +210,7 @@ const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScat
     static const Baker<config::MultipleScatteringBake> row = {.version = 5,
                                                               .bake = bake,
                                                               .estimate = estimate,
+                                                              .needs = needs,
                                                               .places = places,
                                                               .lookup = lookup,
                                                               .traced = traced,

@@ -7,14 +7,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/multiple_scattering/fitted_radiance.h"
 #include "bakers/field/finish_table.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/solver/energy_balance.h"
-#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/multiple_scattering.h"
 
@@ -136,7 +137,35 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
 }
 
+LightRequest light_request(const config::Atmosphere& atmosphere,
+                           const MultipleScatteringBake& bake) {
+    const bool moments = bake.content == MultipleScatteringContent::moments;
+    const bool fitted = bake.content == MultipleScatteringContent::fitted;
+    return {.atmosphere = atmosphere,
+            .peaks_of_spheres = true,
+            .degree = fitted ? kFitDegree : std::max(moments ? bake.degree : 0, kDegree)};
+}
+
+// The reference of the certificate.
+LightRequest finer_request(const config::Atmosphere& atmosphere,
+                           const MultipleScatteringBake& bake) {
+    LightRequest request = light_request(atmosphere, bake);
+    request.finer = true;
+    request.degree_more = bake.content == MultipleScatteringContent::moments ? 2 : 0;
+    return request;
+}
+
 }  // namespace
+
+std::vector<Need> needs_of_solved_scattering(const config::Atmosphere& atmosphere,
+                                             const MultipleScatteringBake& bake,
+                                             Certification certification) {
+    std::vector<Need> needs = {need_of(light_request(atmosphere, bake))};
+    if (certification != Certification::off || bake.max_error) {
+        needs.push_back(need_of(finer_request(atmosphere, bake)));
+    }
+    return needs;
+}
 
 config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
                                               const std::optional<config::Scene>& scene,
@@ -161,10 +190,9 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
         return outcome;
     }
     const auto start = std::chrono::steady_clock::now();
-    SolverSettings settings;
-    settings.degree = fitted ? kFitDegree : std::max(degree, kDegree);
-    const SolvedLight light = solve_light(medium, settings, options.threads, options.progress);
+    const auto solved = light_of(light_request(atmosphere, bake), medium, options);
     if (options.cancelled()) return outcome;
+    const SolvedLight& light = *solved;
     Image2<double> texels;
     if (fitted) texels = fitted_texels(medium, light, scene, columns, bake.size, options.threads);
     table.bake_seconds =
@@ -179,11 +207,9 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     table.details.emplace_back("left_out", to_digits(light.left_out, 2));
     table.details.emplace_back("energy_error", to_digits(balance.largest_error(), 2));
 
-    SolvedLight finer_light;
+    std::shared_ptr<const SolvedLight> finer_light;
     if (options.certification != Certification::off || bake.max_error) {
-        SolverSettings reference = finer(settings);
-        if (moments) reference.degree += 2;
-        finer_light = solve_light(medium, reference, options.threads, options.progress);
+        finer_light = light_of(finer_request(atmosphere, bake), medium, options);
         if (options.cancelled()) return outcome;
     }
 
@@ -204,9 +230,10 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
                 if (moments) place.insert(place.end(), {{"l", l}, {"m", m}});
                 return place;
             };
-            const TableModel model =
-                fitted ? fitted_model(texels)
-                       : moment_model(light, finer_light, l, m, columns, thickness_km);
+            const TableModel model = fitted
+                                         ? fitted_model(texels)
+                                         : moment_model(light, finer_light ? *finer_light : light,
+                                                        l, m, columns, thickness_km);
             config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);
             outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                        part.diagnostics.end());

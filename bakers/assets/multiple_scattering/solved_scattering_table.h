@@ -17,15 +17,22 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/atmosphere.h"
 #include "config/sections/scene.h"
 
 namespace skybake {
+
+// Returns the solved light of the table, and the finer one that its certificate compares it with.
+std::vector<Need> needs_of_solved_scattering(const config::Atmosphere& atmosphere,
+                                             const config::MultipleScatteringBake& bake,
+                                             Certification certification);
 
 // Bakes the table. `scene` restricts it to the suns that its cameras can see at points of the air.
 // `table` comes labelled. Errors are those of finish_table, and E0405 if the solution is invalid:

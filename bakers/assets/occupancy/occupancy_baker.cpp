@@ -45,6 +45,10 @@ Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
     return bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume));
 }
 
+std::vector<Need> needs(const Parameters& parameters, const OccupancyBake& asset, Certification) {
+    return {need_of_voxels(parameters, volume_of(parameters, asset))};
+}
+
 Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
     const CloudVolumeBake& of = volume_of(parameters, asset);
     std::array<int, 3> cells{};
@@ -171,6 +175,7 @@ const Baker<config::OccupancyBake>& baker(BakerTag<config::OccupancyBake>) {
     static const Baker<config::OccupancyBake> row = {.version = 2,
                                                      .bake = bake,
                                                      .estimate = estimate,
+                                                     .needs = needs,
                                                      .places = places,
                                                      .lookup = lookup,
                                                      .draft = draft,

@@ -15,6 +15,7 @@
 #include "bakers/assets/sky_asset.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/field/image.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/light/strip_orders.h"
@@ -49,6 +50,13 @@ Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
     return bake_of_light(*light, label.name, options, [&](const SkyLight& found) {
         return bake_sky_view(found, asset, options, labelled_table(parameters, std::move(label)));
     });
+}
+
+std::vector<Need> needs(const Parameters& parameters, const SkyViewBake& asset, Certification) {
+    if (asset.sky == config::SkyMethod::strips) return {};
+    std::vector<Need> needs = light_needs(parameters.atmosphere, asset.orders);
+    needs.push_back(need_of(SunlightRequest{parameters.atmosphere}));
+    return needs;
 }
 
 Estimate estimate(const Parameters&, const SkyViewBake& asset) {
@@ -146,6 +154,7 @@ const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
     static const Baker<config::SkyViewBake> row = {.version = 7,
                                                    .bake = bake,
                                                    .estimate = estimate,
+                                                   .needs = needs,
                                                    .places = places,
                                                    .lookup = lookup,
                                                    .traced = traced,

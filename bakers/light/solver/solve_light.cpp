@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -156,34 +155,6 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
         copy_moments(light.light, wanted);
         light.light = std::move(wanted);
     }
-    return light;
-}
-
-namespace {
-
-struct RememberedLight {
-    SkyMedium medium;
-    SolverSettings settings;
-    std::shared_ptr<const SolvedLight> light;
-};
-
-}  // namespace
-
-std::shared_ptr<const SolvedLight> remembered_light(const SkyMedium& medium,
-                                                    const SolverSettings& settings, int threads,
-                                                    Progress* progress) {
-    static std::mutex mutex;
-    static RememberedLight last;
-    {
-        const std::lock_guard lock(mutex);
-        if (last.light && last.settings == settings && last.medium == medium) return last.light;
-    }
-    // Not under the lock: solving waits for threads, which may ask for light too.
-    auto light =
-        std::make_shared<const SolvedLight>(solve_light(medium, settings, threads, progress));
-    if (progress && progress->cancelled()) return light;
-    const std::lock_guard lock(mutex);
-    last = {medium, settings, light};
     return light;
 }
 

@@ -1,7 +1,6 @@
 // Solves for all orders of scattering in a spherical atmosphere.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "bakers/air/medium.h"
@@ -41,12 +40,5 @@ int sky_degree(const SkyMedium& medium);
 // of threads.
 SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
                         Progress* progress = nullptr);
-
-// Returns solve_light's result, or the previous result if the arguments are the same: all assets of
-// a run that ask for the same light share one solution. After an interruption the light must not be
-// used, and is not kept.
-std::shared_ptr<const SolvedLight> remembered_light(const SkyMedium& medium,
-                                                    const SolverSettings& settings, int threads,
-                                                    Progress* progress);
 
 }  // namespace skybake

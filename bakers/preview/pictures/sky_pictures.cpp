@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "bakers/field/interpolation.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/sky_reference.h"
@@ -235,7 +236,10 @@ PreviewPicture panoramas(const SkyScene& scene) {
 
 // Solves the light for the reference.
 void solve_reference(const config::Atmosphere& atmosphere, SkyScene& scene) {
-    const BakeOptions options{scene.threads, Certification::off, scene.options.progress};
+    const BakeOptions options{.threads = scene.threads,
+                              .certification = Certification::off,
+                              .progress = scene.options.progress,
+                              .intermediates = scene.options.intermediates};
     auto light = std::make_unique<SkyLight>(atmosphere, config::SkyOrders::all,
                                             std::vector<std::string>{}, options);
     const auto problem = light->problem("the sky's reference");
@@ -258,6 +262,10 @@ bool goes_on(const SkyScene& scene, double sun_elevation_degrees, std::size_t do
 }
 
 }  // namespace
+
+std::vector<Need> needs_of_sky_pictures(const config::Atmosphere& atmosphere) {
+    return {need_of(LightRequest{.atmosphere = atmosphere})};
+}
 
 SkyPreviewOptions draft_sky_preview() {
     SkyPreviewOptions options;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/render/sky_tables.h"
 #include "config/sections/atmosphere.h"
@@ -22,7 +23,11 @@ struct SkyPreviewOptions {
     int solved_pixels = 128;     // of the solved dome; 0: no solved sky and no difference
     int panorama_pixels = 1080;  // width of the panorama; 0: none
     Progress* progress = nullptr;
+    Intermediates* intermediates = nullptr;  // that have the solved light, if somebody made it
 };
+
+// Returns the solved light with which the pictures compare the tables.
+std::vector<Need> needs_of_sky_pictures(const config::Atmosphere& atmosphere);
 
 // Returns the options of a draft: small pictures and no solved sky, which takes a tenth of a second
 // for all.

@@ -22,6 +22,7 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/bruneton.h"
@@ -184,8 +185,10 @@ class ScatteringSweep {
         const auto exact_seconds = seconds_of([&] {
             exact = std::make_shared<DenseVolume>(scattering_texels(
                 content, mapping,
-                make_parts(subject_->medium, subject_->light.get(), content.wants_single(), content,
-                           mapping, one_thread_)));
+                make_parts(
+                    subject_->medium, subject_->light.get(),
+                    content.wants_single() ? make_sunlight(subject_->medium.air, 1) : nullptr,
+                    content, mapping, one_thread_)));
         });
         if (!exact_seconds) return false;
         const auto fit_seconds = seconds_of([&] {
@@ -240,7 +243,8 @@ class ScatteringSweep {
         const ScatteringContent& content = subject_->content;
         TableParts parts;
         if (content.wants_single()) {
-            parts = make_parts(subject_->medium, nullptr, true, content, mapping, one_thread_);
+            parts = make_parts(subject_->medium, nullptr, make_sunlight(subject_->medium.air, 1),
+                               content, mapping, one_thread_);
         }
         parts.higher = std::make_shared<const HigherOrderParts>(over_rayleigh(
             iterated_scattering(subject_->medium, mapping, orders, one_thread_), mapping));

@@ -13,6 +13,7 @@
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/light/solver/solve_light.h"
 #include "config/assets/bruneton.h"
@@ -59,7 +60,8 @@ class BrunetonSky {
         const BakeOptions options{.threads = 1};
         const std::optional<SolverSettings> settings = light_settings(medium_, scattering_bake_);
         const SolvedLight light = solve_light(medium_, *settings, options.threads);
-        const TableParts parts = make_parts(medium_, &light, true, content_, mapping_, options);
+        const TableParts parts =
+            make_parts(medium_, &light, make_sunlight(medium_.air, 1), content_, mapping_, options);
         scattering_ = make_table(content_, parts, options);
         if (!combined) mie_ = make_table(mie_content_, parts, options);
     }

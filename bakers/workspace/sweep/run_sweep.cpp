@@ -13,6 +13,7 @@
 
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
@@ -95,13 +96,28 @@ class VariantObserver : public BakeObserver {
     std::mutex& mutex_;
 };
 
+// What variants share is kept in memory that none of them needs.
+std::int64_t most_kept_bytes(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
+    const std::int64_t most = BakeOptions().held_voxel_bytes;
+    if (!job.memory_limit_mib) return most;
+    double largest_mib = 0;
+    for (const PlannedVariant& variant : plan) {
+        largest_mib = std::max(largest_mib, variant.memory_mib);
+    }
+    const double left = std::max(0.0, *job.memory_limit_mib - largest_mib) * kMebibyte;
+    return left < static_cast<double>(most) ? static_cast<std::int64_t>(left) : most;
+}
+
 class SweepRunner {
   public:
     SweepRunner(const SweepJob& job, std::vector<PlannedVariant>& plan, SweepObserver& observer)
-        : job_(job), plan_(plan), observer_(observer) {
+        : job_(job), plan_(plan), observer_(observer), intermediates_(most_kept_bytes(job, plan)) {
         share_assets();
         for (std::size_t i = 0; i < plan.size(); ++i) {
-            if (plan[i].to_be_made()) waiting_.push_back(i);
+            expected_.emplace_back();
+            if (!plan[i].to_be_made()) continue;
+            waiting_.push_back(i);
+            expected_.back() = intermediates_.expect(std::move(plan[i].needs));
         }
     }
 
@@ -175,8 +191,9 @@ class SweepRunner {
 
     // A variant that is too large on its own has already failed when it was planned.
     bool has_memory_for(const PlannedVariant& variant) const {
+        const double kept_mib = static_cast<double>(intermediates_.kept_bytes()) / kMebibyte;
         return running_ == 0 || !job_.memory_limit_mib ||
-               memory_mib_ + variant.memory_mib <= *job_.memory_limit_mib;
+               memory_mib_ + variant.memory_mib + kept_mib <= *job_.memory_limit_mib;
     }
 
     static std::vector<std::string> wanted_keys(const PlannedVariant& variant) {
@@ -190,6 +207,7 @@ class SweepRunner {
             PlannedVariant& variant = plan_[task->variant];
             make(variant, *task, threads);
             ready_.release(task->made);
+            expected_[task->variant] = {};
             {
                 const std::lock_guard lock(mutex_);
                 --running_;
@@ -246,6 +264,7 @@ class SweepRunner {
         }
         FolderBake bake = variant_bake(job_, *recipe.value, result.name);
         bake.threads = threads;
+        bake.intermediates = &intermediates_;
         if (auto errors = check_against_plan(bake, variant.keys); !errors.empty()) {
             fail(std::move(errors), result);
             return;
@@ -311,6 +330,8 @@ class SweepRunner {
     SweepObserver& observer_;
     std::mutex observer_mutex_;
     ReadyAssets ready_;
+    Intermediates intermediates_;
+    std::vector<Intermediates::Expected> expected_;  // of each variant, until it is made
 
     std::mutex mutex_;  // guards all members below
     std::condition_variable freed_;

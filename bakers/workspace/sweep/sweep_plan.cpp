@@ -44,6 +44,7 @@ void take_plan(const FolderPlan& plan, const config::Recipe& recipe, PlannedVari
         variant.stale.push_back(
             {asset.bake->name, asset.identity.key, asset.reasons.empty() ? "" : asset.reasons[0]});
         variant.seconds += asset.estimate.seconds;
+        variant.needs.insert(variant.needs.end(), asset.needs.begin(), asset.needs.end());
     }
     variant.memory_mib = plan.memory_mib();
     if (is_settled(plan, recipe)) variant.result.status = VariantStatus::done;

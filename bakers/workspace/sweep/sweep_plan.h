@@ -42,6 +42,7 @@ struct StaleAsset {
 struct PlannedVariant {
     VariantResult result;  // complete if it is done or cannot be read
     std::vector<StaleAsset> stale;
+    std::vector<Need> needs;        // what stale assets share, also with those of other variants
     std::vector<std::string> keys;  // of all its assets, in the recipe's order
     std::string last_failure;       // the first error of error.json, "E0402: ..."; empty: none
     double seconds = 0;             // estimates for the stale assets

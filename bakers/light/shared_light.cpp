@@ -1,0 +1,97 @@
+#include "bakers/light/shared_light.h"
+
+#include <algorithm>
+
+#include "bakers/air/forward_peak.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr double kSecondsOfDegree8 = 2;  // to solve for the light of Earth's sky
+constexpr double kMibOfLight = 8;
+constexpr double kSecondsOfSunlight = 0.1;
+constexpr double kMibOfSunlight = 24;
+
+// Spheres cost seconds before their moments are known.
+bool has_spheres(const config::Atmosphere& atmosphere) {
+    return std::any_of(
+        atmosphere.layers.begin(), atmosphere.layers.end(),
+        [](const config::Layer& layer) { return layer.phase == config::Phase::mie; });
+}
+
+// Requests for the same light in different words are made equal, where that costs nothing.
+LightRequest in_plain_words(LightRequest request) {
+    if (has_spheres(request.atmosphere)) return request;
+    const SkyMedium medium = make_sky_medium(request.atmosphere);
+    const SkyMedium without = without_forward_peaks(medium);
+    if (without == medium) request.peaks_of_spheres = false;
+    if (request.degree == 0) request.degree = sky_degree(medium_of(request));
+    return request;
+}
+
+SolverSettings settings_of(const LightRequest& request, const SkyMedium& medium) {
+    SolverSettings settings;
+    settings.degree = request.degree > 0 ? request.degree : sky_degree(medium);
+    settings.orders = request.orders;
+    if (!request.finer) return settings;
+    settings = finer(settings);
+    settings.degree += request.degree_more;
+    return settings;
+}
+
+}  // namespace
+
+SkyMedium medium_of(const LightRequest& request) {
+    SkyMedium medium = make_sky_medium(request.atmosphere);
+    if (!request.peaks_of_spheres) medium = without_forward_peaks(std::move(medium));
+    return medium;
+}
+
+Need need_of(const LightRequest& request) {
+    const LightRequest plain = in_plain_words(request);
+    // Cost grows faster than the degree, and a finer solution has 1.5 times as many directions and
+    // 1.25 times as many altitudes.
+    const double degree = plain.degree > 0 ? plain.degree : 8;
+    const double seconds = kSecondsOfDegree8 * degree / 8 * (plain.finer ? 2.3 : 1);
+    return {NeedKey(plain), plain.finer ? "finer light, a reference" : "solved light", seconds,
+            kMibOfLight};
+}
+
+std::shared_ptr<const SolvedLight> light_of(const LightRequest& request, const SkyMedium& medium,
+                                            const BakeOptions& options) {
+    const auto solve = [&] {
+        return std::make_shared<const SolvedLight>(
+            solve_light(medium, settings_of(request, medium), options.threads, options.progress));
+    };
+    if (options.intermediates == nullptr) return solve();
+    std::shared_ptr<const SolvedLight> unfinished;
+    auto light = options.intermediates->get<SolvedLight>(
+        need_of(request).key, [&]() -> std::shared_ptr<const SolvedLight> {
+            auto solved = solve();
+            if (!options.cancelled()) return solved;
+            unfinished = std::move(solved);
+            return nullptr;
+        });
+    return light ? light : unfinished;
+}
+
+Need need_of(const SunlightRequest& request) {
+    return {NeedKey(request), "table of sunlight", kSecondsOfSunlight, kMibOfSunlight};
+}
+
+std::shared_ptr<const TransmittanceField> make_sunlight(const Medium& air, int threads) {
+    constexpr TransmittanceField::Size kSize = {1024, 256};
+    return std::make_shared<const TransmittanceField>(air, quadrature_altitudes_km(air), kSize,
+                                                      threads);
+}
+
+std::shared_ptr<const TransmittanceField> sunlight_of(const SunlightRequest& request,
+                                                      const Medium& air,
+                                                      const BakeOptions& options) {
+    return shared_or_made<TransmittanceField>(options.intermediates, NeedKey(request),
+                                              [&] { return make_sunlight(air, options.threads); });
+}
+
+}  // namespace skybake

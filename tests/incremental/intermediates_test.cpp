@@ -1,0 +1,189 @@
+// What assets share: made once, freed after the last, and without a trace in the bytes.
+#include "bakers/math/intermediates.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bakers/assets/registry.h"
+#include "bakers/workspace/bake_folder.h"
+#include "bakers/workspace/folder_plan.h"
+#include "tests/incremental/bakes.h"
+
+namespace skybake {
+namespace {
+
+Need need_of_number(int number, double memory_mib = 1) {
+    return {NeedKey(number), "a number", 0, memory_mib};
+}
+
+// Counts how often a value is made.
+class Maker {
+  public:
+    std::shared_ptr<const int> get(Intermediates& from, int number) {
+        return from.get<int>(NeedKey(number), [this, number] {
+            ++made_;
+            return std::make_shared<const int>(10 * number);
+        });
+    }
+    int made() const { return made_; }
+
+  private:
+    std::atomic<int> made_ = 0;
+};
+
+TEST(Intermediates, AreMadeOnceAndFreedAfterTheLastUse) {
+    Intermediates shared(1 << 20);
+    Maker maker;
+    Intermediates::Expected first = shared.expect({need_of_number(3)});
+    Intermediates::Expected second = shared.expect({need_of_number(3), need_of_number(3)});
+    EXPECT_EQ(shared.kept_bytes(), 0);
+    const std::weak_ptr<const int> value = maker.get(shared, 3);
+    EXPECT_EQ(*maker.get(shared, 3), 30);
+    EXPECT_EQ(maker.made(), 1);
+    EXPECT_EQ(shared.kept_bytes(), 1 << 20);
+    first = {};
+    EXPECT_FALSE(value.expired());
+    second = {};
+    EXPECT_TRUE(value.expired());
+    EXPECT_EQ(shared.kept_bytes(), 0);
+}
+
+TEST(Intermediates, OfOneTypeAndValueAreTheSame) {
+    EXPECT_EQ(NeedKey(3), NeedKey(3));
+    EXPECT_FALSE(NeedKey(3) == NeedKey(4));
+    EXPECT_FALSE(NeedKey(3) == NeedKey(3.0)) << "of another type";
+    EXPECT_EQ(NeedKey(std::string("air")), NeedKey(std::string("air")));
+}
+
+TEST(Intermediates, ThatNobodyExpectsOrThatDoNotFitAreMadeEachTime) {
+    Intermediates shared(1 << 20);
+    Maker maker;
+    EXPECT_EQ(*maker.get(shared, 1), 10);
+    EXPECT_EQ(*maker.get(shared, 1), 10);
+    EXPECT_EQ(maker.made(), 2);
+    const auto large = shared.expect({need_of_number(2, 2)});
+    maker.get(shared, 2);
+    maker.get(shared, 2);
+    EXPECT_EQ(maker.made(), 4);
+    EXPECT_EQ(shared.kept_bytes(), 0);
+}
+
+TEST(Intermediates, ThatWereInterruptedAreMadeByTheNextThatAsks) {
+    Intermediates shared(1 << 20);
+    Maker maker;
+    const auto expected = shared.expect({need_of_number(5)});
+    const auto none =
+        shared.get<int>(NeedKey(5), []() -> std::shared_ptr<const int> { return {}; });
+    EXPECT_EQ(none, nullptr);
+    EXPECT_THROW(
+        shared.get<int>(NeedKey(5), []() -> std::shared_ptr<const int> { throw std::bad_alloc(); }),
+        std::bad_alloc);
+    EXPECT_EQ(*maker.get(shared, 5), 50);
+}
+
+TEST(Intermediates, AreMadeByOneOfSeveralThreads) {
+    Intermediates shared(1 << 20);
+    Maker maker;
+    const auto expected = shared.expect({need_of_number(7, 0.01)});
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 8; ++i) {
+        threads.emplace_back([&] { EXPECT_EQ(*maker.get(shared, 7), 70); });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(maker.made(), 1);
+}
+
+constexpr const char* kSky = R"(preset = "earth"
+[bake.view]
+asset = "sky_view"
+sun_elevations = ["5 deg"]
+size = [16, 12]
+[bake.mie]
+asset = "sky_view"
+orders = "single"
+layers = ["mie"]
+sun_elevations = ["5 deg"]
+size = [16, 12]
+[bake.ground]
+asset = "irradiance"
+size = [8, 4]
+[bake.psi]
+asset = "multiple_scattering"
+method = "solved"
+content = "fitted"
+size = [8, 8]
+[bake.once]
+asset = "bruneton"
+table = "single_mie"
+size = [32, 8, 4]
+nu_size = 4
+[bake.table]
+asset = "bruneton"
+size = [32, 8, 4]
+nu_size = 4
+)";
+
+using Hashes = std::map<std::string, std::string>;
+
+Hashes baked(const std::filesystem::path& folder, const config::Recipe& recipe,
+             std::vector<config::Bake> bakes) {
+    FolderBake bake;
+    bake.recipe = &recipe;
+    bake.bakes = std::move(bakes);
+    bake.folder = folder;
+    bake.certification = Certification::off;
+    testing::RememberingObserver observer;
+    const auto result = bake_folder(bake, observer);
+    Hashes hashes;
+    if (!result.value) return hashes;
+    for (const FinishedAsset& asset : result.value->assets) {
+        hashes[asset.entry.name] = asset.entry.content_hash;
+    }
+    return hashes;
+}
+
+// A key that leaves something out would give an asset what another one needs.
+TEST(Intermediates, LeaveNoTraceInTheBytesOfAssets) {
+    const config::Recipe recipe = testing::recipe_of(kSky);
+    const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
+    const testing::TemporaryFolder folder;
+    const Hashes whole = baked(folder.path() / "whole", recipe, bakes);
+    ASSERT_EQ(whole.size(), bakes.size());
+    const Hashes reversed =
+        baked(folder.path() / "reversed", recipe, {bakes.rbegin(), bakes.rend()});
+    EXPECT_EQ(reversed, whole);
+    for (const config::Bake& bake : bakes) {
+        const Hashes alone = baked(folder.path() / bake.name, recipe, {bake});
+        EXPECT_EQ(alone.at(bake.name), whole.at(bake.name)) << bake.name;
+    }
+}
+
+TEST(Intermediates, OfARecipeArePlannedByTheirUsers) {
+    const config::Recipe recipe = testing::recipe_of(kSky);
+    const testing::TemporaryFolder folder;
+    FolderBake bake;
+    bake.recipe = &recipe;
+    bake.bakes = recipe.parameters.bakes;
+    bake.folder = folder.path() / "out";
+    bake.certification = Certification::off;
+    const auto plan = plan_folder(bake);
+    ASSERT_TRUE(plan.value);
+    std::map<std::string, std::set<std::string>> users;
+    for (const PlannedIntermediate& one : plan.value->intermediates()) {
+        for (const std::string& asset : one.assets) users[one.need.name].insert(asset);
+    }
+    using Names = std::set<std::string>;
+    EXPECT_EQ(users.at("solved light"), (Names{"view", "ground", "psi", "table"}));
+    EXPECT_EQ(users.at("table of sunlight"), (Names{"view", "mie", "ground", "once", "table"}));
+    EXPECT_EQ(users.at("light scattered once"), (Names{"once", "table"}));
+}
+
+}  // namespace
+}  // namespace skybake
