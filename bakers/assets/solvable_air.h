@@ -9,9 +9,9 @@
 
 namespace skybake {
 
-// Returns E0405 if the asset is made of solved light and the solution would take hours: the air
-// scatters light very often on its way up, or is very high above a small planet. The solution's
-// angles are those of a planet, and its number of directions and levels grows with both.
+// Returns E0405 if the asset is made of solved light and the solution would take many minutes: the
+// air scatters light very often on its way up, or it is very high above a small planet. The numbers
+// of altitudes and of directions of a solution grow with both.
 std::optional<config::Diagnostic> check_solvable(const config::Atmosphere& atmosphere,
                                                  const config::Bake& bake);
 

@@ -55,9 +55,6 @@ class MapLookup {
     // continues, according to `wrap`. May be called from any thread.
     double at(double u, double v) const;
 
-    // Of the picture's pixels; empty if the picture came without one.
-    const std::string& content_hash() const { return image_.content_hash; }
-
   private:
     double pixel(int x, int y) const;
 

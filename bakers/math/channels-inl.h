@@ -34,15 +34,18 @@ struct Channels {
 
     Channels() = default;
     HWY_INLINE explicit Channels(double x) {
+        HWY_UNROLL(4)
         for (std::size_t i = 0; i < kParts; ++i) parts[i] = hn::Set(Tag(), x);
     }
     HWY_INLINE explicit Channels(const Spectrum& x) : Channels(load(data(x))) {}
     static HWY_INLINE Channels load(const double* p) {
         Channels x;
+        HWY_UNROLL(4)
         for (std::size_t i = 0; i < kParts; ++i) x.parts[i] = hn::LoadU(Tag(), p + i * kPerPart);
         return x;
     }
     HWY_INLINE void store(double* p) const {
+        HWY_UNROLL(4)
         for (std::size_t i = 0; i < kParts; ++i) hn::StoreU(parts[i], Tag(), p + i * kPerPart);
     }
     HWY_INLINE Spectrum spectrum() const {
@@ -67,22 +70,27 @@ struct ChannelMask {
 };
 
 HWY_INLINE Channels operator+(Channels a, const Channels& b) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) a.parts[i] = hn::Add(a.parts[i], b.parts[i]);
     return a;
 }
 HWY_INLINE Channels operator-(Channels a, const Channels& b) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) a.parts[i] = hn::Sub(a.parts[i], b.parts[i]);
     return a;
 }
 HWY_INLINE Channels operator*(Channels a, const Channels& b) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) a.parts[i] = hn::Mul(a.parts[i], b.parts[i]);
     return a;
 }
 HWY_INLINE Channels operator/(Channels a, const Channels& b) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) a.parts[i] = hn::Div(a.parts[i], b.parts[i]);
     return a;
 }
 HWY_INLINE Channels operator-(Channels a) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) a.parts[i] = hn::Neg(a.parts[i]);
     return a;
 }
@@ -90,6 +98,7 @@ HWY_INLINE Channels operator*(double a, const Channels& b) { return Channels(a) 
 
 HWY_INLINE ChannelMask operator<(const Channels& a, const Channels& b) {
     ChannelMask mask;
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) {
         mask.parts[i] = hn::Lt(a.parts[i], b.parts[i]);
     }
@@ -97,22 +106,26 @@ HWY_INLINE ChannelMask operator<(const Channels& a, const Channels& b) {
 }
 HWY_INLINE ChannelMask operator>(const Channels& a, const Channels& b) { return b < a; }
 HWY_INLINE Channels select(const ChannelMask& mask, const Channels& yes, Channels no) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) {
         no.parts[i] = hn::IfThenElse(mask.parts[i], yes.parts[i], no.parts[i]);
     }
     return no;
 }
 HWY_INLINE Channels minimum(Channels a, const Channels& b) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) a.parts[i] = hn::Min(a.parts[i], b.parts[i]);
     return a;
 }
 HWY_INLINE Channels maximum(Channels a, const Channels& b) {
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) a.parts[i] = hn::Max(a.parts[i], b.parts[i]);
     return a;
 }
 
 HWY_INLINE Channels add_to_bits(Channels x, std::uint64_t n) {
     const hn::RebindToUnsigned<Channels::Tag> bits;
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) {
         const auto sum = hn::Add(hn::BitCast(bits, x.parts[i]), hn::Set(bits, n));
         x.parts[i] = hn::BitCast(Channels::Tag(), sum);
@@ -122,6 +135,7 @@ HWY_INLINE Channels add_to_bits(Channels x, std::uint64_t n) {
 template <int kBy>
 HWY_INLINE Channels shift_bits_left(Channels x) {
     const hn::RebindToUnsigned<Channels::Tag> bits;
+    HWY_UNROLL(4)
     for (std::size_t i = 0; i < Channels::kParts; ++i) {
         const auto shifted = hn::ShiftLeft<kBy>(hn::BitCast(bits, x.parts[i]));
         x.parts[i] = hn::BitCast(Channels::Tag(), shifted);

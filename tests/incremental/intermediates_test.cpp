@@ -165,6 +165,43 @@ TEST(Intermediates, LeaveNoTraceInTheBytesOfAssets) {
     }
 }
 
+// As the variants of a sweep are: one after the other, or side by side.
+TEST(Intermediates, AreMadeOnceForSeveralFolders) {
+    const testing::TemporaryFolder folder;
+    std::vector<config::Recipe> recipes;
+    for (const int width : {8, 10, 12}) {
+        recipes.push_back(
+            testing::recipe_of(kSky, {}, {"bake.view.size=[" + std::to_string(width) + ", 8]"}));
+    }
+    Intermediates shared(std::int64_t{1} << 30);
+    std::vector<Intermediates::Expected> expected;
+    std::vector<FolderBake> bakes;
+    for (const config::Recipe& recipe : recipes) {
+        FolderBake& bake = bakes.emplace_back();
+        bake.recipe = &recipe;
+        bake.bakes = {recipe.parameters.bakes.front()};
+        bake.folder = folder.path() / std::to_string(bakes.size());
+        bake.certification = Certification::off;
+        bake.threads = 1;
+        bake.intermediates = &shared;
+        expected.push_back(
+            shared.expect(baker_of(bake.bakes.front())
+                              .needs(recipe.parameters, bake.bakes.front(), Certification::off)));
+    }
+    std::vector<std::thread> threads;
+    for (const FolderBake& bake : bakes) {
+        threads.emplace_back([&bake] {
+            testing::RememberingObserver observer;
+            EXPECT_TRUE(bake_folder(bake, observer).value);
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(shared.made(), 2) << "the light and the table of sunlight";
+    EXPECT_GT(shared.kept_bytes(), 0);
+    expected.clear();
+    EXPECT_EQ(shared.kept_bytes(), 0);
+}
+
 TEST(Intermediates, OfARecipeArePlannedByTheirUsers) {
     const config::Recipe recipe = testing::recipe_of(kSky);
     const testing::TemporaryFolder folder;

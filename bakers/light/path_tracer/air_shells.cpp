@@ -61,6 +61,12 @@ Real cubic(Real value, Real slope, Real next_value, Real next_slope, double leng
                                             share * (from + to - 2.0 * rise)));
 }
 
+// Degree 5, without a loop, which the compiler would keep in memory.
+HWY_INLINE Channels polynomial(const Channels* coefficients, const Channels& t) {
+    const Channels high = (coefficients[5] * t + coefficients[4]) * t + coefficients[3];
+    return ((high * t + coefficients[2]) * t + coefficients[1]) * t + coefficients[0];
+}
+
 // Gauss-Legendre on [0, 1].
 constexpr int kGaussNodes = 4;
 constexpr double kShellNodes[kGaussNodes] = {0.069431844202973712, 0.33000947820757187,
@@ -280,9 +286,7 @@ double AirShells::position(const AirShell& shell, double altitude_km) const {
 Channels AirShells::extinction(int shell, double altitude_km) const {
     const AirShell& air = shells_[static_cast<std::size_t>(shell)];
     const Channels t(position(air, altitude_km));
-    Channels value = air.extinction[kDegree];
-    for (std::size_t n = kDegree; n-- > 0;) value = value * t + air.extinction[n];
-    return value;
+    return polynomial(air.extinction, t);
 }
 
 double AirShells::density(int shell, int layer, double altitude_km) const {
@@ -327,9 +331,7 @@ Channels AirShells::depth_to_top(const Point& point) const {
     for (int i = 0; i < kGaussNodes; ++i) {
         const double y = length * kShellNodes[i];
         const Channels t(1 + y * (y - 2 * s_top) * shell.inverse_half_width);
-        Channels value = shell.extinction[kDegree];
-        for (std::size_t n = kDegree; n-- > 0;) value = value * t + shell.extinction[n];
-        within = within + kWeights[i] * value;
+        within = within + kWeights[i] * polynomial(shell.extinction, t);
     }
     const double shifted = s_top + shell.scale_km;
     const Node* node = nodes_.data() + shell.first_node +
