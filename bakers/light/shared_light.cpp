@@ -9,7 +9,7 @@ namespace skybake {
 
 namespace {
 
-constexpr double kSecondsOfDegree8 = 2;  // to solve for the light of Earth's sky
+constexpr double kSecondsOfDegree8 = 1.2;  // to solve for the light of Earth's sky
 constexpr double kMibOfLight = 8;
 constexpr double kSecondsOfSunlight = 0.1;
 constexpr double kMibOfSunlight = 24;

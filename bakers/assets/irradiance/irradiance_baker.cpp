@@ -46,7 +46,7 @@ std::vector<Need> needs(const Parameters& parameters, const IrradianceBake& asse
 }
 
 Estimate estimate(const Parameters&, const IrradianceBake& asset) {
-    return estimate_texels(asset, asset.size, 4e-3, 0.3 + seconds_to_solve(asset.orders));
+    return estimate_texels(asset, asset.size, 5e-4, 3 + seconds_to_solve(asset.orders));
 }
 
 AssetPlaces places(const Parameters& parameters, const IrradianceBake& asset,
