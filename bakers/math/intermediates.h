@@ -45,8 +45,9 @@ struct Need {
     double memory_mib = 0;  // that it takes while it is kept
 };
 
-// Several threads may use one. Threads that ask for an intermediate which another one makes wait
-// for it, so they must not ask within a parallel loop.
+// Several threads may use one. Those that ask for an intermediate which another one makes wait for
+// it. The one that makes it never waits for them, even if all of them ask within a parallel loop: a
+// loop within a loop runs its own tasks only (parallel.h).
 class Intermediates {
   public:
     // Keeps at most so many bytes. What does not fit is made anew for each asset.

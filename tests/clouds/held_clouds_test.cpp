@@ -29,21 +29,48 @@ BakeOptions options_with(std::int64_t held_voxel_bytes) {
 
 constexpr std::int64_t kPlenty = 1 << 24;
 
-std::shared_ptr<const VoxelSource> held(const test::CloudCase& any) {
-    const Baked volume =
-        hold_cloud_volume(any.cloud, bake_of(any), {&any.base, any.detail_noise(), any.maps},
-                          options_with(kPlenty), {});
+// A case whose cloud names its noises, as a recipe does.
+test::CloudCase named(test::CloudCase any) {
+    any.base.name = "base";
+    any.cloud.noise = any.base.name;
+    if (any.detail) {
+        any.detail->name = "detail";
+        any.cloud.detail = any.detail->name;
+    }
+    return any;
+}
+
+Intermediates::Expected expect(Intermediates& shared, const test::CloudCase& any) {
+    config::Parameters parameters;
+    parameters.clouds = {any.cloud};
+    parameters.noises = {any.base};
+    if (any.detail) parameters.noises.push_back(*any.detail);
+    config::CloudVolumeBake bake = bake_of(any);
+    bake.cloud = any.cloud.name;
+    return shared.expect({need_of_voxels(parameters, bake)});
+}
+
+std::shared_ptr<const VoxelSource> held(Intermediates& shared, const test::CloudCase& any) {
+    BakeOptions options = options_with(kPlenty);
+    options.intermediates = &shared;
+    const Baked volume = hold_cloud_volume(any.cloud, bake_of(any),
+                                           {&any.base, any.detail_noise(), any.maps}, options, {});
     return volume.levels.front().voxels;
 }
 
-TEST(HeldClouds, AreSharedAsLongAsSomebodyHasThem) {
-    const test::CloudCase any = test::plain_case({16, 16, 8});
-    auto first = held(any);
-    EXPECT_EQ(held(any), first);
+TEST(HeldClouds, AreSharedAsLongAsSomebodyNeedsThem) {
+    const test::CloudCase any = named(test::plain_case({16, 16, 8}));
+    Intermediates shared(kPlenty);
+    Intermediates::Expected expected = expect(shared, any);
+    auto first = held(shared, any);
+    EXPECT_EQ(held(shared, any), first);
+    EXPECT_EQ(shared.kept_bytes(), 16 * 16 * 8 * 4);
     const std::weak_ptr<const VoxelSource> seen = first;
     first.reset();
+    EXPECT_FALSE(seen.expired());
+    expected = {};
     EXPECT_TRUE(seen.expired());
-    EXPECT_NE(held(any), nullptr);
+    EXPECT_NE(held(shared, any), nullptr);
 }
 
 TEST(HeldClouds, AreNotSharedByOtherClouds) {
@@ -63,27 +90,33 @@ TEST(HeldClouds, AreNotSharedByOtherClouds) {
         [](test::CloudCase& any) { any.size[2] *= 2; },
     };
     const test::CloudCase any = test::plain_case({16, 16, 8});
-    const auto first = held(any);
+    Intermediates shared(kPlenty);
+    const auto expected = expect(shared, named(any));
+    const auto first = held(shared, named(any));
     for (const Change& change : changes) {
         test::CloudCase other = any;
         change(other);
-        EXPECT_NE(held(other), first);
+        const auto also_expected = expect(shared, named(other));
+        EXPECT_NE(held(shared, named(other)), first);
     }
+    EXPECT_EQ(held(shared, named(any)), first);
 }
 
-test::CloudCase with_map(const std::string& content_hash) {
-    test::CloudCase any = test::plain_case({16, 16, 8});
-    any.maps.coverage = cloud::MapLookup({1, 1, {0.5F}, content_hash}, config::MapWrap::repeat,
-                                         config::MapFilter::linear);
+test::CloudCase with_map(const std::string& path) {
+    test::CloudCase any = named(test::plain_case({16, 16, 8}));
+    any.cloud.coverage_map.path = path;
+    any.maps.coverage =
+        cloud::MapLookup({1, 1, {0.5F}, {}}, config::MapWrap::repeat, config::MapFilter::linear);
     return any;
 }
 
 TEST(HeldClouds, AreSharedByEqualMapsOnly) {
-    const auto first = held(with_map("a"));
-    EXPECT_EQ(held(with_map("a")), first);
-    EXPECT_NE(held(with_map("b")), first);
-    const auto unknown = held(with_map(""));
-    EXPECT_NE(held(with_map("")), unknown);
+    Intermediates shared(kPlenty);
+    const auto expected = expect(shared, with_map("a.png"));
+    const auto others_expected = expect(shared, with_map("b.png"));
+    const auto first = held(shared, with_map("a.png"));
+    EXPECT_EQ(held(shared, with_map("a.png")), first);
+    EXPECT_NE(held(shared, with_map("b.png")), first);
 }
 
 TEST(HeldClouds, HaveTheBytesOfThoseMadeOnDemand) {
