@@ -119,6 +119,10 @@ asset = "multiple_scattering"
 method = "solved"
 content = "fitted"
 size = [8, 8]
+[bake.mean]
+asset = "multiple_scattering"
+method = "solved"
+size = [8, 8]
 [bake.once]
 asset = "bruneton"
 table = "single_mie"
@@ -217,7 +221,7 @@ TEST(Intermediates, OfARecipeArePlannedByTheirUsers) {
         for (const std::string& asset : one.assets) users[one.need.name].insert(asset);
     }
     using Names = std::set<std::string>;
-    EXPECT_EQ(users.at("solved light"), (Names{"view", "ground", "psi", "table"}));
+    EXPECT_EQ(users.at("solved light"), (Names{"view", "ground", "psi", "mean", "table"}));
     EXPECT_EQ(users.at("table of sunlight"), (Names{"view", "mie", "ground", "once", "table"}));
     EXPECT_EQ(users.at("light scattered once"), (Names{"once", "table"}));
 }
