@@ -218,11 +218,8 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
     }
 
     Intermediates intermediates(BakeOptions().held_voxel_bytes);
-    std::vector<Intermediates::Expected> expected;
-    for (const Bake& bake : bakes) {
-        expected.push_back(intermediates.expect(
-            baker_of(bake).needs(selection.value->recipe.parameters, bake, Certification::quick)));
-    }
+    const auto expected = intermediates.expect(
+        needs_of(selection.value->recipe.parameters, bakes, Certification::quick));
     std::vector<AssetReport> reports;
     for (const Bake& bake : bakes) {
         Outcome<AssetReport> report = [&] {

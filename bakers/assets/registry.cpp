@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -143,6 +144,16 @@ const AnyBaker& baker_of(const Bake& bake) {
     const std::string_view name = config::kind_of(bake).facts.name;
     return *std::find_if(bakers().begin(), bakers().end(),
                          [name](const AnyBaker& baker) { return baker.asset == name; });
+}
+
+std::vector<Need> needs_of(const Parameters& parameters, std::span<const Bake> bakes,
+                           Certification certification) {
+    std::vector<Need> needs;
+    for (const Bake& bake : bakes) {
+        std::vector<Need> own = baker_of(bake).needs(parameters, bake, certification);
+        std::move(own.begin(), own.end(), std::back_inserter(needs));
+    }
+    return needs;
 }
 
 std::string asset_parameters(const config::Recipe& recipe, const Bake& bake) {

@@ -40,6 +40,10 @@ std::span<const AnyBaker> bakers();
 // Returns the baker of a [bake.NAME] section.
 const AnyBaker& baker_of(const config::Bake& bake);
 
+// Returns what the bakes are made from and share.
+std::vector<Need> needs_of(const config::Parameters& parameters,
+                           std::span<const config::Bake> bakes, Certification certification);
+
 // Returns the resolved parameters on which an asset depends, as TOML. Its files carry them.
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
 

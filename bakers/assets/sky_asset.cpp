@@ -5,9 +5,14 @@
 
 namespace skybake {
 
-std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders) {
-    if (orders == config::SkyOrders::single) return {};
-    return {need_of(LightRequest{.atmosphere = atmosphere})};
+std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders,
+                              bool reads_sunlight) {
+    std::vector<Need> needs;
+    if (orders != config::SkyOrders::single) {
+        needs.push_back(need_of(LightRequest{.atmosphere = atmosphere}));
+    }
+    if (reads_sunlight) needs.push_back(need_of(SunlightRequest{atmosphere}));
+    return needs;
 }
 
 AccuracyRequest sky_table_request(const std::array<int, 2>& size) {

@@ -24,8 +24,10 @@ config::Outcome<Baked> bake_of_light(const SkyLight& light, const std::string& n
     return make(light);
 }
 
-// Returns the solved light of an asset, which it needs unless it shows light that was scattered once.
-std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders);
+// Returns the solved light of an asset, which it needs unless it shows light that was scattered
+// once, and the table of sunlight if it integrates rows of rays (sky_row.h).
+std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders,
+                              bool reads_sunlight);
 
 // For a table of radiance around a camera (1/sr): the number of points that certify it, and its
 // conventions, reference and scale of errors. The table already has its channels' names.

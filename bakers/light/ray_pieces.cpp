@@ -41,6 +41,12 @@ const NodeShares& shares_up_to_nodes() {
     return shares;
 }
 
+// Of a node of the ray that starts at altitude_km.
+double altitude_of(const Shell& shell, double altitude_km, double s_km, double distance_km) {
+    return std::clamp(altitude_along_km(shell, altitude_km, s_km, distance_km), 0.0,
+                      shell.thickness_km);  // rounding
+}
+
 class Cutter {
   public:
     Cutter(const Medium& medium, double altitude_km, double s_km)
@@ -55,9 +61,7 @@ class Cutter {
         for (std::size_t i = 0; i < kNodes; ++i) {
             Node& node = piece.nodes[i];
             node.distance_km = from_km + width * gauss_rule().nodes[i];
-            node.altitude_km =
-                std::clamp(altitude_along_km(shell_, altitude_km_, s_km_, node.distance_km), 0.0,
-                           shell_.thickness_km);  // rounding
+            node.altitude_km = altitude_of(shell_, altitude_km_, s_km_, node.distance_km);
             node.width_km = width * gauss_rule().weights[i];
             extinction[i] = extinction_at(medium_, node.altitude_km);
             depth_to += node.width_km * extinction[i];
@@ -109,10 +113,19 @@ const QuadratureRule& gauss_rule() {
     return rule;
 }
 
-std::array<double, kNodes> node_shares(double share) {
-    std::array<double, kNodes> shares{};
-    for (std::size_t i = 0; i < kNodes; ++i) shares[i] = node_polynomial(i, share);
-    return shares;
+std::array<StretchNode, kNodes> stretch(const Shell& shell, double altitude_km, double s_km,
+                                        double piece_from_km, double piece_to_km, double from_km,
+                                        double to_km) {
+    std::array<StretchNode, kNodes> nodes;
+    for (std::size_t j = 0; j < kNodes; ++j) {
+        StretchNode& node = nodes[j];
+        node.distance_km = from_km + (to_km - from_km) * gauss_rule().nodes[j];
+        node.altitude_km = altitude_of(shell, altitude_km, s_km, node.distance_km);
+        node.width_km = (to_km - from_km) * gauss_rule().weights[j];
+        const double share = (node.distance_km - piece_from_km) / (piece_to_km - piece_from_km);
+        for (std::size_t i = 0; i < kNodes; ++i) node.shares[i] = node_polynomial(i, share);
+    }
+    return nodes;
 }
 
 double longest_piece_km(const Shell& shell, double altitude_km, double s_km, double from_km,

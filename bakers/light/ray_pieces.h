@@ -42,10 +42,6 @@ double longest_piece_km(const Shell& shell, double altitude_km, double s_km, dou
 // whose light still reaches it; nothing if no light does.
 std::optional<double> lit_depth(const Spectrum& from, const Spectrum& to, int channels);
 
-// Returns, at a share in [0, 1] of a piece, the polynomials that are 1 at one node and 0 at the
-// others. They interpolate between nodes.
-std::array<double, kNodes> node_shares(double share);
-
 struct Node {
     double distance_km = 0;    // from the ray's beginning
     double altitude_km = 0;    // in [0, thickness]
@@ -63,6 +59,22 @@ struct CutRay {
     std::vector<Piece> pieces;  // those that light reaches from the ray's beginning, ascending
     Spectrum depth{};           // optical depth of the whole ray
 };
+
+// A node of a part of a piece.
+struct StretchNode {
+    double distance_km = 0;
+    double altitude_km = 0;
+    double width_km = 0;
+    // The polynomials that are 1 at one node of the piece and 0 at the others: what nodes send is
+    // interpolated by them.
+    std::array<double, kNodes> shares{};
+};
+
+// Returns the nodes of the stretch from ... to of a piece of the ray that starts at an altitude with
+// s = r mu.
+std::array<StretchNode, kNodes> stretch(const Shell& shell, double altitude_km, double s_km,
+                                        double piece_from_km, double piece_to_km, double from_km,
+                                        double to_km);
 
 // Cuts the ray that starts at an altitude in [0, thickness] with s = r mu where it crosses one of
 // the altitudes and at its lowest point, and halves the pieces until they are short enough.

@@ -133,8 +133,9 @@ SkyIrradiance::TracedZeniths SkyIrradiance::trace(double from, double to, int no
             sky_ray(light_.shell(), altitude_km_, above, sky_direction(above, mu, sine, 1));
         zeniths.push_back(
             {mu, sine, angle.weight,
-             before ? SkyRow(before_integrator_, light_.medium(), light_.higher_orders(), any)
-                    : SkyRow(once_integrator_, once_, nullptr, any, &light_.sunlight())});
+             before
+                 ? SkyRow(before_integrator_, light_.medium(), light_.higher_orders(), any, nullptr)
+                 : SkyRow(once_integrator_, once_, nullptr, any, &light_.sunlight())});
     }
     return zeniths;
 }

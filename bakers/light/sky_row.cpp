@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/sky_ray.h"
@@ -85,51 +85,28 @@ void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, c
                              const std::vector<Spectrum>& phases, Spectrum& sum) const {
     if (!(from_km < to_km)) return;
     const QuadratureRule& rule = ray_pieces::gauss_rule();
-    for (std::size_t j = 0; j < ray_pieces::kNodes; ++j) {
-        const double x = from_km + (to_km - from_km) * rule.nodes[j];
-        const double altitude_km =
-            std::clamp(altitude_along_km(shell_, any_.altitude_km, any_.s_km, x), 0.0,
-                       shell_.thickness_km);  // rounding
+    for (const ray_pieces::StretchNode& at : ray_pieces::stretch(
+             shell_, any_.altitude_km, any_.s_km, piece.from_km, piece.to_km, from_km, to_km)) {
         // Rounding may take a place next to the shadow's edge beyond it.
-        const double s_km = std::max(ray.sun_s_km + x * ray.cosine_to_sun,
-                                     -horizon_distance_km(shell_, altitude_km));
-        const auto shares =
-            ray_pieces::node_shares((x - piece.from_km) / (piece.to_km - piece.from_km));
+        const double s_km = std::max(ray.sun_s_km + at.distance_km * ray.cosine_to_sun,
+                                     -horizon_distance_km(shell_, at.altitude_km));
         Spectrum sent{};
         for (std::size_t n = 0; n < ray_pieces::kNodes; ++n) {
             const Node& node = nodes_[piece.first_node + n];
-            const double per_width = shares[n] / (rule.weights[n] * (piece.to_km - piece.from_km));
+            const double per_width =
+                at.shares[n] / (rule.weights[n] * (piece.to_km - piece.from_km));
             for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
                 sent += per_width * node.weight * node.scattering[k] * phases[k];
             }
         }
-        sum += (to_km - from_km) * rule.weights[j] * sent * sunlight_at(altitude_km, s_km);
+        Spectrum sun{};
+        sunlight_->read(at.altitude_km, &s_km, 1, data(sun));
+        sum += at.width_km * sent * sun;
     }
-}
-
-Spectrum SkyRow::sunlight_at(double altitude_km, double s_km) const {
-    if (sunlight_ == nullptr) {
-        return exponential(-optical_depth_to_top(medium_.air, altitude_km, s_km));
-    }
-    Spectrum value{};
-    sunlight_->read(altitude_km, &s_km, 1, data(value));
-    return value;
-}
-
-// Of suns above the node's horizon: channel c of sun i is at c * count + i.
-void SkyRow::find_sunlight(const Node& node, const std::vector<double>& s_km,
-                           std::vector<double>& sunlight) const {
-    const auto count = static_cast<int>(s_km.size());
-    if (sunlight_ != nullptr) {
-        sunlight_->read(node.altitude_km, s_km.data(), count, sunlight.data());
-        return;
-    }
-    optical_depth_to_top(medium_.air, node.altitude_km, s_km.data(), count, sunlight.data());
-    for (double& value : sunlight) value = -value;
-    exponentials(sunlight.data(), count * medium_.air.channels);
 }
 
 void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const {
+    assert(sunlight_ != nullptr);
     const std::size_t count = rays.size();
     std::vector<DarkStretch> dark(count);
     std::vector<std::vector<Spectrum>> phases(count);
@@ -172,7 +149,7 @@ void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& l
             // Rounding may take a place next to the shadow's edge beyond it.
             s[j] = std::max(ray.sun_s_km + node.distance_km * ray.cosine_to_sun, -node.horizon_km);
         }
-        find_sunlight(node, s, sun);
+        sunlight_->read(node.altitude_km, s.data(), static_cast<int>(s.size()), sun.data());
         for (std::size_t j = 0; j < lit.size(); ++j) {
             Spectrum sent{};
             for (std::size_t k = 0; k < medium_.layers.size(); ++k) {

@@ -3,8 +3,7 @@
 // faster.
 //
 // Nodes, transmittances and densities are computed once for the row, which may serve many suns.
-// Sunlight is computed for all rays of a node at once: exactly (optical_depth.h), or it is read from
-// a table. Pieces that the edge of the planet's shadow crosses are integrated over their lit
+// Sunlight is read from a table for all rays of a node at once. Pieces that the edge of the planet's shadow crosses are integrated over their lit
 // stretches, ray by ray. The light of higher orders is a
 // smooth function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
 // that many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
@@ -29,10 +28,11 @@ using RayOfAzimuth = std::function<SkyRay(double azimuth_cosine)>;
 class SkyRow {
   public:
     // The arguments except `any` must outlive this object. `any` may be any ray of the row: only
-    // what all rays share is used. With null for `sunlight` it is exact.
+    // what all rays share is used. `sunlight` is a table of the transmittance through medium.air; it
+    // may be null for rows that are asked for higher orders alone.
     SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
            const HigherOrders* higher_orders, const SkyRay& any,
-           const TransmittanceField* sunlight = nullptr);
+           const TransmittanceField* sunlight);
 
     // One thread at a time: higher orders keep what several suns share.
     std::vector<SkyRadiance> radiance(const RayOfAzimuth& ray_at,
@@ -56,8 +56,6 @@ class SkyRow {
         std::size_t first_node;
     };
     void add_piece(const ray_pieces::Piece& piece);
-    void find_sunlight(const Node& node, const std::vector<double>& s_km,
-                       std::vector<double>& sunlight) const;
     void add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const;
     void add_lit_piece(const Piece& piece, const std::vector<std::size_t>& lit,
                        const std::vector<SkyRay>& rays,
@@ -65,7 +63,6 @@ class SkyRow {
                        std::vector<SkyRadiance>& sums) const;
     void add_lit_stretch(const Piece& piece, double from_km, double to_km, const SkyRay& ray,
                          const std::vector<Spectrum>& phases, Spectrum& sum) const;
-    Spectrum sunlight_at(double altitude_km, double s_km) const;
     int azimuth_nodes() const;
     double view_cosine(const Node& node) const;
     std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;

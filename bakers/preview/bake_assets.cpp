@@ -75,11 +75,8 @@ class PreviewBake {
     Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
         shown_.title = title;
         shown_.recipe = recipe_;
-        std::vector<Intermediates::Expected> expected;
-        for (const config::Bake& bake : bakes) {
-            expected.push_back(options_.intermediates->expect(
-                baker_of(bake).needs(recipe_.parameters, bake, options_.certification)));
-        }
+        const auto expected = options_.intermediates->expect(
+            needs_of(recipe_.parameters, bakes, options_.certification));
         for (const config::Bake& bake : bakes) {
             if (stages_.progress != nullptr) {
                 stages_.progress->begin_stage(++stage_, stages_.count, bake.name);

@@ -36,10 +36,7 @@ bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
 
 // Voxels are held only in memory that the bake does not need otherwise.
 std::int64_t held_voxel_bytes(const FolderBake& bake, const FolderPlan& plan) {
-    if (!bake.memory_limit_mib) return bake.held_voxel_bytes;
-    const double left = std::max(0.0, *bake.memory_limit_mib - plan.memory_mib()) * kMebibyte;
-    return left < static_cast<double>(bake.held_voxel_bytes) ? static_cast<std::int64_t>(left)
-                                                             : bake.held_voxel_bytes;
+    return bytes_to_keep(bake.held_voxel_bytes, bake.memory_limit_mib, plan.memory_mib());
 }
 
 // One bake into one locked folder. Each step returns whether to go on. If not, the diagnostics say

@@ -124,6 +124,12 @@ std::vector<Diagnostic> memory_excess(const FolderPlan& plan, std::optional<doub
 
 }  // namespace
 
+std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, double used_mib) {
+    if (!limit_mib) return most;
+    const double left = std::max(0.0, *limit_mib - used_mib) * kMebibyte;
+    return left < static_cast<double>(most) ? static_cast<std::int64_t>(left) : most;
+}
+
 bool is_as_written(const fs::path& folder, const RetiredFile& file) {
     const fs::path path = file.path;
     std::error_code error;

@@ -94,6 +94,10 @@ struct FolderPlan {
     double memory_mib() const;
 };
 
+// Returns the bytes that may be kept of what is made: `most`, or what a bake that needs `used_mib`
+// leaves of a limit.
+std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, double used_mib);
+
 // Whether a retired file is the one that skybake wrote: a plain file in the folder with the bytes
 // that its manifest says. Only such files are pruned.
 bool is_as_written(const std::filesystem::path& folder, const RetiredFile& file);

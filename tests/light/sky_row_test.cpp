@@ -33,7 +33,8 @@ std::vector<double> azimuths(int count) {
 double error_of_row(const SkyLight& light, const SkyViewCamera& camera, double y,
                     const SunZenith& sun, const std::vector<double>& cosines) {
     const auto ray_at = [&](double cosine) { return camera.ray(y, sun, cosine); };
-    const SkyRow row(light.integrator(), light.medium(), light.higher_orders(), ray_at(1));
+    const SkyRow row(light.integrator(), light.medium(), light.higher_orders(), ray_at(1),
+                     &light.sunlight());
     const std::vector<SkyRadiance> found = row.radiance(ray_at, cosines);
     std::vector<Spectrum> wanted;
     double scale = 0;
@@ -172,7 +173,7 @@ TEST(SkyRow, HasTheSameLightFromAllSidesUnderASunAtTheZenith) {
     const SunZenith sun = sun_at_elevation(90 * kDegree);
     const auto ray_at = [&](double cosine) { return camera.ray(0.7, sun, cosine); };
     const SkyRow row(sky.light().integrator(), sky.light().medium(), sky.light().higher_orders(),
-                     ray_at(1));
+                     ray_at(1), &sky.light().sunlight());
     const std::vector<SkyRadiance> radiance = row.radiance(ray_at, azimuths(24));
     for (const SkyRadiance& value : radiance) {
         EXPECT_NEAR(value.total()[2], radiance[0].total()[2], 1e-13);
@@ -196,10 +197,11 @@ RC_GTEST_PROP(SkyRow, PartsOfTheLightAddUp, ()) {
                                uniform(0, 1) * all.light().shell().thickness_km);
     const SunZenith sun = sun_at_elevation(uniform(-20, 90) * kDegree);
     const double y = uniform(0, 1);
+    const TransmittanceField& sunlight = all.light().sunlight();  // the air of all four
     const auto of = [&](const TestSky& sky) {
         const auto ray_at = [&](double cosine) { return camera.ray(y, sun, cosine); };
         const SkyRow row(sky.light().integrator(), sky.light().medium(),
-                         sky.light().higher_orders(), ray_at(1));
+                         sky.light().higher_orders(), ray_at(1), &sunlight);
         return sky.light().wanted(row.radiance(ray_at, {0.3}).front());
     };
     const Spectrum whole = of(all);

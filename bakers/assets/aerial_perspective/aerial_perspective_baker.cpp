@@ -33,7 +33,7 @@ config::SkyOrders solved_orders(const AerialPerspectiveBake& asset) {
 
 std::vector<Need> needs(const Parameters& parameters, const AerialPerspectiveBake& asset,
                         Certification) {
-    return light_needs(parameters.atmosphere, solved_orders(asset));
+    return light_needs(parameters.atmosphere, solved_orders(asset), false);
 }
 
 Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,

@@ -92,10 +92,10 @@ std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
     const bool is_flat = bake.table == BrunetonTable::irradiance;
     if (bake.table != BrunetonTable::higher_orders) {
         needs.push_back(need_of(SunlightRequest{atmosphere}));
-        if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, true)));
+        if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, 1)));
     }
     if (request && !is_flat && bake.method != config::BrunetonMethod::iterated) {
-        needs.push_back(need_of(parts_request(atmosphere, bake, false)));
+        needs.push_back(need_of(parts_request(atmosphere, bake, bake.orders)));
     }
     return needs;
 }

@@ -21,7 +21,8 @@ config::Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere,
                                      const config::BrunetonBake& bake, const BakeOptions& options,
                                      Baked volume);
 
-// Returns the light that is scattered once more to make orders 2 and up, if a table has any of them.
+// Returns what a table is made from and shares with others: solved light, sunlight, and light that
+// was scattered once or more often.
 std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
                                     const config::BrunetonBake& bake);
 

@@ -35,22 +35,16 @@ Spectrum ScatteringRows::sunlight(double altitude_km, double s_km) const {
 void ScatteringRows::add_cut_piece(const ScatteringView& view, const BundlePiece& piece,
                                    double from_km, double to_km, double sun_cos_zenith, double nu,
                                    std::vector<Spectrum>& sums) const {
-    const QuadratureRule& rule = ray_pieces::gauss_rule();
     const double begin_s = (shell_.ground_radius_km + view.altitude_km) * sun_cos_zenith;
-    for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-        const double x = from_km + (to_km - from_km) * rule.nodes[j];
-        const double altitude =
-            std::clamp(altitude_along_km(shell_, view.altitude_km, view.s_km, x), 0.0,
-                       shell_.thickness_km);  // rounding
+    for (const ray_pieces::StretchNode& at : ray_pieces::stretch(
+             shell_, view.altitude_km, view.s_km, piece.from_km, piece.to_km, from_km, to_km)) {
         // Suns that there are not may be higher than the zenith.
-        const double s = std::min(begin_s + x * nu, shell_.ground_radius_km + altitude);
-        const Spectrum sun = sunlight(altitude, s);
-        const auto shares =
-            ray_pieces::node_shares((x - piece.from_km) / (piece.to_km - piece.from_km));
-        const double weight = rule.weights[j] * (to_km - from_km);
-        for (std::size_t i = 0; i < shares.size(); ++i) {
+        const double s =
+            std::min(begin_s + at.distance_km * nu, shell_.ground_radius_km + at.altitude_km);
+        const Spectrum sun = sunlight(at.altitude_km, s);
+        for (std::size_t i = 0; i < at.shares.size(); ++i) {
             for (std::size_t k = 0; k < sums.size(); ++k) {
-                sums[k] += weight * shares[i] * piece.nodes[i].sent[k] * sun;
+                sums[k] += at.width_km * at.shares[i] * piece.nodes[i].sent[k] * sun;
             }
         }
     }

@@ -142,23 +142,22 @@ TableParts make_parts(const SkyMedium& medium, const SolvedLight* light,
 }
 
 PartsRequest parts_request(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
-                           bool is_first) {
+                           int orders) {
     return {.atmosphere = atmosphere,
             .mie_layers = bake.mie_layers,
             .size = bake.size,
             .nu_size = bake.nu_size,
             .sun_cos_zenith_min = bake.sun_cos_zenith_min,
-            .is_first = is_first,
-            .orders = is_first ? 1 : bake.orders};
+            .orders = orders};
 }
 
 Need need_of(const PartsRequest& request) {
     constexpr double kSecondsPerTexel = 2e-6;
     const double texels = voxels_of(request.size, 1);
     const double bytes = texels * static_cast<double>(sizeof(StoredSpectrum));
-    return {NeedKey(request),
-            request.is_first ? "light scattered once" : "light scattered more than once",
-            texels * kSecondsPerTexel, (request.is_first ? 2 : 1) * bytes / kMebibyte};
+    const bool is_first = request.orders == 1;
+    return {NeedKey(request), is_first ? "light scattered once" : "light scattered more than once",
+            texels * kSecondsPerTexel, (is_first ? 2 : 1) * bytes / kMebibyte};
 }
 
 TableParts shared_parts(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
@@ -169,14 +168,14 @@ TableParts shared_parts(const config::Atmosphere& atmosphere, const config::Brun
     TableParts parts;
     if (sunlight) {
         parts.first = shared_or_made<FirstOrderParts>(
-            options.intermediates, NeedKey(parts_request(atmosphere, bake, true)), [&] {
+            options.intermediates, NeedKey(parts_request(atmosphere, bake, 1)), [&] {
                 TableParts made = make_parts(medium, nullptr, sunlight, content, mapping, options);
                 return options.cancelled() ? nullptr : std::move(made.first);
             });
     }
     if (light != nullptr) {
         parts.higher = shared_or_made<HigherOrderParts>(
-            options.intermediates, NeedKey(parts_request(atmosphere, bake, false)), [&] {
+            options.intermediates, NeedKey(parts_request(atmosphere, bake, bake.orders)), [&] {
                 TableParts made = make_parts(medium, light, nullptr, content, mapping, options);
                 return options.cancelled() ? nullptr : std::move(made.higher);
             });

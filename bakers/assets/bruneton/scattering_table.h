@@ -68,20 +68,19 @@ TableParts make_parts(const SkyMedium& medium, const SolvedLight* light,
                       const ScatteringContent& content, const ScatteringMapping& mapping,
                       const BakeOptions& options);
 
-// The first order of some tables, or their higher ones.
+// Light of some tables, scattered once or more than once.
 struct PartsRequest {
     config::Atmosphere atmosphere;
     std::vector<std::string> mie_layers;
     std::array<int, 3> size{};
     int nu_size = 0;
     double sun_cos_zenith_min = 0;
-    bool is_first = false;
-    int orders = 0;  // of the higher ones: the last order; 0: all
+    int orders = 0;  // the last order: 1 for light scattered once; 0: all
     bool operator==(const PartsRequest&) const = default;
 };
 
 PartsRequest parts_request(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
-                           bool is_first);
+                           int orders);
 
 Need need_of(const PartsRequest& request);
 

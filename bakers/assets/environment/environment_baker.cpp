@@ -12,7 +12,6 @@
 #include "bakers/assets/baker.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/sky_asset.h"
-#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/environment.h"
@@ -35,9 +34,7 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
 }
 
 std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
-    std::vector<Need> needs = light_needs(parameters.atmosphere, asset.orders);
-    needs.push_back(need_of(SunlightRequest{parameters.atmosphere}));
-    return needs;
+    return light_needs(parameters.atmosphere, asset.orders, true);
 }
 
 Estimate estimate(const Parameters&, const EnvironmentBake& asset) {

@@ -14,7 +14,6 @@
 #include "bakers/assets/sky_asset.h"
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
-#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "config/assets/irradiance.h"
 
@@ -38,11 +37,7 @@ Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
 std::vector<Need> needs(const Parameters& parameters, const IrradianceBake& asset, Certification) {
     if (asset.content == config::IrradianceContent::direct) return {};
     const config::SkyOrders orders = orders_of(asset);
-    std::vector<Need> needs = light_needs(parameters.atmosphere, orders);
-    if (orders != config::SkyOrders::multiple) {
-        needs.push_back(need_of(SunlightRequest{parameters.atmosphere}));
-    }
-    return needs;
+    return light_needs(parameters.atmosphere, orders, orders != config::SkyOrders::multiple);
 }
 
 Estimate estimate(const Parameters&, const IrradianceBake& asset) {

@@ -15,7 +15,6 @@
 #include "bakers/assets/sky_asset.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/field/image.h"
-#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/light/strip_orders.h"
@@ -30,12 +29,14 @@ namespace {
 
 using config::SkyViewBake;
 
+bool is_from_strips(const SkyViewBake& asset) {
+    return asset.sky == config::SkyMethod::strips && asset.orders != config::SkyOrders::single;
+}
+
 std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphere,
                                               const SkyViewBake& asset,
                                               const BakeOptions& options) {
-    const bool from_strips =
-        asset.sky == config::SkyMethod::strips && asset.orders != config::SkyOrders::single;
-    if (!from_strips) {
+    if (!is_from_strips(asset)) {
         return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
     }
     SkyMedium medium = make_sky_medium(atmosphere);
@@ -53,10 +54,8 @@ Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
 }
 
 std::vector<Need> needs(const Parameters& parameters, const SkyViewBake& asset, Certification) {
-    if (asset.sky == config::SkyMethod::strips) return {};
-    std::vector<Need> needs = light_needs(parameters.atmosphere, asset.orders);
-    needs.push_back(need_of(SunlightRequest{parameters.atmosphere}));
-    return needs;
+    if (is_from_strips(asset)) return {};
+    return light_needs(parameters.atmosphere, asset.orders, true);
 }
 
 Estimate estimate(const Parameters&, const SkyViewBake& asset) {

@@ -98,14 +98,11 @@ class VariantObserver : public BakeObserver {
 
 // What variants share is kept in memory that none of them needs.
 std::int64_t most_kept_bytes(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
-    const std::int64_t most = BakeOptions().held_voxel_bytes;
-    if (!job.memory_limit_mib) return most;
     double largest_mib = 0;
     for (const PlannedVariant& variant : plan) {
         largest_mib = std::max(largest_mib, variant.memory_mib);
     }
-    const double left = std::max(0.0, *job.memory_limit_mib - largest_mib) * kMebibyte;
-    return left < static_cast<double>(most) ? static_cast<std::int64_t>(left) : most;
+    return bytes_to_keep(BakeOptions().held_voxel_bytes, job.memory_limit_mib, largest_mib);
 }
 
 class SweepRunner {
