@@ -19,8 +19,8 @@ namespace {
 
 // Paths in all places together. The first number takes about as long as Earth's solution. In air
 // that scatters light very often there are fewer, so that they have at most so many flights.
-constexpr double kQuickPaths = 1 << 18;
-constexpr double kFullPaths = 1 << 22;
+constexpr double kQuickPaths = 3 << 16;
+constexpr double kFullPaths = 1 << 20;
 constexpr double kMostFlightsOfPath = 32;
 constexpr std::int64_t kPilotPaths = 64;
 constexpr double kMostPathsOfMean = 16;
@@ -34,8 +34,10 @@ constexpr int kMostRounds = 3;
 constexpr std::uint64_t kPilotSeed = 100;
 
 // Paths with rare, bright light find too little of it until one of them has found it: a larger
-// standard error tells little, itself included.
+// standard error tells little, itself included. The second bound is of the light that paths found
+// alone, without what quadrature adds to it: paths that found none of it have no standard error.
 constexpr double kLargestSpread = 0.05;
+constexpr double kLargestSpreadOfWalked = 0.25;
 
 // One place's light by paths, and how far what was found is off.
 struct TracedPlace {
@@ -140,6 +142,9 @@ class SkyComparison {
             pilots[static_cast<std::size_t>(i)] =
                 trace(static_cast<std::size_t>(i), kPilotSeed, kPilotPaths);
         });
+        finds_light_ = std::any_of(pilots.begin(), pilots.end(), [](const auto& pilot) {
+            return pilot.walked != Spectrum{};
+        });
         double flights = 0;
         double spreads = 0;
         for (const PathTracedRadiance& pilot : pilots) {
@@ -165,11 +170,19 @@ class SkyComparison {
             if (!(traced.radiance[c] > 0)) continue;
             double error = std::fabs(found_[place][c] / traced.radiance[c] - 1);
             if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
-            const double standard_error = traced.standard_error[c] / traced.radiance[c];
-            if (standard_error > kLargestSpread) continue;
-            counted.push_back({error, standard_error});
+            if (!is_trusted(traced, c)) continue;
+            counted.push_back({error, traced.standard_error[c] / traced.radiance[c]});
         }
         return counted;
+    }
+
+    // False where too few paths found light for their standard error to mean anything. Without air
+    // paths have nothing to find.
+    bool is_trusted(const PathTracedRadiance& traced, std::size_t channel) const {
+        if (!finds_light_) return true;
+        const double error = traced.standard_error[channel];
+        return traced.walked[channel] > 0 && error <= kLargestSpread * traced.radiance[channel] &&
+               error <= kLargestSpreadOfWalked * traced.walked[channel];
     }
 
     int lit_channels(std::size_t place) const {
@@ -206,6 +219,7 @@ class SkyComparison {
     const BakeOptions& options_;
     std::vector<Spectrum> found_;
     std::vector<TracedPlace> places_;
+    bool finds_light_ = false;
 };
 
 }  // namespace

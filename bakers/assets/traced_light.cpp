@@ -50,7 +50,10 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
         const LevelSample& at = samples[place];
         PathTracedRadiance light =
             trace_irradiance(air->tracer(), at.altitude_km, at.sun, settings, 1);
-        if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
+        if (orders == config::SkyOrders::multiple) {
+            light.radiance -= light.orders[0];
+            light.walked = light.radiance;
+        }
         return light;
     };
 }

@@ -66,6 +66,10 @@ inline PathTracerSettings paths(std::int64_t count, std::uint32_t ray = 0) {
     return settings;
 }
 
+// Standard errors come from 16 replicates: this many of them are as improbable as four of a normal
+// distribution whose width is known (Student's t with 15 degrees of freedom, 6e-5).
+inline constexpr double kFourDeviations = 5.47;
+
 // The largest |a - 1| in standard errors; an error too small to be seen counts as rounding of 1e-9.
 inline double furnace_deviation(const PathTracedRadiance& radiance, int channels) {
     double worst = 0;

@@ -40,7 +40,8 @@ TEST(PathTracer, WhiteFurnaceIsWhite) {
             for (const double mu : {1.0, 0.05, -0.05, -1.0}) {
                 const PathTracedRadiance radiance =
                     trace_ambient_paths(tracer, altitude, mu, paths(furnace.paths, ++ray), 1);
-                EXPECT_LE(test::furnace_deviation(radiance, 3), 4) << altitude << ' ' << mu;
+                EXPECT_LE(test::furnace_deviation(radiance, 3), test::kFourDeviations)
+                    << altitude << ' ' << mu;
             }
         }
     }

@@ -45,7 +45,7 @@ TEST_P(PhaseSampling, HasTheMoments) {
     std::array<double, kDegree + 1> squares{};
     RandomStream random(5, 1, 2);
     for (int i = 0; i < kSamples; ++i) {
-        const ScatteringAngle cosine = sample_phase(phase, random);
+        const ScatteringAngle cosine = sample_phase(phase, random.next(), random);
         ASSERT_GE(cosine.one_minus, 0);
         ASSERT_GE(cosine.one_plus, 0);
         ASSERT_NEAR(cosine.one_minus + cosine.one_plus, 2, 1e-13);
@@ -62,6 +62,24 @@ TEST_P(PhaseSampling, HasTheMoments) {
     }
 }
 
+// Rayleigh's share of the light below an angle is (4 - 3 nu - nu^3) / 8; shares are of the light
+// above it, from the backward end to the forward end.
+TEST(PhaseSamplingOfRayleigh, InvertsTheCubic) {
+    const PhaseFunction phase = make_phase_function(config::Phase::rayleigh, 0);
+    RandomStream random(5, 3, 2);
+    double before = -1;
+    for (int i = 0; i <= 1000; ++i) {
+        const double share = i / 1000.0;
+        const ScatteringAngle angle = sample_phase(phase, share, random);
+        const double nu = 0.5 * (angle.one_plus - angle.one_minus);
+        EXPECT_NEAR((4 + 3 * nu + nu * nu * nu) / 8, share, 1e-15) << share;
+        EXPECT_GE(nu, before);
+        before = nu;
+    }
+    EXPECT_EQ(sample_phase(phase, 0, random).one_plus, 0);
+    EXPECT_EQ(sample_phase(phase, 1, random).one_minus, 0);
+}
+
 // Near the forward peak the angle itself: the share of light within half the peak's width, where a
 // formula by cosines has no digits left. For Henyey-Greenstein 1 - nu = (1 - g)^2 (1 - s) (2 + g (1
 // + s)) / (2 (1 + g s)^2), s uniform.
@@ -74,7 +92,8 @@ TEST(PhaseSamplingAtThePeak, KeepsItsDigits) {
     constexpr int kSamples = 100000;
     int within = 0;
     RandomStream random(5, 2, 2);
-    for (int i = 0; i < kSamples; ++i) within += sample_phase(phase, random).one_minus < bound;
+    for (int i = 0; i < kSamples; ++i)
+        within += sample_phase(phase, random.next(), random).one_minus < bound;
     EXPECT_NEAR(within, 0.05 * kSamples, 4 * std::sqrt(0.05 * 0.95 * kSamples));
 }
 
@@ -103,8 +122,7 @@ RC_GTEST_PROP(Scatter, KeepsTheAngle, ()) {
     const double sine = std::sqrt((1 - z) * (1 + z));
     const double azimuth = uniform(0, 6.3);
     const glm::dvec3 axis = {sine * std::cos(azimuth), sine * std::sin(azimuth), z};
-    RandomStream random(*rc::gen::inRange<std::uint64_t>(0, 1000), 0, 0);
-    const glm::dvec3 scattered = scatter(axis, {1 - nu, 1 + nu}, random);
+    const glm::dvec3 scattered = scatter(axis, {1 - nu, 1 + nu}, uniform(0, 1));
     RC_ASSERT(std::fabs(dot(scattered, scattered) - 1) < 1e-14);
     RC_ASSERT(std::fabs(dot(scattered, axis) - nu) < 1e-14);
 }
@@ -116,7 +134,9 @@ TEST(Scatter, HasNoPreferredAzimuth) {
         RandomStream random(9, 0, 0);
         glm::dvec3 sum{};
         constexpr int kSamples = 100000;
-        for (int i = 0; i < kSamples; ++i) sum = sum + scatter(axis, {0.5, 1.5}, random);
+        for (int i = 0; i < kSamples; ++i) {
+            sum = sum + scatter(axis, {0.5, 1.5}, random.next());
+        }
         const glm::dvec3 across = (1.0 / kSamples) * sum - 0.5 * axis;
         // Each component across has a variance of (1 - 1/4) / 2.
         EXPECT_LT(std::sqrt(dot(across, across)), 4 * std::sqrt(0.75 / kSamples));

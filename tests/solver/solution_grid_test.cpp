@@ -51,6 +51,28 @@ TEST(SolutionLevels, OfVacuum) {
     EXPECT_EQ(levels.back(), 100);
 }
 
+// Sixteen layers that are alike need no more levels than the lowest of them; a second one that is
+// not adds its own.
+TEST(SolutionLevels, AreSharedByLayersThatAreAlike) {
+    Medium medium;
+    medium.channels = 3;
+    medium.ground_radius_km = 6360;
+    medium.thickness_km = 100;
+    const auto add = [&](double scale_height_km) {
+        ExponentialLayer layer{};
+        layer.scale_height_km = scale_height_km;
+        layer.extinction_per_km = Spectrum(1e-4);
+        medium.exponential_layers.push_back(layer);
+    };
+    add(8);
+    const std::vector<double> of_one = solution_levels_km(medium, 1);
+    for (int i = 1; i < 16; ++i) add(8 + 0.1 * i);
+    EXPECT_NEAR(static_cast<double>(solution_levels_km(medium, 1).size()),
+                static_cast<double>(of_one.size()), 1);
+    add(1.2);
+    EXPECT_GT(solution_levels_km(medium, 1).size(), of_one.size() + 5);
+}
+
 RC_GTEST_PROP(SunAxis, ColumnsStandAtWholePositions, ()) {
     const double radius = test::log_uniform(10, 1e6);
     const Shell shell{radius, radius * test::log_uniform(1e-4, 0.5)};

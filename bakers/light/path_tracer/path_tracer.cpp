@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bakers/light/path_tracer/path_numbers.h"
 #include "bakers/light/path_tracer/phase_sampling.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/parallel.h"
@@ -15,19 +16,15 @@ namespace skybake {
 
 namespace {
 
+// Replicates of an estimate, each by points of its own scrambling: how far their means scatter is
+// the standard error, known to 18 % of itself.
+constexpr std::int64_t kReplicates = 16;
 constexpr std::int64_t kPathsPerBlock = 1024;
-// Paths that find out what weight is usual. They are no part of the estimate: their numbers come
-// from an address that no estimate reaches.
-// An eighth of the paths, within bounds: few find a mean well enough.
-constexpr std::int64_t kMostPilotPaths = 512;
+// Random paths that find out what weight is usual: few find a mean well enough. They are no part of
+// the estimate: their numbers come from an address that no estimate reaches.
+constexpr std::int64_t kMostPilotPaths = 256;
 constexpr std::int64_t kLeastPilotPaths = 32;
 constexpr std::uint64_t kPilotAddress = std::uint64_t{1} << 63;
-
-struct BlockSums {
-    PathLight light;
-    Channels total{0.0};
-    Channels squares{0.0};
-};
 
 // Where paths begin: all in one direction, or each in a direction of its own, which is spread
 // evenly over the sphere, or over the upper half of it in proportion to the cosine of the zenith
@@ -43,7 +40,12 @@ struct Sensor {
     const PathTracerSettings& settings;
 };
 
-// Walks path after path, each from its own random numbers.
+ScatteringAngle zenith_angle(Aperture aperture, double share) {
+    if (aperture == Aperture::sphere) return {2 * share, 2 * (1 - share)};
+    return lambert_angle(share);
+}
+
+// Walks path after path.
 class SensorPaths {
   public:
     explicit SensorPaths(const Sensor& sensor)
@@ -51,21 +53,24 @@ class SensorPaths {
           start_(sensor.start),
           first_(sensor.walker.first_flight(start_, sensor.rules)) {}
 
-    Channels walk(std::uint64_t path, PathLight& light) {
-        RandomStream random(sensor_.settings.seed, sensor_.settings.ray, path);
+    std::size_t channels() const {
+        return static_cast<std::size_t>(sensor_.walker.medium().air.channels);
+    }
+    RandomStream random(std::uint64_t path) const {
+        return {sensor_.settings.seed, sensor_.settings.ray, path};
+    }
+
+    Channels walk(std::size_t hero, PathNumbers& numbers, PathLight& light) {
         if (sensor_.aperture != Aperture::ray) {
-            start_.direction = scatter(start_.up, zenith_angle(random.next()), random);
+            const ScatteringAngle angle = zenith_angle(sensor_.aperture, numbers.next());
+            start_.direction = scatter(start_.up, angle, numbers.next());
             first_ = sensor_.walker.first_flight(start_, sensor_.rules);
         }
-        return sensor_.walker.walk(sensor_.source, start_, first_, sensor_.rules, random, light);
+        return sensor_.walker.walk(sensor_.source, start_, first_, sensor_.rules, hero, numbers,
+                                   light);
     }
 
   private:
-    ScatteringAngle zenith_angle(double share) const {
-        if (sensor_.aperture == Aperture::sphere) return {2 * share, 2 * (1 - share)};
-        return lambert_angle(share);
-    }
-
     const Sensor& sensor_;
     PathStart start_;
     PathWalker::Flight first_;
@@ -74,65 +79,102 @@ class SensorPaths {
 Channels usual_weight(const Sensor& sensor) {
     SensorPaths paths(sensor);
     const std::int64_t count =
-        std::clamp(sensor.settings.paths / 8, kLeastPilotPaths, kMostPilotPaths);
+        std::clamp(sensor.settings.paths / 16, kLeastPilotPaths, kMostPilotPaths);
     Channels sum(0.0);
     for (std::int64_t i = 0; i < count; ++i) {
         PathLight light;
-        sum = sum + paths.walk(kPilotAddress + static_cast<std::uint64_t>(i), light);
+        PathNumbers numbers(paths.random(kPilotAddress + static_cast<std::uint64_t>(i)));
+        const auto hero = static_cast<std::size_t>(i) % paths.channels();
+        sum = sum + paths.walk(hero, numbers, light);
     }
     return (1 / static_cast<double>(count)) * sum;
 }
 
-BlockSums walk_block(const Sensor& sensor, std::int64_t block) {
+// A part of a replicate's paths.
+struct Block {
+    std::int64_t replicate = 0;
+    std::int64_t begin = 0;
+    std::int64_t end = 0;
+};
+
+// Heroes take turns, and begin with any of them, so that each is as likely as the others for any
+// number of paths. The paths of a hero have points of their own.
+PathLight walk_block(const Sensor& sensor, const Block& block) {
     SensorPaths paths(sensor);
-    BlockSums sums;
-    const std::int64_t begin = block * kPathsPerBlock;
-    const std::int64_t end = std::min(begin + kPathsPerBlock, sensor.settings.paths);
-    for (std::int64_t path = begin; path < end; ++path) {
-        PathLight light;
-        paths.walk(static_cast<std::uint64_t>(path), light);
-        sums.light.flights += light.flights;
-        Channels value = light.direct;
-        for (std::size_t n = 0; n < kPathOrders; ++n) {
-            value = value + light.orders[n];
-            sums.light.orders[n] = sums.light.orders[n] + light.orders[n];
-        }
-        sums.total = sums.total + value;
-        sums.squares = sums.squares + value * value;
+    const std::size_t channels = paths.channels();
+    const ScrambledPoints points(sensor.settings.seed, sensor.settings.ray, static_cast<std::uint32_t>(block.replicate));
+    PathLight sum;
+    for (std::int64_t path = block.begin; path < block.end; ++path) {
+        PathNumbers numbers(points, static_cast<std::uint32_t>(path),
+                            paths.random(static_cast<std::uint64_t>(path * kReplicates + block.replicate)));
+        const std::size_t hero = std::min(static_cast<std::size_t>(numbers.next() * static_cast<double>(channels)), channels - 1);
+        paths.walk(hero, numbers, sum);
     }
-    return sums;
+    return sum;
+}
+
+// Returns the blocks of all replicates, one replicate after the other.
+std::vector<Block> blocks_of(std::int64_t paths_of_replicate) {
+    std::vector<Block> blocks;
+    for (std::int64_t replicate = 0; replicate < kReplicates; ++replicate) {
+        for (std::int64_t begin = 0; begin < paths_of_replicate; begin += kPathsPerBlock) {
+            blocks.push_back(
+                {replicate, begin, std::min(begin + kPathsPerBlock, paths_of_replicate)});
+        }
+    }
+    return blocks;
+}
+
+void add_light(const PathLight& from, PathLight& to) {
+    to.direct = to.direct + from.direct;
+    to.flights += from.flights;
+    for (std::size_t n = 0; n < kPathOrders; ++n) to.orders[n] = to.orders[n] + from.orders[n];
+}
+
+Spectrum all_light(const PathLight& light) {
+    Channels sum = light.direct;
+    for (const Channels& order : light.orders) sum = sum + order;
+    return sum.spectrum();
+}
+
+PathTracedRadiance mean_of_replicates(const std::vector<PathLight>& replicates,
+                                      std::int64_t paths_of_replicate) {
+    PathLight all;
+    for (const PathLight& replicate : replicates) add_light(replicate, all);
+    const auto count = static_cast<double>(paths_of_replicate * kReplicates);
+    PathTracedRadiance result;
+    result.flights = static_cast<double>(all.flights) / count;
+    result.walked = all_light(all) / count;
+    result.radiance = result.walked;
+    for (std::size_t n = 0; n < kPathOrders; ++n) {
+        result.orders[n] = all.orders[n].spectrum() / count;
+    }
+    Spectrum squares{};
+    for (const PathLight& replicate : replicates) {
+        const Spectrum apart =
+            all_light(replicate) / static_cast<double>(paths_of_replicate) - result.radiance;
+        squares += apart * apart;
+    }
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        result.standard_error[c] = std::sqrt(squares[c] / (kReplicates * (kReplicates - 1)));
+    }
+    return result;
 }
 
 PathTracedRadiance trace(Sensor sensor, int threads) {
     sensor.rules.usual_weight = usual_weight(sensor);
-    const std::int64_t paths = sensor.settings.paths;
-    const std::int64_t blocks = (paths + kPathsPerBlock - 1) / kPathsPerBlock;
-    std::vector<BlockSums> sums(static_cast<std::size_t>(blocks));
-    parallel_for(static_cast<int>(blocks), threads, [&](int block) {
-        sums[static_cast<std::size_t>(block)] = walk_block(sensor, block);
+    const std::int64_t paths = (sensor.settings.paths + kReplicates - 1) / kReplicates;
+    const std::vector<Block> blocks = blocks_of(paths);
+    std::vector<PathLight> light(blocks.size());
+    parallel_for(static_cast<int>(blocks.size()), threads, [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
+        light[k] = walk_block(sensor, blocks[k]);
     });
-    BlockSums all;
-    for (const BlockSums& block : sums) {
-        all.total = all.total + block.total;
-        all.squares = all.squares + block.squares;
-        all.light.flights += block.light.flights;
-        for (std::size_t n = 0; n < kPathOrders; ++n) {
-            all.light.orders[n] = all.light.orders[n] + block.light.orders[n];
-        }
+    std::vector<PathLight> replicates(kReplicates);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        add_light(light[i], replicates[static_cast<std::size_t>(blocks[i].replicate)]);
     }
-    PathTracedRadiance result;
-    const auto count = static_cast<double>(paths);
-    result.flights = static_cast<double>(all.light.flights) / count;
-    for (std::size_t c = 0; c < kMaxChannels; ++c) {
-        const double mean = all.total[c] / count;
-        const double variance = all.squares[c] / count - mean * mean;
-        result.radiance[c] = mean;
-        result.standard_error[c] = std::sqrt(std::max(variance, 0.0) / (count - 1));  // rounding
-        for (std::size_t n = 0; n < kPathOrders; ++n) {
-            result.orders[n][c] = all.light.orders[n][c] / count;
-        }
-    }
-    return result;
+    return mean_of_replicates(replicates, paths);
 }
 
 // The sun in the plane of x and z, z up.
@@ -161,7 +203,7 @@ glm::dvec3 up_at(const Shell& shell, double altitude_km, double distance_km,
 PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads) {
-    assert(settings.paths >= 2);
+    assert(settings.paths >= 1);
     const SkyMedium& medium = tracer.walker().medium();
     const CameraRay ray = camera_ray(shell_of(medium.air), altitude_km, sun, direction);
     const double length_km = settings.length_km - ray.distance_km;
@@ -193,7 +235,7 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
 PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude_km,
                                        double cos_zenith, const PathTracerSettings& settings,
                                        int threads) {
-    assert(settings.paths >= 2 && cos_zenith >= -1 && cos_zenith <= 1);
+    assert(settings.paths >= 1 && cos_zenith >= -1 && cos_zenith <= 1);
     const double sine = std::sqrt((1 - cos_zenith) * (1 + cos_zenith));
     const PathStart start = {{0, 0, 1}, {sine, 0, cos_zenith}, altitude_km};
     return trace({tracer.walker(),
@@ -208,7 +250,7 @@ PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude
 PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude_km,
                                        const SunZenith& sun, const PathTracerSettings& settings,
                                        int threads) {
-    assert(settings.paths >= 2);
+    assert(settings.paths >= 1);
     return trace({tracer.walker(),
                   {false, sun_vector(sun), settings.sun_radius},
                   {{0, 0, 1}, {0, 0, 1}, altitude_km},
@@ -221,7 +263,7 @@ PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude
 PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km,
                                     const SunZenith& sun, const PathTracerSettings& settings,
                                     int threads) {
-    assert(settings.paths >= 2);
+    assert(settings.paths >= 1);
     PathTracedRadiance result = trace({tracer.walker(),
                                        {false, sun_vector(sun), settings.sun_radius},
                                        {{0, 0, 1}, {0, 0, 1}, altitude_km},
@@ -230,6 +272,7 @@ PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km
                                        settings},
                                       threads);
     result.radiance = std::numbers::pi * result.radiance;
+    result.walked = result.radiance;
     result.standard_error = std::numbers::pi * result.standard_error;
     for (Spectrum& order : result.orders) order = std::numbers::pi * order;
     return result;

@@ -18,8 +18,10 @@ namespace skybake {
 
 struct PathTracerSettings {
     std::uint64_t seed = 0;
-    std::uint32_t ray = 0;   // rays of one seed have random numbers of their own
-    std::int64_t paths = 0;  // at least 2; each serves all channels
+    std::uint32_t ray = 0;  // rays of one seed have random numbers of their own
+    // At least 1; each serves all channels. Their number is rounded up to the next multiple of 16,
+    // the number of replicates from which the standard error follows.
+    std::int64_t paths = 0;
     // Takes the first order from the quadrature of sky_radiance.h (within 2e-4 of its value), whose
     // error is not counted. A sun with a disc has its first order traced in any case.
     bool deterministic_first_order = true;
@@ -36,6 +38,7 @@ struct PathTracerSettings {
 struct PathTracedRadiance {
     Spectrum radiance{};
     Spectrum standard_error{};                   // of the radiance
+    Spectrum walked{};                           // its part that was found by paths
     std::array<Spectrum, kPathOrders> orders{};  // 1 to 5, 6 and more
     double flights = 0;                          // of a path, in the mean: what it costs
 };

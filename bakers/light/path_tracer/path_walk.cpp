@@ -42,7 +42,7 @@ glm::dvec3 sample_sun(const PathSource& source, RandomStream& random) {
     if (!(source.sun_radius > 0)) return source.sun;
     const double half_sine = cosine_of_pi(0.5 - 0.5 * source.sun_radius / std::numbers::pi);
     const double one_minus = 2 * half_sine * half_sine * random.next();
-    return scatter(source.sun, {one_minus, 2 - one_minus}, random);
+    return scatter(source.sun, {one_minus, 2 - one_minus}, random.next());
 }
 
 Channels zero_unless_positive(Channels numerator, Channels denominator) {
@@ -214,23 +214,27 @@ Channels PathWalker::towards(const Here& here, const ScatteringAngle& angle) con
     return sum;
 }
 
-std::size_t PathWalker::choose_scatterer(const Here& here, std::size_t hero,
-                                         RandomStream& random) const {
+// Chooses what scatters by the first part of a number and the angle by what is left of it.
+ScatteringAngle PathWalker::choose_angle(const Here& here, std::size_t hero,
+                                         PathNumbers& numbers) const {
+    double left = numbers.next() * here.scattering[hero];
     std::size_t chosen = 0;
-    if (scatterers_.size() == 1) return chosen;
-    double left = random.next() * here.scattering[hero];
-    for (; chosen + 1 < scatterers_.size(); ++chosen) {
-        left -= here.densities()[chosen] * scatterers_[chosen].scattering_per_km[hero];
-        if (left < 0) break;
+    double part = 0;
+    for (;; ++chosen) {
+        part = here.densities()[chosen] * scatterers_[chosen].scattering_per_km[hero];
+        if (left < part || chosen + 1 == scatterers_.size()) break;
+        left -= part;
     }
-    return chosen;
+    // Rounding may reach the end of a part, or its last one where that scatters nothing.
+    constexpr double kLast = 1 - 0x1p-53;
+    const double share = part > 0 ? std::min(left / part, kLast) : kLast;
+    return sample_phase(scatterers_[chosen].phase.of(hero), share, numbers.random());
 }
 
 // Distance by the hero's density sigma_t T / (1 - T_end + returned).
-void PathWalker::arrive_in_air(const Flight& flight, State& state, RandomStream& random) const {
+void PathWalker::arrive_in_air(const Flight& flight, double scattered_share, State& state) const {
     const std::size_t h = state.hero;
-    const Channels passed =
-        move(flight, depth_of_share(random.next() * flight.scattered[h]), state);
+    const Channels passed = move(flight, depth_of_share(scattered_share), state);
     ++state.order;
     const Channels transmittance = exponential(-passed);
     const Channels extinction = air_.extinction(state.shell, state.altitude_km);
@@ -242,15 +246,14 @@ void PathWalker::arrive_in_air(const Flight& flight, State& state, RandomStream&
     state.ratio = inverse * state.ratio * density;
 }
 
-// An event in the air. False where the path ends there.
-bool PathWalker::collide(const Flight& flight, const PathSource& source, bool counts, State& state,
-                         RandomStream& random, PathLight& light) const {
-    arrive_in_air(flight, state, random);
+// An event in the air, where the path has arrived. False where the path ends there.
+bool PathWalker::collide(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
+                         PathLight& light) const {
     const std::size_t h = state.hero;
     if (!(state.ratio[h] > 0)) return false;
     const Here here = look_around(state);
     if (counts) {
-        const glm::dvec3 sun = sample_sun(source, random);
+        const glm::dvec3 sun = sample_sun(source, numbers.random());
         const double r = air_.planet().ground_radius_km + state.altitude_km;
         const Channels sunlight =
             air_.sunlight(state.altitude_km, r * glm::dot(state.up, sun), state.shell);
@@ -259,13 +262,12 @@ bool PathWalker::collide(const Flight& flight, const PathSource& source, bool co
                    state.worth() * sunlight * towards(here, angle_between(sun, state.direction));
     }
     if (!(here.scattering[h] > 0)) return false;
-    const std::size_t chosen = choose_scatterer(here, h, random);
-    const ScatteringAngle angle = sample_phase(scatterers_[chosen].phase.of(h), random);
+    const ScatteringAngle angle = choose_angle(here, h, numbers);
     const Channels value = towards(here, angle);
     const double inverse = here.scattering[h] / value[h];
     state.weight = inverse * state.weight * value;
     state.ratio = inverse * state.ratio * zero_unless_positive(value, here.scattering);
-    state.direction = scatter(state.direction, angle, random);
+    state.direction = scatter(state.direction, angle, numbers.next());
     return true;
 }
 
@@ -286,20 +288,19 @@ void PathWalker::arrive_on_ground(const Flight& flight, State& state) const {
     state.ratio = inverse * state.ratio * probability;
 }
 
-// An event on the ground: Lambert's law, its cosine sampled.
-void PathWalker::reflect(const Flight& flight, const PathSource& source, bool counts, State& state,
-                         RandomStream& random, PathLight& light) const {
-    arrive_on_ground(flight, state);
+// An event on the ground, where the path has arrived: Lambert's law, its cosine sampled.
+void PathWalker::reflect(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
+                         PathLight& light) const {
     if (counts) {
-        const double cosine = glm::dot(state.up, sample_sun(source, random));
+        const double cosine = glm::dot(state.up, sample_sun(source, numbers.random()));
         if (cosine > 0) {
             const Channels sunlight = air_.sunlight(0, air_.planet().ground_radius_km * cosine, 0);
             Channels& gathered = state.gathered(light);
             gathered = gathered + (cosine / std::numbers::pi) * state.worth() * sunlight;
         }
     }
-    const ScatteringAngle angle = lambert_angle(random.next());
-    state.direction = scatter(state.up, angle, random);
+    const ScatteringAngle angle = lambert_angle(numbers.next());
+    state.direction = scatter(state.up, angle, numbers.next());
 }
 
 PathWalker::State PathWalker::begin(const PathStart& start) const {
@@ -324,11 +325,25 @@ PathWalker::Flight PathWalker::first_flight(const PathStart& start, const PathRu
     return flight;
 }
 
+// True where Russian roulette lets a path go on, whose weight is `worth`; it carries more then.
+bool PathWalker::survives(const Channels& worth, const Channels& usual, State& state,
+                          PathNumbers& numbers) const {
+    const Channels share = zero_unless_positive(worth, usual);
+    const double survival = std::max({share[0], share[1], share[2]});
+    if (survival >= 1) {
+        numbers.skip();
+        return true;
+    }
+    if (numbers.next() >= survival) return false;
+    state.weight = (1 / survival) * state.weight;
+    return true;
+}
+
 Channels PathWalker::walk(const PathSource& source, const PathStart& start, const Flight& first,
-                          const PathRules& rules, RandomStream& random, PathLight& light) const {
+                          const PathRules& rules, std::size_t hero, PathNumbers& numbers,
+                          PathLight& light) const {
     State state = begin(start);
-    const auto channels = static_cast<double>(channels_);
-    state.hero = std::min(static_cast<std::size_t>(random.next() * channels), channels_ - 1);
+    state.hero = hero;
     Channels second_flight(0.0);
     Channels usual = rules.usual_weight;
     Flight flight = first;
@@ -344,21 +359,19 @@ Channels PathWalker::walk(const PathSource& source, const PathStart& start, cons
                 second_flight = worth;
                 usual = select(usual > Channels(0.0), usual, worth);
             }
-            const Channels share = zero_unless_positive(worth, usual);
-            const double survival = std::max({share[0], share[1], share[2]});
-            if (survival < 1) {
-                if (random.next() >= survival) return second_flight;
-                state.weight = (1 / survival) * state.weight;
-            }
+            if (!survives(worth, usual, state, numbers)) return second_flight;
         }
-        if (!(goes_on[state.hero] > 0)) return second_flight;
+        if (!(goes_on[hero] > 0)) return second_flight;
         ++light.flights;
-        const double returned = flight.returned[state.hero];
         const bool counts = !source.ambient && (state.order > 0 || rules.counts_first_order);
-        if (returned > 0 && random.next() * goes_on[state.hero] < returned) {
-            reflect(flight, source, counts, state, random, light);
-        } else if (!collide(flight, source, counts, state, random, light)) {
-            return second_flight;
+        // The ground lies behind all air.
+        const double scattered_share = numbers.next() * goes_on[hero];
+        if (flight.returned[hero] > 0 && scattered_share >= flight.scattered[hero]) {
+            arrive_on_ground(flight, state);
+            reflect(source, counts, state, numbers, light);
+        } else {
+            arrive_in_air(flight, scattered_share, state);
+            if (!collide(source, counts, state, numbers, light)) return second_flight;
         }
         flight = begin_flight(state);
     }

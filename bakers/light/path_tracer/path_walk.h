@@ -13,6 +13,10 @@
 // or the part of e^-tau that the ground returns, and carries that part as its weight. Russian
 // roulette ends paths whose weight has fallen below what second orders usually have. Each vertex
 // sees the sun through an exact transmittance.
+//
+// A flight takes four numbers: one for roulette, which the first flight does not play, one for where
+// it ends, in the air or on the ground behind it, one for what scatters there and at which angle,
+// and one for the azimuth. All are inverted, so that neighbouring numbers make neighbouring paths.
 #pragma once
 
 #include <array>
@@ -22,6 +26,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/air_shells.h"
+#include "bakers/light/path_tracer/path_numbers.h"
 #include "bakers/light/path_tracer/phase_sampling.h"
 #include "bakers/math/channels.h"
 #include "bakers/math/vectors.h"
@@ -81,10 +86,11 @@ class PathWalker {
     };
     Flight first_flight(const PathStart& start, const PathRules& rules) const;
 
-    // `first` is the start's first flight. Returns the weight with which the path began its second
-    // flight.
+    // `first` is the start's first flight, `hero` the channel that draws, which all channels must be
+    // equally likely to be. Returns the weight with which the path began its second flight.
     Channels walk(const PathSource& source, const PathStart& start, const Flight& first,
-                  const PathRules& rules, RandomStream& random, PathLight& light) const;
+                  const PathRules& rules, std::size_t hero, PathNumbers& numbers,
+                  PathLight& light) const;
 
     const SkyMedium& medium() const { return medium_; }
     const AirShells& air() const { return air_; }
@@ -99,13 +105,15 @@ class PathWalker {
     Channels move(const Flight& flight, double depth, State& state) const;
     Here look_around(const State& state) const;
     Channels towards(const Here& here, const ScatteringAngle& angle) const;
-    std::size_t choose_scatterer(const Here& here, std::size_t hero, RandomStream& random) const;
-    void arrive_in_air(const Flight& flight, State& state, RandomStream& random) const;
-    bool collide(const Flight& flight, const PathSource& source, bool counts, State& state,
-                 RandomStream& random, PathLight& light) const;
+    ScatteringAngle choose_angle(const Here& here, std::size_t hero, PathNumbers& numbers) const;
+    void arrive_in_air(const Flight& flight, double scattered_share, State& state) const;
+    bool collide(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
+                 PathLight& light) const;
     void arrive_on_ground(const Flight& flight, State& state) const;
-    void reflect(const Flight& flight, const PathSource& source, bool counts, State& state,
-                 RandomStream& random, PathLight& light) const;
+    void reflect(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
+                 PathLight& light) const;
+    bool survives(const Channels& worth, const Channels& usual, State& state,
+                  PathNumbers& numbers) const;
 
     struct Scatterer {
         int layer;

@@ -14,6 +14,9 @@ namespace {
 // Levels per scale height at the ground, and the scale heights over which they thin out by e.
 constexpr double kPerScaleHeight = 4;
 constexpr double kThinningScaleHeights = 2.5;
+// Layers are alike up to this ratio of their scale heights: levels that suit the lowest of them suit
+// all.
+constexpr double kAlike = 1.25;
 constexpr double kOverTheShell = 8;
 constexpr double kPerPiece = 3;
 constexpr double kPerOpticalDepth = 2;
@@ -21,20 +24,41 @@ constexpr double kMostPerOpticalDepth = 80;  // in all
 constexpr int kBlockSamples = 64;            // of a block, to place its levels
 constexpr std::size_t kLevelsPerSunlightBlock = 3;
 
-double levels_per_km(const Medium& medium, double altitude_km) {
-    double density = kOverTheShell / medium.thickness_km;
+// The scale heights of exponential layers, ascending, one for all layers that are alike.
+std::vector<double> distinct_scale_heights_km(const Medium& medium) {
+    std::vector<double> all;
     for (const ExponentialLayer& layer : medium.exponential_layers) {
-        const double reach = kThinningScaleHeights * layer.scale_height_km;
-        density += kPerScaleHeight / layer.scale_height_km * exponential(-altitude_km / reach);
+        all.push_back(layer.scale_height_km);
     }
+    std::sort(all.begin(), all.end());
+    std::vector<double> distinct;
+    for (const double height : all) {
+        if (distinct.empty() || height > kAlike * distinct.back()) distinct.push_back(height);
+    }
+    return distinct;
+}
+
+// What the steepest of the pieces there asks for.
+double levels_per_km_of_pieces(const Medium& medium, double altitude_km) {
+    double most = 0;
     for (const PiecewiseLayer& layer : medium.piecewise_layers) {
         for (const LinearPiece& piece : layer.pieces) {
             if (altitude_km > piece.bottom_km && altitude_km < piece.top_km) {
-                density += kPerPiece / (piece.top_km - piece.bottom_km);
+                most = std::max(most, kPerPiece / (piece.top_km - piece.bottom_km));
             }
         }
     }
-    return density;
+    return most;
+}
+
+double levels_per_km(const Medium& medium, const std::vector<double>& scale_heights_km,
+                     double altitude_km) {
+    double density = kOverTheShell / medium.thickness_km;
+    for (const double height : scale_heights_km) {
+        const double reach = kThinningScaleHeights * height;
+        density += kPerScaleHeight / height * exponential(-altitude_km / reach);
+    }
+    return density + levels_per_km_of_pieces(medium, altitude_km);
 }
 
 double largest_extinction(const Medium& medium, double altitude_km) {
@@ -65,13 +89,14 @@ std::vector<double> solution_levels_km(const Medium& medium, double scale) {
     const double per_depth =
         depth > 0 ? std::min(kPerOpticalDepth, kMostPerOpticalDepth / depth) : 0.0;
 
+    const std::vector<double> scale_heights = distinct_scale_heights_km(medium);
     std::vector<double> levels = {0};
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
         std::vector<double> count = {0};  // of levels up to each sample
         for (int i = 0; i < kBlockSamples; ++i) {
             const double middle = sample(b, i + 0.5);
-            const double per_km =
-                levels_per_km(medium, middle) + per_depth * largest_extinction(medium, middle);
+            const double per_km = levels_per_km(medium, scale_heights, middle) +
+                                  per_depth * largest_extinction(medium, middle);
             count.push_back(count.back() + scale * per_km * (sample(b, i + 1) - sample(b, i)));
         }
         const int steps = std::max(1, static_cast<int>(std::ceil(count.back())));

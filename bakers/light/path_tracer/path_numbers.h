@@ -1,0 +1,114 @@
+// The numbers that choose a path: evenly spread points for its first choices, random numbers for
+// all others.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace skybake {
+
+// Counter-based random numbers. Each value is a function of its address alone, so that any number
+// of threads draws the same values.
+//
+// The generator is Philox-4x32-10 (Salmon, Moraes, Dror & Shaw 2011, "Parallel random numbers: as
+// easy as 1, 2, 3").
+using RandomWords = std::array<std::uint32_t, 4>;
+
+inline RandomWords philox_4x32_10(RandomWords counter, std::array<std::uint32_t, 2> key) {
+    for (int round = 0; round < 10; ++round) {
+        const std::uint64_t a = std::uint64_t{0xD2511F53} * counter[0];
+        const std::uint64_t b = std::uint64_t{0xCD9E8D57} * counter[2];
+        const auto high = [](std::uint64_t product) {
+            return static_cast<std::uint32_t>(product >> 32);
+        };
+        counter = {high(b) ^ counter[1] ^ key[0], static_cast<std::uint32_t>(b),
+                   high(a) ^ counter[3] ^ key[1], static_cast<std::uint32_t>(a)};
+        key[0] += 0x9E3779B9;  // the golden ratio's and sqrt(3) - 1's bits
+        key[1] += 0xBB67AE85;
+    }
+    return counter;
+}
+
+// The random numbers of one path, dimension by dimension.
+class RandomStream {
+  public:
+    RandomStream(std::uint64_t seed, std::uint32_t ray, std::uint64_t path)
+        : key_{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)},
+          counter_{0, static_cast<std::uint32_t>(path), static_cast<std::uint32_t>(path >> 32),
+                   ray} {}
+
+    // Returns a number in (0, 1), symmetric about 1/2: the middle of one of 2^32 equal intervals.
+    double next() {
+        if (used_ == 4) {
+            words_ = philox_4x32_10(counter_, key_);
+            ++counter_[0];
+            used_ = 0;
+        }
+        return (words_[used_++] + 0.5) * 0x1p-32;
+    }
+
+  private:
+    std::array<std::uint32_t, 2> key_;
+    RandomWords counter_;
+    RandomWords words_{};
+    unsigned used_ = 4;
+};
+
+// Sobol's points in [0, 1)^16, whose first 2^k hit each of 2^k equal intervals of every dimension
+// once (Sobol 1967; direction numbers of Joe & Kuo 2008, the first 16 rows of new-joe-kuo-6), with
+// nested uniform scrambling (Owen 1995) by hashed bits (Laine & Karras 2011; Burley 2020, "Practical
+// hash-based Owen scrambling"). Each point by itself is uniformly distributed over scramblings, so
+// that means over points stay unbiased; where a mean's integrand is smooth in a few dimensions, its
+// variance falls faster than with the inverse of the number of points.
+class ScrambledPoints {
+  public:
+    static constexpr std::size_t kDimensions = 16;
+
+    // Scramblings of other seeds, rays or numbers are independent.
+    ScrambledPoints(std::uint64_t seed, std::uint32_t ray, std::uint32_t scrambling);
+
+    // Returns a coordinate of a point, in (0, 1): the middle of one of 2^32 equal intervals.
+    double coordinate(std::uint32_t point, std::size_t dimension) const;
+
+    // Returns a random number that belongs to the scrambling.
+    std::uint32_t any() const { return any_; }
+
+  private:
+    std::array<std::uint32_t, kDimensions> seeds_{};
+    std::uint32_t any_ = 0;
+};
+
+// Returns 32 bits of a coordinate of Sobol's points before they are scrambled.
+std::uint32_t sobol_bits(std::uint32_t point, std::size_t dimension);
+
+// The numbers of one path. Its choices take them in the same order in all paths, so that a number
+// has the same meaning in each.
+class PathNumbers {
+  public:
+    // All numbers are random.
+    explicit PathNumbers(const RandomStream& random) : random_(random) {}
+    // The first numbers are the coordinates of a point. `points` must outlive this.
+    PathNumbers(const ScrambledPoints& points, std::uint32_t point, const RandomStream& random)
+        : points_(&points), point_(point), random_(random) {}
+
+    // Returns the next number, in (0, 1).
+    double next() {
+        if (points_ == nullptr || dimension_ == ScrambledPoints::kDimensions) return random_.next();
+        return points_->coordinate(point_, dimension_++);
+    }
+    // Leaves a number out that this path has no use for.
+    void skip() {
+        if (points_ != nullptr && dimension_ < ScrambledPoints::kDimensions) ++dimension_;
+    }
+    // Numbers for choices that not every path has.
+    RandomStream& random() { return random_; }
+
+  private:
+    const ScrambledPoints* points_ = nullptr;
+    std::uint32_t point_ = 0;
+    std::size_t dimension_ = 0;
+    RandomStream random_;
+};
+
+}  // namespace skybake
