@@ -14,6 +14,13 @@ namespace skybake {
 
 namespace {
 
+// A planet is flat where the way to the horizon is so many times the thickness of the air.
+constexpr double kFlat = 32;
+
+bool is_flat_shell(const Shell& shell) {
+    return horizon_distance_km(shell, shell.thickness_km) > kFlat * shell.thickness_km;
+}
+
 // A cubic between two nodes is monotone if its slopes have the sign of the difference and are at
 // most three times as large (Fritsch & Carlson 1980).
 double within_three_times(double slope, double difference) {
@@ -36,7 +43,10 @@ double monotone_end_slope(double nearest, double next) {
 TransmittanceField::TransmittanceField(const Medium& medium,
                                        const std::vector<double>& altitudes_km, Size size,
                                        int threads)
-    : shell_(shell_of(medium)), channels_(medium.channels), columns_(size.columns) {
+    : shell_(shell_of(medium)),
+      is_flat_(is_flat_shell(shell_)),
+      channels_(medium.channels),
+      columns_(size.columns) {
     assert(size.columns >= 8 && size.columns % 8 == 0 && altitudes_km.size() >= 2);
     assert(std::is_sorted(altitudes_km.begin(), altitudes_km.end()));
     const double top_distance = horizon_distance_km(shell_, shell_.thickness_km);
@@ -69,8 +79,9 @@ void TransmittanceField::fill_row(const Medium& medium, double x_r, double* row)
     std::vector<double> s(static_cast<std::size_t>(columns_));
     double altitude = 0;
     for (int x = 0; x < columns_; ++x) {
-        const TransmittanceRay ray =
-            transmittance_ray(shell_, {static_cast<double>(x) / (columns_ - 1), x_r});
+        const double share = static_cast<double>(x) / (columns_ - 1);
+        const double x_mu = is_flat_ ? share * share * share * share : share;
+        const TransmittanceRay ray = transmittance_ray(shell_, {x_mu, x_r});
         altitude = ray.altitude_km;
         s[static_cast<std::size_t>(x)] = ray.s_km;
     }
@@ -136,9 +147,14 @@ void TransmittanceField::read(double altitude_km, const double* s_km, int count,
         horizon_distance_km(shell_, altitude_km) + horizon_distance_km(shell_, shell_.thickness_km);
     // At the top all ways to a sun above the horizontal are 0.
     const double columns_per_km = (columns_ - 1) / (farthest_km - nearest_km);
+    const auto column_of = [&](double way_km) {
+        if (!is_flat_) return way_km * columns_per_km;
+        const double x_mu = std::max(way_km, 0.0) / (farthest_km - nearest_km);
+        return (columns_ - 1) * std::sqrt(std::sqrt(x_mu));
+    };
     for (int i = 0; i < count; ++i) {
         const double way_km = distance_to_top_km(shell_, altitude_km, s_km[i]) - nearest_km;
-        const double column = std::clamp(way_km * columns_per_km, 0.0, columns_ - 1.0);
+        const double column = std::clamp(column_of(way_km), 0.0, columns_ - 1.0);
         const int left = static_cast<int>(column);
         const double t = column - left;
         for (int c = 0; c < channels_; ++c) {

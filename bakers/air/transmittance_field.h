@@ -14,6 +14,10 @@ namespace skybake {
 // of a layer, however thin. Within a block rows are evenly spaced in x_r and interpolated by
 // monotone cubics (Fritsch & Carlson 1980), a whole row at a time. Along x_mu the reader
 // interpolates linearly.
+//
+// Columns are evenly spaced in x_mu where the planet is round: the way to the top grows at most
+// some ten times from the zenith to the horizon. Over a flat planet it grows hundreds of times, and
+// sunlight fades within the first few: there columns are evenly spaced in the fourth root of x_mu.
 class TransmittanceField {
   public:
     struct Size {
@@ -30,7 +34,8 @@ class TransmittanceField {
     // The row at an altitude is a combination of four stored rows of row_size() numbers:
     //   row[i] = weights[0] values[i] + weights[1] values[i + n]
     //          + weights[2] slopes[i] + weights[3] slopes[i + n],   n = row_size().
-    // Channel c at x_mu = i / (columns() - 1) is row[c * row_stride() + i].
+    // Channel c at column i is row[c * row_stride() + i]; x_mu there is i / (columns() - 1), or its
+    // fourth power if is_flat().
     struct Row {
         const double* values;
         const double* slopes;
@@ -43,6 +48,7 @@ class TransmittanceField {
     void read(double altitude_km, const double* s_km, int count, double* values) const;
 
     const Shell& shell() const { return shell_; }
+    bool is_flat() const { return is_flat_; }
     int channels() const { return channels_; }
     int columns() const { return columns_; }
     // The numbers per channel of a row: its columns, a copy of the last column for lookups at x_mu
@@ -63,6 +69,7 @@ class TransmittanceField {
     void fill_slopes(const Block& block);
 
     Shell shell_;
+    bool is_flat_ = false;
     int channels_ = 0;
     int columns_ = 0;
     std::vector<Block> blocks_;

@@ -63,6 +63,7 @@ struct SunlightRow {
     double nearest_top_km;  // d_min
     double columns_per_km;
     double last_column;
+    bool is_flat;  // see TransmittanceField
 };
 
 HWY_INLINE SunlightRow sunlight_row(const TransmittanceField& field, double altitude_km,
@@ -78,7 +79,8 @@ HWY_INLINE SunlightRow sunlight_row(const TransmittanceField& field, double alti
             square_gain_km2(shell, altitude_km, gain),
             gain,
             last_column / (farthest - gain),
-            last_column};
+            last_column,
+            field.is_flat()};
 }
 
 // Returns the distance to the top where r mu_s = s. The formula of ray.h avoids the cancellation
@@ -93,7 +95,11 @@ HWY_INLINE Real distance_to_top(const SunlightRow& at, Real s_km) {
 // below the horizon it reads the row's nearest end.
 template <class Real>
 HWY_INLINE void sunlight_towards(const SunlightRow& at, Real distance_km, Real* value) {
-    const Real column = (distance_km - Real(at.nearest_top_km)) * Real(at.columns_per_km);
+    Real column = (distance_km - Real(at.nearest_top_km)) * Real(at.columns_per_km);
+    if (at.is_flat) {
+        const Real x_mu = maximum(column, Real(0.0)) * Real(1 / at.last_column);
+        column = Real(at.last_column) * square_root(square_root(x_mu));
+    }
     const Real inside = minimum(maximum(column, Real(0.0)), Real(at.last_column));
     read_row(at.values, at.stride, inside, at.channels, value);
 }

@@ -76,6 +76,31 @@ TEST(TransmittanceField, IsReadForManySuns) {
     }
 }
 
+// Over a flat planet sunlight fades within the first hundredth of the way to the horizon.
+TEST(TransmittanceField, KnowsTheFirstWaysOverAFlatPlanet) {
+    Medium slab;
+    slab.channels = 1;
+    slab.thickness_km = 0.1;
+    PiecewiseLayer layer;
+    layer.pieces = {{0, 0.1, 1, 1, 0}};
+    layer.extinction_per_km = Spectrum(50.0);
+    slab.piecewise_layers = {layer};
+    for (const double radius_km : {6360.0, 1e6}) {
+        slab.ground_radius_km = radius_km;
+        const TransmittanceField field(slab, {0, 0.1}, {256, 128}, 1);
+        ASSERT_TRUE(field.is_flat());
+        for (const double altitude_km : {0.0, 0.03, 0.09}) {
+            for (double cosine = 1; cosine > 0.01; cosine *= 0.97) {
+                const double s_km = (radius_km + altitude_km) * cosine;
+                double value = 0;
+                field.read(altitude_km, &s_km, 1, &value);
+                const Spectrum depth = optical_depth_to_top(slab, altitude_km, s_km);
+                EXPECT_NEAR(value, exponential(-depth[0]), 1e-3) << altitude_km << ' ' << cosine;
+            }
+        }
+    }
+}
+
 TEST(TransmittanceField, StaysInRangeWhereALayerIsSharp) {
     const Medium fog = test::preset_medium(
         "vacuum", {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "

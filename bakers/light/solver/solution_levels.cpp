@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/air/ray.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -21,7 +20,14 @@ constexpr double kOverTheShell = 8;
 constexpr double kPerPiece = 3;
 constexpr double kPerOpticalDepth = 2;
 constexpr double kMostPerOpticalDepth = 80;  // in all
-constexpr int kBlockSamples = 64;            // of a block, to place its levels
+// Within a layer that begins abruptly light changes over the depth that a low sun reaches: levels
+// per e-fold of the depth from its edge, counted from the smallest depth that is resolved. Layers
+// that are thin altogether need none of them.
+constexpr double kPerFoldOfDepth = 2;
+constexpr double kLeastDepth = 0.03;
+constexpr double kThickLayer = 0.25;
+constexpr double kAbrupt = 0.5;    // the share of the extinction that is missing on the other side
+constexpr int kBlockSamples = 64;  // of a block, to place its levels
 constexpr std::size_t kLevelsPerSunlightBlock = 3;
 
 // The scale heights of exponential layers, ascending, one for all layers that are alike.
@@ -65,39 +71,41 @@ double largest_extinction(const Medium& medium, double altitude_km) {
     return largest(extinction_at(medium, altitude_km));
 }
 
-}  // namespace
-
-std::vector<double> solution_levels_km(const Medium& medium, double scale) {
-    std::vector<double> blocks = kink_altitudes_km(medium);
-    blocks.push_back(0);
-    blocks.push_back(medium.thickness_km);
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-
-    // Samples are closest at each block's bottom, where exponential air is densest.
-    const auto sample = [&](std::size_t block, double i) {
-        const double y = i / kBlockSamples;
-        return blocks[block] + (blocks[block + 1] - blocks[block]) * y * y;
-    };
-    double depth = 0;
-    for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+// The air between two kinks, sampled where levels may be needed most: at its bottom, where
+// exponential air is densest, and at both ends where it begins abruptly at the upper one too.
+class SampledBlock {
+  public:
+    SampledBlock(const Medium& medium, double bottom_km, double top_km)
+        : bottom_km_(bottom_km), top_km_(top_km) {
+        const double inside_km = 1e-6 * (top_km - bottom_km);
+        const auto is_abrupt = [&](double inside, double outside) {
+            return largest_extinction(medium, outside) <
+                   (1 - kAbrupt) * largest_extinction(medium, inside);
+        };
+        ends_abruptly_ =
+            top_km >= medium.thickness_km
+                ? largest_extinction(medium, top_km - inside_km) * (top_km - bottom_km) >
+                      kThickLayer
+                : is_abrupt(top_km - inside_km, top_km + inside_km);
+        begins_abruptly_ = bottom_km > 0 && is_abrupt(bottom_km + inside_km, bottom_km - inside_km);
         for (int i = 0; i < kBlockSamples; ++i) {
-            depth +=
-                largest_extinction(medium, sample(b, i + 0.5)) * (sample(b, i + 1) - sample(b, i));
+            extinction_per_km_.push_back(largest_extinction(medium, altitude_km(i + 0.5)));
+            depths_.push_back(depth() +
+                              extinction_per_km_.back() * (altitude_km(i + 1) - altitude_km(i)));
         }
     }
-    const double per_depth =
-        depth > 0 ? std::min(kPerOpticalDepth, kMostPerOpticalDepth / depth) : 0.0;
 
-    const std::vector<double> scale_heights = distinct_scale_heights_km(medium);
-    std::vector<double> levels = {0};
-    for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+    double depth() const { return depths_.back(); }
+
+    // Adds the levels above the bottom, `per_km` (altitude, extinction) of them and those of abrupt
+    // ends, evenly in their count.
+    template <class LevelsPerKm>
+    void add_levels(const LevelsPerKm& per_km, double scale, std::vector<double>& levels) const {
         std::vector<double> count = {0};  // of levels up to each sample
         for (int i = 0; i < kBlockSamples; ++i) {
-            const double middle = sample(b, i + 0.5);
-            const double per_km = levels_per_km(medium, scale_heights, middle) +
-                                  per_depth * largest_extinction(medium, middle);
-            count.push_back(count.back() + scale * per_km * (sample(b, i + 1) - sample(b, i)));
+            const double density = per_km(altitude_km(i + 0.5), extinction_per_km_[index(i)]) +
+                                   scale * levels_per_km_of_ends(i);
+            count.push_back(count.back() + density * (altitude_km(i + 1) - altitude_km(i)));
         }
         const int steps = std::max(1, static_cast<int>(std::ceil(count.back())));
         std::size_t at = 0;
@@ -105,9 +113,61 @@ std::vector<double> solution_levels_km(const Medium& medium, double scale) {
             const double wanted = count.back() * k / steps;
             while (count[at + 1] < wanted) ++at;
             const double within = (wanted - count[at]) / (count[at + 1] - count[at]);
-            levels.push_back(sample(b, static_cast<double>(at) + within));
+            levels.push_back(altitude_km(static_cast<double>(at) + within));
         }
-        levels.push_back(blocks[b + 1]);
+        levels.push_back(top_km_);
+    }
+
+  private:
+    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+    double altitude_km(double i) const {
+        const double y = i / kBlockSamples;
+        return bottom_km_ + (top_km_ - bottom_km_) * y * y * (ends_abruptly_ ? 3 - 2 * y : 1);
+    }
+
+    double levels_per_km_of_ends(int i) const {
+        if (depth() <= kThickLayer) return 0;
+        const double from_bottom = 0.5 * (depths_[index(i)] + depths_[index(i + 1)]);
+        double per_depth = 0;
+        if (begins_abruptly_) per_depth += kPerFoldOfDepth / (from_bottom + kLeastDepth);
+        if (ends_abruptly_) per_depth += kPerFoldOfDepth / (depth() - from_bottom + kLeastDepth);
+        return per_depth * extinction_per_km_[index(i)];
+    }
+
+    double bottom_km_;
+    double top_km_;
+    bool begins_abruptly_ = false;
+    bool ends_abruptly_ = false;
+    std::vector<double> extinction_per_km_;  // in the middles of samples
+    std::vector<double> depths_ = {0};       // from the bottom to each sample's end
+};
+
+}  // namespace
+
+std::vector<double> solution_levels_km(const Medium& medium, double scale) {
+    std::vector<double> edges = kink_altitudes_km(medium);
+    edges.push_back(0);
+    edges.push_back(medium.thickness_km);
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::vector<SampledBlock> blocks;
+    double depth = 0;
+    for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
+        blocks.emplace_back(medium, edges[b], edges[b + 1]);
+        depth += blocks.back().depth();
+    }
+    const double per_depth =
+        depth > 0 ? std::min(kPerOpticalDepth, kMostPerOpticalDepth / depth) : 0.0;
+    const std::vector<double> scale_heights = distinct_scale_heights_km(medium);
+    std::vector<double> levels = {0};
+    for (const SampledBlock& block : blocks) {
+        block.add_levels(
+            [&](double altitude_km, double extinction_per_km) {
+                return scale * (levels_per_km(medium, scale_heights, altitude_km) +
+                                per_depth * extinction_per_km);
+            },
+            scale, levels);
     }
     return levels;
 }
@@ -128,9 +188,6 @@ std::vector<double> sunlight_blocks_km(const Medium& medium, const std::vector<d
 
 TransmittanceField tabulated_sunlight(const Medium& medium, const std::vector<double>& levels_km,
                                       TransmittanceField::Size size, int threads) {
-    constexpr double kFlat = 32;
-    const double way_km = horizon_distance_km(shell_of(medium), medium.thickness_km);
-    if (way_km > kFlat * medium.thickness_km) size.columns *= 2;
     return {medium, sunlight_blocks_km(medium, levels_km), size, threads};
 }
 

@@ -18,10 +18,7 @@ std::vector<double> solution_levels_km(const Medium& medium, double scale);
 // have three times as many rows and the same light to five digits.
 std::vector<double> sunlight_blocks_km(const Medium& medium, const std::vector<double>& levels_km);
 
-// Returns the transmittance from those blocks to the sun, in tables of `size` each. Columns are
-// spaced by the way to the top of the air: over a flat planet, where the way to the horizon is more
-// than 32 times the thickness of the air, most of them are at the horizon, and there are twice as
-// many.
+// Returns the transmittance from those blocks to the sun, in tables of `size` each.
 TransmittanceField tabulated_sunlight(const Medium& medium, const std::vector<double>& levels_km,
                                       TransmittanceField::Size size, int threads);
 
