@@ -22,7 +22,7 @@ struct Estimate {
 inline constexpr double kMebibyte = 1024.0 * 1024.0;
 
 // The time to solve for the light of all orders, needed unless only single scattering is asked for.
-inline constexpr double kSecondsToSolve = 2;
+inline constexpr double kSecondsToSolve = 1;
 double seconds_to_solve(config::SkyOrders orders);
 
 inline constexpr double kSecondsPerOctave = 1e-9;  // and per voxel
