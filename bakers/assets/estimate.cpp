@@ -13,12 +13,14 @@ using Size = std::array<int, 3>;
 
 namespace {
 
-// Seconds to store a byte, measured with deflate and without.
+// Seconds to store a byte, measured with deflate, with the faster one of EXR files, and without.
 double seconds_per_byte(config::FileFormat format, const AssetFiles& files) {
     constexpr double kDeflate = 2e-8;
+    constexpr double kExrDeflate = 7e-9;
     constexpr double kCopy = 1e-9;
     if (format == config::FileFormat::exr) {
-        return files.compression == config::Compression::none ? kCopy : kDeflate;
+        if (files.compression == config::Compression::none) return kCopy;
+        return files.compression == config::Compression::piz ? kDeflate : kExrDeflate;
     }
     const bool deflates =
         config::facts_of(format).deflates ||

@@ -6,9 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <csignal>
+#include <cstring>
 
 #include "bakers/field/baked.h"
 #include "tests/io/files.h"
@@ -34,8 +36,17 @@ std::string written(const TemporaryFolder& folder, const Baked& volume, int thre
     return testing::read_bytes(folder / "a.exr");
 }
 
+void turn_over(Image2<float>& image) {
+    const auto row =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+    for (int y = 0; y < image.height / 2; ++y) {
+        float* upper = image.texel(0, y);
+        std::swap_ranges(upper, upper + row, image.texel(0, image.height - 1 - y));
+    }
+}
+
 // The image that the volume should be, texel by texel.
-ExrImage expected_image(const Baked& volume) {
+ExrImage expected_image(const Baked& volume, const testing::FunctionVoxels::Function& content) {
     const std::array<int, 3> size = volume.levels[0].size;
     const SheetGrid layout = testing::grid_of(size, volume.layout, volume.columns);
     const auto [width, height] = image_size(size, layout);
@@ -49,11 +60,12 @@ ExrImage expected_image(const Baked& volume) {
             for (int x = 0; x < size[0]; ++x) {
                 for (int c = 0; c < channels; ++c) {
                     image.pixels.texel(left + x, top + y)[c] =
-                        round_to_pixel_type(sample_voxel(x, y, z, c), volume.pixel_type);
+                        round_to_pixel_type(content(x, y, z, c), volume.pixel_type);
                 }
             }
         }
     }
+    if (volume.flip) turn_over(image.pixels);
     image.channel_names = volume.channel_names;
     image.pixel_type = volume.pixel_type;
     image.compression = volume.compression;
@@ -67,6 +79,45 @@ struct Shape {
     int columns;
 };
 
+int rows_of(Compression compression) {
+    if (compression == Compression::piz) return 32;
+    return compression == Compression::zip ? 16 : 1;
+}
+
+// Where the chunks of a file begin.
+struct ChunkTable {
+    std::size_t at = 0;  // where the table is in the file
+    std::vector<std::uint64_t> positions;
+};
+
+ChunkTable chunk_table(const std::string& bytes, const ExrImage& image) {
+    constexpr std::size_t first_attribute = 8;
+    ChunkTable table{first_attribute, {}};
+    while (bytes[table.at] != 0) {
+        for (int name = 0; name < 2; ++name) table.at = bytes.find('\0', table.at) + 1;
+        std::int32_t size = 0;
+        std::memcpy(&size, &bytes[table.at], sizeof(size));
+        table.at += sizeof(size) + static_cast<std::size_t>(size);
+    }
+    ++table.at;
+    const int rows = rows_of(image.compression);
+    table.positions.resize(static_cast<std::size_t>((image.pixels.height + rows - 1) / rows));
+    std::memcpy(table.positions.data(), &bytes[table.at],
+                table.positions.size() * sizeof(std::uint64_t));
+    return table;
+}
+
+struct ChunkHead {
+    std::int32_t row = 0;
+    std::int32_t length = 0;  // of what follows
+};
+
+ChunkHead chunk_head(const std::string& bytes, std::uint64_t position) {
+    ChunkHead head;
+    std::memcpy(&head, &bytes[position], sizeof(head));
+    return head;
+}
+
 const std::vector<Shape>& shapes() {
     static const std::vector<Shape> all = {
         {{1, 1, 1}, Kind::stack, 0},    {{7, 5, 3}, Kind::stack, 0}, {{31, 1, 17}, Kind::stack, 0},
@@ -76,43 +127,126 @@ const std::vector<Shape>& shapes() {
     return all;
 }
 
-// encode_exr, which writes a whole image from memory by other code, makes the same bytes.
-TEST(ExrVolume, HasTheBytesOfTheWholeImage) {
+bool is_deflated(Compression compression) {
+    return compression == Compression::zip || compression == Compression::zips;
+}
+
+// Expects the file that encode_exr makes, which writes a whole image from memory by the library
+// alone: the same bytes where nothing is deflated, and else the same header and the same texels.
+void expect_file_of_library(const std::string& bytes, const ExrImage& image) {
+    const std::string wanted = *encode_exr(image).value;
+    if (!is_deflated(image.compression)) {
+        EXPECT_TRUE(bytes == wanted);
+        return;
+    }
+    const auto read = decode_exr(bytes, "a.exr");
+    ASSERT_TRUE(read.value.has_value()) << read.diagnostics[0].message;
+    EXPECT_TRUE(stored_bytes(read.value->pixels, image.pixel_type) ==
+                stored_bytes(image.pixels, image.pixel_type));
+    const ChunkTable ours = chunk_table(bytes, image);
+    const ChunkTable theirs = chunk_table(wanted, image);
+    EXPECT_TRUE(bytes.substr(0, ours.at) == wanted.substr(0, theirs.at));
+    ASSERT_EQ(ours.positions.size(), theirs.positions.size());
+    std::uint64_t next = ours.at + sizeof(std::uint64_t) * ours.positions.size();
+    for (std::size_t i = 0; i < ours.positions.size(); ++i) {
+        EXPECT_EQ(ours.positions[i], next);  // in the order of rows, without gaps
+        const auto [row, length] = chunk_head(bytes, ours.positions[i]);
+        EXPECT_EQ(row, chunk_head(wanted, theirs.positions[i]).row);
+        next += 2 * sizeof(std::int32_t) + static_cast<std::uint64_t>(length);
+    }
+    EXPECT_EQ(bytes.size(), next);
+}
+
+float zero(int, int, int, int) { return 0; }
+
+float ramp(int x, int y, int z, int channel) {
+    return static_cast<float>((x + 3 * y + 5 * z + 7 * channel) % 64) / 64.0F;
+}
+
+// Noise, of which chunks do not shrink and are stored as they are, and what packs well.
+const std::vector<testing::FunctionVoxels::Function>& contents() {
+    static const std::vector<testing::FunctionVoxels::Function> all = {sample_voxel, ramp, zero};
+    return all;
+}
+
+TEST(ExrVolume, IsTheFileOfTheLibrary) {
     const TemporaryFolder folder;
     for (const Shape& shape : shapes()) {
         for (const int channels : {1, 3, 4}) {
             for (const PixelType type : {PixelType::half, PixelType::float32}) {
                 for (const Compression compression :
                      {Compression::none, Compression::zip, Compression::zips, Compression::piz}) {
-                    Baked volume = plain_volume(shape.size, channels, type);
-                    volume.layout = shape.layout;
-                    volume.columns = shape.columns;
-                    volume.compression = compression;
-                    EXPECT_EQ(written(folder, volume, 1), *encode_exr(expected_image(volume)).value)
-                        << fmt::format("{}x{}x{}", shape.size[0], shape.size[1], shape.size[2]);
+                    for (const auto& content : contents()) {
+                        Baked volume = plain_volume(shape.size, channels, type, content);
+                        volume.layout = shape.layout;
+                        volume.columns = shape.columns;
+                        volume.compression = compression;
+                        SCOPED_TRACE(fmt::format("{}x{}x{}, {} channels, {}", shape.size[0],
+                                                 shape.size[1], shape.size[2], channels,
+                                                 static_cast<int>(compression)));
+                        expect_file_of_library(written(folder, volume, 2),
+                                               expected_image(volume, content));
+                    }
                 }
             }
         }
     }
 }
 
-// Several boxes: parts of slices, several slices, cell rows in parts; on several threads.
+// Several boxes: parts of slices, several slices, cell rows in parts; on several threads. Boxes end
+// within chunks.
 TEST(ExrVolume, DoesNotDependOnBoxesAndThreads) {
     const TemporaryFolder folder;
-    const std::vector<Shape> large = {
-        {{1031, 523, 3}, Kind::stack, 0},  // a slice in three boxes, rows that end within a block
-        {{67, 61, 211}, Kind::stack, 0},   // boxes of some slices
-        {{301, 257, 41}, Kind::atlas, 5},  // cell rows in parts, unused cells at the end
-        {{64, 64, 50}, Kind::atlas, 7},    // boxes of several cell rows
+    const std::vector<std::pair<Shape, int>> large = {
+        {{{1031, 523, 2}, Kind::stack, 0}, 1},  // slices in parts that end within a chunk
+        {{{67, 61, 211}, Kind::stack, 0}, 1},   // boxes of some slices
+        {{{301, 257, 11}, Kind::atlas, 5}, 3},  // cell rows in parts, unused cells at the end
+        {{{64, 64, 250}, Kind::atlas, 7}, 1},   // boxes of several cell rows
     };
-    for (const Shape& shape : large) {
-        Baked volume = plain_volume(shape.size, 4, PixelType::half);
-        volume.layout = shape.layout;
-        volume.columns = shape.columns;
-        volume.compression = Compression::zip;
-        const std::string wanted = *encode_exr(expected_image(volume)).value;
-        for (const int threads : {1, 2, 5}) {
-            EXPECT_TRUE(written(folder, volume, threads) == wanted) << shape.size[0];
+    for (const auto& [shape, channels] : large) {
+        for (const Compression compression : {Compression::zip, Compression::piz}) {
+            for (const bool flip : {false, true}) {
+                Baked volume = plain_volume(shape.size, channels, PixelType::half, ramp);
+                volume.layout = shape.layout;
+                volume.columns = shape.columns;
+                volume.flip = flip;
+                volume.compression = compression;
+                SCOPED_TRACE(fmt::format("{} columns, {}", shape.size[0], flip));
+                const std::string wanted = written(folder, volume, 1);
+                expect_file_of_library(wanted, expected_image(volume, ramp));
+                EXPECT_TRUE(written(folder, volume, 5) == wanted);
+            }
+        }
+    }
+}
+
+TEST(ExrVolume, SaysThatNamesAreLong) {
+    const TemporaryFolder folder;
+    for (const std::size_t length : {31U, 32U}) {
+        Baked volume = plain_volume({3, 2, 1}, 1, PixelType::half);
+        volume.channel_names[0] = std::string(length, 'n');
+        volume.compression = Compression::none;
+        expect_file_of_library(written(folder, volume, 1), expected_image(volume, sample_voxel));
+    }
+}
+
+// Noise of which a chunk is larger when it is deflated is stored as it is.
+TEST(ExrVolume, NoChunkIsLargerThanItsTexels) {
+    const TemporaryFolder folder;
+    for (const Compression compression : {Compression::zip, Compression::zips, Compression::piz}) {
+        const auto noise = [](int x, int y, int z, int c) {
+            testing::Random random(static_cast<std::uint64_t>((z * 64 + y) * 64 + x) * 4 +
+                                   static_cast<std::uint64_t>(c));
+            return static_cast<float>(random.next() >> 40) / 3.0F;
+        };
+        Baked volume = plain_volume({40, 32, 3}, 3, PixelType::float32, noise);
+        volume.compression = compression;
+        const ExrImage image = expected_image(volume, noise);
+        const std::string bytes = written(folder, volume, 2);
+        expect_file_of_library(bytes, image);
+        for (const std::uint64_t position : chunk_table(bytes, image).positions) {
+            const auto [row, length] = chunk_head(bytes, position);
+            EXPECT_LE(length, std::min(rows_of(compression), 96 - row) * 40 * 3 * 4);
         }
     }
 }

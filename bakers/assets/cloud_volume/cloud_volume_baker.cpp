@@ -122,7 +122,7 @@ std::string cloud_box_glsl(const Cloud& cloud) {
 }
 
 const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
-    static const Baker<CloudVolumeBake> row = {.version = 3,
+    static const Baker<CloudVolumeBake> row = {.version = 4,
                                                .bake = bake,
                                                .estimate = estimate_cloud_volume,
                                                .needs = needs,

@@ -78,7 +78,7 @@ void draft(NoiseVolumeBake& asset, int most_voxels) {
 }  // namespace
 
 const Baker<config::NoiseVolumeBake>& baker(BakerTag<config::NoiseVolumeBake>) {
-    static const Baker<config::NoiseVolumeBake> row = {.version = 2,
+    static const Baker<config::NoiseVolumeBake> row = {.version = 3,
                                                        .bake = bake,
                                                        .estimate = estimate,
                                                        .places = places,

@@ -172,7 +172,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const OccupancyBake&
 }  // namespace
 
 const Baker<config::OccupancyBake>& baker(BakerTag<config::OccupancyBake>) {
-    static const Baker<config::OccupancyBake> row = {.version = 2,
+    static const Baker<config::OccupancyBake> row = {.version = 3,
                                                      .bake = bake,
                                                      .estimate = estimate,
                                                      .needs = needs,

@@ -53,20 +53,29 @@ int SheetWriter::width() const { return level_.size[0] * grid_.columns; }
 
 int SheetWriter::height() const { return level_.size[1] * grid_.rows; }
 
-bool SheetWriter::write(const std::function<void(const SheetRows& rows)>& put) {
-    std::vector<Slot> slots(static_cast<std::size_t>(box_slots(threads_)));
+int SheetWriter::slots() const { return box_slots(threads_); }
+
+int SheetWriter::threads_per_box() const {
+    return (threads_ + boxes_.count() - 1) / boxes_.count();
+}
+
+bool SheetWriter::write(const Visitor& put, const Visitor& prepare) {
+    std::vector<Slot> slots(static_cast<std::size_t>(this->slots()));
     std::exception_ptr failure;
     bool complete = true;
     ordered_pipeline(
         boxes_.count(), threads_, static_cast<int>(slots.size()),
         [&](int i, int slot) {
-            if (!is_cancelled(progress_)) make(box_at(i), slots[static_cast<std::size_t>(slot)]);
+            if (is_cancelled(progress_)) return;
+            Slot& made = slots[static_cast<std::size_t>(slot)];
+            make(box_at(i), made);
+            if (prepare) prepare(made.made, slot);
         },
         [&](int i, int slot) {
             complete = !is_cancelled(progress_);
             if (!complete) return false;
             try {
-                put(slots[static_cast<std::size_t>(slot)].made);
+                put(slots[static_cast<std::size_t>(slot)].made, slot);
             } catch (...) {
                 failure = std::current_exception();
                 return false;

@@ -53,9 +53,17 @@ class SheetWriter {
     int width() const;
     int height() const;
 
-    // Passes all rows to `put`, top to bottom; `put` may throw. Returns false after an
+    // How many boxes may be in memory at a time, and how many threads each can have, so that an
+    // image of few boxes keeps all of them busy.
+    int slots() const;
+    int threads_per_box() const;
+
+    // Passes the rows of each box to `prepare`, on the thread that made them and in any order, and
+    // then to `put`, one box at a time, top to bottom. `slot`, below slots(), is the same in both
+    // and is no other box's in between. `put` may throw, `prepare` may not. Returns false after an
     // interruption.
-    bool write(const std::function<void(const SheetRows& rows)>& put);
+    using Visitor = std::function<void(const SheetRows& rows, int slot)>;
+    bool write(const Visitor& put, const Visitor& prepare = nullptr);
 
   private:
     struct Slot {

@@ -3,8 +3,6 @@
 #include <ImfFrameBuffer.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
-#include <ImfOutputFile.h>
-#include <ImfThreading.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,11 +11,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/exr/exr_chunks.h"
 #include "bakers/io/formats/exr/exr_library.h"
-#include "bakers/math/parallel.h"
 
 namespace skybake {
 namespace {
@@ -25,50 +22,6 @@ namespace {
 using config::Outcome;
 using config::PixelType;
 namespace fs = std::filesystem;
-
-class OutputStream : public Imf::OStream {
-  public:
-    explicit OutputStream(FileOutput& file) : Imf::OStream("file"), file_(file) {}
-    void write(const char bytes[], int count) override {
-        file_.write({bytes, static_cast<std::size_t>(count)});
-        if (file_.error() != 0) throw std::runtime_error("the file cannot be written");
-    }
-    uint64_t tellp() override { return file_.position(); }
-    void seekp(uint64_t position) override { file_.seek(position); }
-
-  private:
-    FileOutput& file_;
-};
-
-// The threads on which the library compresses. All files share them. With one thread, the library
-// compresses on the caller's thread.
-class CompressionThreads {
-  public:
-    explicit CompressionThreads(int threads) : count_(threads > 1 ? threads : 0) {
-        Imf::setGlobalThreadCount(count_);
-    }
-    ~CompressionThreads() { Imf::setGlobalThreadCount(0); }
-    CompressionThreads(const CompressionThreads&) = delete;
-    CompressionThreads& operator=(const CompressionThreads&) = delete;
-    int count() const { return count_; }
-
-  private:
-    int count_;
-};
-
-void put(const SheetRows& rows, int width, const Baked& baked, Imf::OutputFile& file) {
-    const auto value = static_cast<std::size_t>(bytes_per_value(baked.pixel_type));
-    Imf::FrameBuffer buffer;
-    for (std::size_t c = 0; c < baked.channel_names.size(); ++c) {
-        buffer.insert(
-            baked.channel_names[c],
-            Imf::Slice::Make(baked.pixel_type == PixelType::half ? Imf::HALF : Imf::FLOAT,
-                             rows.texels + c * rows.plane, Imath::V2i(0, rows.first), width,
-                             rows.count, value, static_cast<std::size_t>(width) * value));
-    }
-    file.setFrameBuffer(buffer);
-    file.writePixels(rows.count);
-}
 
 // Returns what EXR files cannot hold of the asset, in words, or nothing.
 std::optional<std::string> exr_obstacle(const Baked& baked, int level) {
@@ -91,19 +44,24 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
     bool complete = false;
     std::string reason;
     try {
-        OutputStream stream(output);
-        const CompressionThreads compression(thread_count(content.threads));
         SheetWriter sheet(baked, content.level, content.threads, content.progress);
         const ExrFacts facts = {sheet.width(),       sheet.height(),
                                 baked.channel_names, baked.pixel_type,
                                 baked.compression,   {{metadata_name, content.metadata}}};
-        Imf::OutputFile file(stream, make_exr_header(facts), compression.count());
-        complete =
-            sheet.write([&](const SheetRows& rows) { put(rows, sheet.width(), baked, file); });
+        const ExrChunks chunks(facts);
+        ExrChunkWriter file(chunks, exr_file_head(make_exr_header(facts)), output);
+        std::vector<ExrPiece> pieces(static_cast<std::size_t>(sheet.slots()));
+        const auto piece = [&](int slot) -> ExrPiece& {
+            return pieces[static_cast<std::size_t>(slot)];
+        };
+        complete = sheet.write([&](const SheetRows&, int slot) { file.put(piece(slot)); },
+                               [&](const SheetRows& rows, int slot) {
+                                   chunks.pack(rows, sheet.threads_per_box(), piece(slot));
+                               });
+        if (complete) file.finish();
     } catch (const std::exception& error) {
         reason = error.what();
     }
-    // The library's destructor writes the table of line offsets and does not report failures.
     if (!output.finish()) return {{}, {output.diagnostic()}};
     if (!reason.empty()) {
         return {{},

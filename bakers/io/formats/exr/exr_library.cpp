@@ -2,6 +2,8 @@
 
 #include <ImfChannelList.h>
 #include <ImfCompression.h>
+#include <ImfFrameBuffer.h>
+#include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <ImfVersion.h>
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 #include "bakers/io/files/file_io.h"
@@ -23,9 +26,6 @@ using config::Compression;
 using config::PixelType;
 
 constexpr std::size_t longest_attribute_name = 31;
-// The level is fixed, because the library's default has changed between releases but files must not
-// change.
-constexpr int deflate_level = 4;
 // No codec that skybake reads expands a byte to more than deflate's 1032 bytes. A header that
 // promises more texels than that is damaged; without this limit, memory would be allocated for
 // them.
@@ -44,11 +44,9 @@ constexpr std::array<Codec, 4> codecs = {{
     {Compression::piz, Imf::PIZ_COMPRESSION, 32},
 }};
 
-Imf::Compression to_library(Compression compression) {
-    for (const Codec& codec : codecs) {
-        if (codec.ours == compression) return codec.theirs;
-    }
-    return Imf::NO_COMPRESSION;
+const Codec& codec_of(Compression compression) {
+    return *std::find_if(codecs.begin(), codecs.end(),
+                         [compression](const Codec& codec) { return codec.ours == compression; });
 }
 
 // Returns null for a codec that skybake does not use.
@@ -83,6 +81,43 @@ std::optional<std::string> unknown_channels(const Imf::ChannelList& channels) {
     }
     if (!type) return "it has no channels";
     return std::nullopt;
+}
+
+// A file in memory.
+class MemoryFile : public Imf::OStream {
+  public:
+    MemoryFile() : Imf::OStream("memory") {}
+    void write(const char bytes[], int count) override {
+        const auto size = static_cast<std::size_t>(count);
+        if (position_ + size > bytes_.size()) bytes_.resize(position_ + size);
+        std::memcpy(bytes_.data() + position_, bytes, size);
+        position_ += size;
+    }
+    uint64_t tellp() override { return position_; }
+    void seekp(uint64_t position) override { position_ = static_cast<std::size_t>(position); }
+    const std::string& bytes() const { return bytes_; }
+
+  private:
+    std::string bytes_;
+    std::size_t position_ = 0;
+};
+
+void write_integer(std::int32_t value, Imf::OStream& stream) {
+    stream.write(std::bit_cast<std::array<char, 4>>(value).data(), 4);
+}
+
+// Whether a name is so long that old readers could not hold it. Files must say so.
+bool has_long_names(const Imf::Header& header) {
+    const auto is_long = [](const char* name) {
+        return std::strlen(name) > longest_attribute_name;
+    };
+    for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
+        if (is_long(attribute.name()) || is_long(attribute.attribute().typeName())) return true;
+    }
+    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+        if (is_long(channel.name())) return true;
+    }
+    return false;
 }
 
 // Reads a name up to the byte 0 that ends it.
@@ -174,8 +209,7 @@ std::optional<std::string> unknown_layout(const Imf::Header& header, int version
 
 Imf::Header make_exr_header(const ExrFacts& facts) {
     Imf::Header header(facts.width, facts.height, 1.0f, Imath::V2f(0, 0), 1.0f, Imf::INCREASING_Y,
-                       to_library(facts.compression));
-    header.zipCompressionLevel() = deflate_level;
+                       codec_of(facts.compression).theirs);
     const Imf::PixelType type = facts.pixel_type == PixelType::half ? Imf::HALF : Imf::FLOAT;
     for (const std::string& name : facts.channel_names) {
         header.channels().insert(name, Imf::Channel(type));
@@ -184,6 +218,41 @@ Imf::Header make_exr_header(const ExrFacts& facts) {
         header.insert(name, Imf::StringAttribute(text));
     }
     return header;
+}
+
+std::string exr_file_head(const Imf::Header& header) {
+    header.sanityCheck();
+    MemoryFile file;
+    write_integer(Imf::MAGIC, file);
+    write_integer(Imf::EXR_VERSION | (has_long_names(header) ? Imf::LONG_NAMES_FLAG : 0), file);
+    header.writeTo(file);
+    return file.bytes();
+}
+
+int rows_of_exr_chunk(Compression compression) { return codec_of(compression).rows; }
+
+// The library packs the rows as an image of their own, of which they are the only chunk.
+std::string chunk_of_library(const ExrFacts& facts, int rows, const std::string& texels) {
+    const Imf::Header header = make_exr_header({facts.width, rows, facts.channel_names,
+                                                facts.pixel_type, facts.compression, Attributes()});
+    const std::size_t value = facts.pixel_type == PixelType::half ? 2 : 4;
+    const std::size_t channel_bytes = value * static_cast<std::size_t>(facts.width);
+    const std::size_t row_bytes = channel_bytes * facts.channel_names.size();
+    Imf::FrameBuffer buffer;
+    const char* from = texels.data();
+    for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+        buffer.insert(channel.name(), Imf::Slice(channel.channel().type, const_cast<char*>(from),
+                                                 value, row_bytes));
+        from += channel_bytes;
+    }
+    MemoryFile file;
+    {
+        Imf::OutputFile image(file, header, 0);  // 0: no further threads
+        image.setFrameBuffer(buffer);
+        image.writePixels(rows);
+    }
+    constexpr std::size_t position_and_chunk_head = 8 + 4 + 4;
+    return file.bytes().substr(exr_file_head(header).size() + position_and_chunk_head);
 }
 
 std::optional<std::string> bad_attribute_name(const Attributes& attributes) {

@@ -28,6 +28,18 @@ struct ExrFacts {
 // Makes the header of a file as skybake writes it.
 Imf::Header make_exr_header(const ExrFacts& facts);
 
+// Returns the bytes of a file with this header up to the table of its chunks' positions. Throws
+// what the library throws if files cannot have this header.
+std::string exr_file_head(const Imf::Header& header);
+
+// Returns how many rows are packed together.
+int rows_of_exr_chunk(config::Compression compression);
+
+// Packs a chunk by the library, which is the only one to know PIZ, and returns its data. `texels`
+// has the chunk's rows, the channels of each row one after the other in the order of their names.
+// Throws what the library throws. Any thread may call it.
+std::string chunk_of_library(const ExrFacts& facts, int rows, const std::string& texels);
+
 // Returns which rule an attribute's name breaks, in words, or nothing. The names are those in the
 // file, so long texts are already in pieces.
 std::optional<std::string> bad_attribute_name(const Attributes& attributes);

@@ -120,7 +120,7 @@ Outcome<bool> write_png_file(const FileContent& content, const fs::path& path) {
         writer.begin(sheet.width(), sheet.height(), static_cast<int>(8 * sample), channels,
                      content.metadata);
         std::string row;
-        complete = sheet.write([&](const SheetRows& rows) {
+        complete = sheet.write([&](const SheetRows& rows, int) {
             for (int y = 0; y < rows.count; ++y) {
                 interleave(rows, y, static_cast<std::size_t>(sheet.width()), channels, sample, row);
                 writer.row(row.data());
