@@ -21,8 +21,8 @@
 //
 // The work is bounded: large drops (rain), and spheres that all have one size, whose phase function
 // oscillates strongly through interference, stop before they reach the accuracy. `error` states the
-// accuracy they reached. Rain's phase function of 1,020 radii is off by 1.2 % RMS; half a degree
-// about the point opposite to the sun, where resonances rule, by up to 8 %.
+// accuracy they reached. Rain's phase function of 1,020 radii is off by 1.2 % RMS; within 0.1 degrees
+// of the point opposite to the sun, where resonances rule, by up to 8 %.
 #pragma once
 
 #include <memory>
