@@ -295,6 +295,34 @@ TEST(LorenzMie, BothPolarisationsAreOneAtThePoles) {
     }
 }
 
+// Sizes whose series begin and end at other places, in all lanes of a vector and in some.
+TEST(LorenzMie, ManySpheresAtOnceAreThoseOneByOne) {
+    for (const ComplexNumber index :
+         {ComplexNumber{1.33, 2e-9}, ComplexNumber{1.5, 0.1}, ComplexNumber{0.75, 0}}) {
+        for (const double factor : {1.001, 1.7, 30.0}) {
+            std::vector<double> sizes;
+            for (double x = 1e-3; x < 2e3 && sizes.size() < 19; x *= factor) sizes.push_back(x);
+            for (double x = 1e3; sizes.size() < 37; x *= 1 + 1e-3 * factor) sizes.push_back(x);
+            for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+                hwy::SetSupportedTargetsForTest(target);
+                std::vector<MieTerms> terms(sizes.size());
+                std::vector<MieEfficiencies> efficiencies(sizes.size());
+                mie_series(sizes, index, terms, efficiencies);
+                for (std::size_t i = 0; i < sizes.size(); ++i) {
+                    const MieCoefficients c = mie_coefficients(sizes[i], index);
+                    const MieEfficiencies q = mie_efficiencies(c);
+                    EXPECT_EQ(terms[i], mie_terms(c)) << sizes[i];
+                    EXPECT_EQ(efficiencies[i].extinction, q.extinction) << sizes[i];
+                    EXPECT_EQ(efficiencies[i].scattering, q.scattering) << sizes[i];
+                    EXPECT_EQ(efficiencies[i].absorption, q.absorption) << sizes[i];
+                    EXPECT_EQ(efficiencies[i].mean_cosine, q.mean_cosine) << sizes[i];
+                }
+            }
+            hwy::SetSupportedTargetsForTest(0);
+        }
+    }
+}
+
 TEST(LorenzMie, SameBitsOnEveryTargetAndAnyNumberOfThreads) {
     std::vector<MieTerms> spheres;
     std::vector<double> weights;
@@ -342,7 +370,8 @@ TEST(LorenzMie, NoTermIsLeftOut) {
                 const double n = static_cast<double>(i + 1);
                 const double tau = n * cosine * pi - (n + 1) * before;
                 sum += std::complex<double>(terms[i][0], terms[i][1]) * (pi + tau);
-                difference += std::complex<double>(terms[i][2], terms[i][3]) * (pi - tau);
+                const double sign = i % 2 == 0 ? 1 : -1;  // MieTerms have it for even n
+                difference += sign * std::complex<double>(terms[i][2], terms[i][3]) * (pi - tau);
                 const double next = ((2 * n + 1) * cosine * pi - (n + 1) * before) / n;
                 before = pi;
                 pi = next;

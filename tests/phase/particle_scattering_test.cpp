@@ -222,6 +222,44 @@ TEST(ParticleScattering, LargeDropsHaveTheRainbow) {
     EXPECT_LT(value_at(made.phase, 133), 0.35 * value_at(made.phase, 138.8));
 }
 
+// Groups of radii, and angles found beforehand, held against so many radii that none of it matters.
+TEST(ParticleScattering, LargeDropsAreTheSumOverManyRadii) {
+    const Particles drops = gamma_drops(100, 0.1);
+    const RadiusDistribution distribution(drops);
+    const auto range = distribution.scattering_range(kGreen);
+    const double k = 2 * std::numbers::pi / kGreen.meters;
+    WeightedSpheres spheres(water_refractive_index(kGreen), 0);
+    constexpr int kRadii = 20000;
+    const double step = (range.last - range.first) / kRadii;
+    for (int i = 1; i < kRadii; ++i) {
+        const double u = range.first + i * step;
+        spheres.add(k * std::exp(u), step * distribution.per_log_radius(u));
+    }
+    std::vector<double> one_minus;
+    for (int i = 0; i <= 16; ++i) one_minus.push_back(std::pow(i / 16.0, 4));
+    MieIntensities sums = no_intensities(one_minus.size());
+    spheres.add_intensities(0, one_minus, sums);
+    const CrossSectionSums wanted = spheres.cross_sections();
+    const ParticleScattering made = particle_scattering(drops, kGreen, 0.02, 0);
+    EXPECT_LE(made.error, 0.02);
+    EXPECT_NEAR(made.scattering_cross_section_m2 * k * k / std::numbers::pi / wanted.scattering, 1,
+                1e-3);
+    double squares = 0;
+    for (std::size_t i = 0; i < one_minus.size(); ++i) {
+        const double scale = 2 * std::numbers::pi * wanted.scattering;
+        const double forward = (sums.perpendicular[i] + sums.parallel[i]) / scale;
+        const double backward = (sums.back_perpendicular[i] + sums.back_parallel[i]) / scale;
+        const double d = one_minus[i];
+        const double there = tabulated_phase_value(made.phase, d, 2 - d) / forward - 1;
+        const double back = tabulated_phase_value(made.phase, 2 - d, d) / backward - 1;
+        // The error is known within a factor of 2.
+        EXPECT_LE(std::fabs(there), 2 * made.error) << d;
+        EXPECT_LE(std::fabs(back), 2 * made.error) << d;
+        squares += there * there + back * back;
+    }
+    EXPECT_LE(std::sqrt(squares / 2 / static_cast<double>(one_minus.size())), made.error / 2);
+}
+
 TEST(ParticleScattering, SameBitsForAnyNumberOfThreads) {
     const Particles dust = log_normal_dust(0.2, 1.5);
     const ParticleScattering one = particle_scattering(dust, kGreen, 1e-3, 1);

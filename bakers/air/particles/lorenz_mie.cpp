@@ -18,10 +18,7 @@ double cube_root(double x) { return exponential(logarithm(x) / 3); }
 int start_margin(double z) { return static_cast<int>(7.5 * cube_root(z) + 10); }
 
 // D_1 ... D_count of z, by D_(n-1) = n/z - 1 / (D_n + n/z), from D_n = (n + 1)/z.
-std::vector<ComplexNumber> logarithmic_derivatives(ComplexNumber z, int count) {
-    const double size = std::sqrt(squared_modulus(z));
-    const double largest = std::max(size, static_cast<double>(count));
-    const int start = static_cast<int>(largest) + start_margin(largest);
+std::vector<ComplexNumber> logarithmic_derivatives(ComplexNumber z, int count, int start) {
     const ComplexNumber per_z = inverse(z);
     std::vector<ComplexNumber> result(static_cast<std::size_t>(count));
     ComplexNumber d = (start + 1.0) * per_z;
@@ -34,10 +31,10 @@ std::vector<ComplexNumber> logarithmic_derivatives(ComplexNumber z, int count) {
 }
 
 // psi_0 ... psi_count of x.
-std::vector<double> riccati_bessel(double x, int count, const SineCosine& at_x) {
+std::vector<double> riccati_bessel(double x, const MieSteps& steps, const SineCosine& at_x) {
+    const auto [count, upward, start, start_of_slopes] = steps;
     std::vector<double> psi = {at_x.sine};
     psi.reserve(static_cast<std::size_t>(count) + 1);
-    const int upward = std::min(count, static_cast<int>(x));
     double before = at_x.cosine;
     for (int n = 0; n < upward; ++n) {
         const double next = (2 * n + 1) / x * psi.back() - before;
@@ -46,7 +43,6 @@ std::vector<double> riccati_bessel(double x, int count, const SineCosine& at_x) 
     }
     // psi_(n-1) / psi_n for the others, from downwards.
     std::vector<double> ratios(static_cast<std::size_t>(count - upward));
-    const int start = count + start_margin(std::max(x, 1.0));
     double ratio = (2 * start + 1) / x;
     for (int n = start - 1; n > upward; --n) {
         ratio = (2 * n + 1) / x - 1 / ratio;
@@ -87,13 +83,25 @@ int mie_term_count(double x) {
     return static_cast<int>(x + 5.5 * cube_root(x) + 3);
 }
 
+MieSteps mie_steps(double x, ComplexNumber refractive_index) {
+    MieSteps steps;
+    steps.count = mie_term_count(x);
+    steps.upward = std::min(steps.count, static_cast<int>(x));
+    steps.start_of_ratios = steps.count + start_margin(std::max(x, 1.0));
+    const double size = std::sqrt(squared_modulus(x * refractive_index));
+    const double largest = std::max(size, static_cast<double>(steps.count));
+    steps.start_of_slopes = static_cast<int>(largest) + start_margin(largest);
+    return steps;
+}
+
 MieCoefficients mie_coefficients(double size_parameter, ComplexNumber refractive_index) {
     assert(size_parameter > 0 && squared_modulus(refractive_index) > 0);
     const double x = size_parameter;
-    const int count = mie_term_count(x);
+    const MieSteps steps = mie_steps(x, refractive_index);
     const SineCosine at_x = sine_and_cosine(x);
-    const auto derivatives = logarithmic_derivatives(x * refractive_index, count);
-    const std::vector<double> psi = riccati_bessel(x, count, at_x);
+    const auto derivatives =
+        logarithmic_derivatives(x * refractive_index, steps.count, steps.start_of_slopes);
+    const std::vector<double> psi = riccati_bessel(x, steps, at_x);
     const ComplexNumber per_index = inverse(refractive_index);
     MieCoefficients result;
     result.size_parameter = x;
@@ -102,7 +110,7 @@ MieCoefficients mie_coefficients(double size_parameter, ComplexNumber refractive
     double chi = at_x.cosine;
     double chi_before = -at_x.sine;
     double absorbed = 0;
-    for (int n = 1; n <= count; ++n) {
+    for (int n = 1; n <= steps.count; ++n) {
         const double next = (2 * n - 1) / x * chi - chi_before;
         chi_before = chi;
         chi = next;

@@ -71,6 +71,15 @@ struct MieCoefficients {
 // Returns the number of terms in the series of a sphere.
 int mie_term_count(double size_parameter);
 
+// Where the recurrences of a sphere begin and end.
+struct MieSteps {
+    int count = 0;            // terms
+    int upward = 0;           // psi goes upwards to this n
+    int start_of_ratios = 0;  // psi_(n-1) / psi_n goes downwards from here
+    int start_of_slopes = 0;  // so does D_n
+};
+MieSteps mie_steps(double size_parameter, ComplexNumber refractive_index);
+
 // Computes the coefficients for 1e-8 <= x <= 3e5 and 0.01 <= |m| <= 150. Time and memory grow as
 // max(1, |m|) x.
 MieCoefficients mie_coefficients(double size_parameter, ComplexNumber refractive_index);
@@ -98,18 +107,26 @@ MieEfficiencies mie_efficiencies(const MieCoefficients& coefficients);
 // (2 k^2) with k = 2 pi / lambda.
 //
 // S_1 +- S_2 = sum c_n (a_n +- b_n) (pi_n +- tau_n), and since pi_n +- tau_n at 180 degrees - theta
-// are (-1)^(n+1) (pi_n -+ tau_n) at theta, two sums give two angles.
+// are (-1)^(n+1) (pi_n -+ tau_n) at theta, two sums give two angles. If a_n - b_n and pi_n - tau_n
+// both have the other sign for even n, the four products of a term keep or get the signs that they
+// need, and all terms are alike.
 //
 // pi_n is computed from its differences, with 1 - cos theta in place of the cosine, so that no
 // digits are lost near 0 and 180 degrees (Reinsch's modification of Clenshaw's recurrence). The
 // sums run in the order of n and without fused operations, which gives the same bits for every
 // instruction set.
 
-// The terms of one sphere: the real and imaginary parts of c_n (a_n + b_n) and of c_n (a_n - b_n),
-// for n = 1 and on.
+// The terms of one sphere: the real and imaginary parts of c_n (a_n + b_n) and, with a minus for
+// even n, of c_n (a_n - b_n), for n = 1 and on.
 using MieTerms = std::vector<std::array<double, 4>>;
 
 MieTerms mie_terms(const MieCoefficients& coefficients);
+
+// Computes the terms and the efficiencies, but for backscatter, of many spheres at once: the same
+// bits as mie_terms and mie_efficiencies of mie_coefficients, one by one. Spheres of like size
+// should be neighbours. All spans have the same length.
+void mie_series(std::span<const double> size_parameters, ComplexNumber refractive_index,
+                std::span<MieTerms> terms, std::span<MieEfficiencies> efficiencies);
 
 // The quantities that add up over spheres, at the angles theta and at 180 degrees - theta.
 struct MieIntensities {

@@ -12,96 +12,166 @@
 #define HWY_TARGET_INCLUDE "bakers/air/particles/lorenz_mie_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include "bakers/air/particles/mie_series-inl.h"
 #include "bakers/math/lanes-inl.h"
+
+#ifndef SKYBAKE_LORENZ_MIE_KERNEL_TILE
+#define SKYBAKE_LORENZ_MIE_KERNEL_TILE
+namespace skybake {
+
+// Angles of a tile: a multiple of the doubles in the longest vector that Highway has (AVX-512).
+constexpr std::size_t kTileAngles = 32;
+
+}  // namespace skybake
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// pi_n + tau_n and pi_n - tau_n of one vector of angles, n = 1 ... count, one after the other.
-void angular_functions(Lanes one_minus, std::size_t count, double* out) {
-    Lanes pi(1.0);
-    Lanes before(0.0);
-    Lanes step(1.0);  // pi_n - pi_(n-1)
-    for (std::size_t i = 0; i < count; ++i) {
+// The terms of a series are taken in blocks, and so are the spheres: the angular functions of one
+// block of terms at all angles of a tile stay in the cache while all spheres of a block use them,
+// and the terms of a sphere come from memory once for a tile.
+constexpr std::size_t kBlockTerms = 64;  // an even number
+constexpr std::size_t kBlockSpheres = 64;
+constexpr std::size_t kVectors = kTileAngles / Lanes::kCount;
+constexpr std::size_t kFunctions = 2 * Lanes::kCount;  // of one term and vector of angles
+
+// Where the recurrence of one vector of angles stands: pi_n, pi_(n-1) and their difference.
+struct AngularState {
+    std::array<double, Lanes::kCount> pi, before, step;
+};
+
+AngularState angular_start() {
+    AngularState state;
+    Lanes(1.0).store(state.pi.data());
+    Lanes(0.0).store(state.before.data());
+    Lanes(1.0).store(state.step.data());
+    return state;
+}
+
+// pi_n + tau_n and pi_n - tau_n of one vector of angles, n = first + 1 ... end, one after the other.
+// `first` is even; for even n the differences have the other sign, as those of MieTerms.
+void angular_functions(Lanes one_minus, std::size_t first, std::size_t end, AngularState& state,
+                       double* out) {
+    Lanes pi = Lanes::load(state.pi.data());
+    Lanes before = Lanes::load(state.before.data());
+    Lanes step = Lanes::load(state.step.data());
+    for (std::size_t i = first; i < end; ++i) {
         const double n = static_cast<double>(i + 1);
         const Lanes drop = one_minus * pi;
         const Lanes t = step - drop;
         const Lanes tau = Lanes(n) * t - before;
-        (pi + tau).store(out + 2 * i * Lanes::kCount);
-        (pi - tau).store(out + (2 * i + 1) * Lanes::kCount);
+        (pi + tau).store(out);
+        (i % 2 == 0 ? pi - tau : tau - pi).store(out + Lanes::kCount);
+        out += kFunctions;
         step = t * Lanes(1 + 1 / n) - drop;
         before = pi;
         pi = pi + step;
     }
+    pi.store(state.pi.data());
+    before.store(state.before.data());
+    step.store(state.step.data());
 }
 
-// S_1 + S_2 and S_1 - S_2 at theta and at 180 degrees - theta.
-struct Amplitudes {
-    Lanes sum_real, sum_imaginary;
-    Lanes difference_real, difference_imaginary;
-    Lanes back_sum_real, back_sum_imaginary;
-    Lanes back_difference_real, back_difference_imaginary;
-};
+// S_1 + S_2, S_1 - S_2, and both at 180 degrees - theta, real and imaginary parts.
+using Amplitudes = std::array<double, 8 * Lanes::kCount>;
 
-// Term n; its sign at 180 degrees - theta is minus for even n.
-template <bool kEven>
-HWY_INLINE void add_term(const double* term, const double* functions, Amplitudes& to) {
-    const Lanes plus = Lanes::load(functions);
-    const Lanes minus = Lanes::load(functions + Lanes::kCount);
-    const Lanes sum_real(term[0]);
-    const Lanes sum_imaginary(term[1]);
-    const Lanes difference_real(term[2]);
-    const Lanes difference_imaginary(term[3]);
-    to.sum_real = to.sum_real + sum_real * plus;
-    to.sum_imaginary = to.sum_imaginary + sum_imaginary * plus;
-    to.difference_real = to.difference_real + difference_real * minus;
-    to.difference_imaginary = to.difference_imaginary + difference_imaginary * minus;
-    const auto add = [](Lanes x, Lanes y) HWY_ATTR { return kEven ? x - y : x + y; };
-    to.back_sum_real = add(to.back_sum_real, sum_real * minus);
-    to.back_sum_imaginary = add(to.back_sum_imaginary, sum_imaginary * minus);
-    to.back_difference_real = add(to.back_difference_real, difference_real * plus);
-    to.back_difference_imaginary = add(to.back_difference_imaginary, difference_imaginary * plus);
-}
-
-Amplitudes amplitudes(const MieTerms& terms, const double* functions) {
-    const Lanes zero(0.0);
-    Amplitudes result = {zero, zero, zero, zero, zero, zero, zero, zero};
-    constexpr std::size_t kStride = 2 * Lanes::kCount;
-    std::size_t i = 0;
-    for (; i + 2 <= terms.size(); i += 2) {
-        add_term<false>(terms[i].data(), functions + i * kStride, result);
-        add_term<true>(terms[i + 1].data(), functions + (i + 1) * kStride, result);
+// Adds the terms n = first + 1 ... end. The sums are loose variables, which compilers keep in
+// registers.
+void add_terms(const MieTerms& terms, std::size_t first, std::size_t end, const double* functions,
+               double* sums) {
+    constexpr std::size_t k = Lanes::kCount;
+    Lanes sum_real = Lanes::load(sums);
+    Lanes sum_imaginary = Lanes::load(sums + k);
+    Lanes difference_real = Lanes::load(sums + 2 * k);
+    Lanes difference_imaginary = Lanes::load(sums + 3 * k);
+    Lanes back_sum_real = Lanes::load(sums + 4 * k);
+    Lanes back_sum_imaginary = Lanes::load(sums + 5 * k);
+    Lanes back_difference_real = Lanes::load(sums + 6 * k);
+    Lanes back_difference_imaginary = Lanes::load(sums + 7 * k);
+    const std::array<double, 4>* term = terms.data() + first;
+    for (const std::array<double, 4>* const last = terms.data() + end; term < last; ++term) {
+        const Lanes plus = Lanes::load(functions);
+        const Lanes minus = Lanes::load(functions + k);
+        functions += kFunctions;
+        const Lanes s_real((*term)[0]);
+        sum_real = sum_real + s_real * plus;
+        back_sum_real = back_sum_real + s_real * minus;
+        const Lanes s_imaginary((*term)[1]);
+        sum_imaginary = sum_imaginary + s_imaginary * plus;
+        back_sum_imaginary = back_sum_imaginary + s_imaginary * minus;
+        const Lanes d_real((*term)[2]);
+        difference_real = difference_real + d_real * minus;
+        back_difference_real = back_difference_real + d_real * plus;
+        const Lanes d_imaginary((*term)[3]);
+        difference_imaginary = difference_imaginary + d_imaginary * minus;
+        back_difference_imaginary = back_difference_imaginary + d_imaginary * plus;
     }
-    if (i < terms.size()) add_term<false>(terms[i].data(), functions + i * kStride, result);
-    return result;
+    sum_real.store(sums);
+    sum_imaginary.store(sums + k);
+    difference_real.store(sums + 2 * k);
+    difference_imaginary.store(sums + 3 * k);
+    back_sum_real.store(sums + 4 * k);
+    back_sum_imaginary.store(sums + 5 * k);
+    back_difference_real.store(sums + 6 * k);
+    back_difference_imaginary.store(sums + 7 * k);
 }
 
-// |(sum + sign difference) / 2|^2 times `weight`, added to `to`.
-HWY_INLINE void add_intensity(double weight, Lanes real, Lanes imaginary, double* to) {
-    (Lanes::load(to) + Lanes(0.25 * weight) * (real * real + imaginary * imaginary)).store(to);
+// |(sum +- difference) / 2|^2 times `weight`, added to `to`.
+HWY_INLINE void add_intensity(Lanes quarter, Lanes real, Lanes imaginary, double* to) {
+    (Lanes::load(to) + quarter * (real * real + imaginary * imaginary)).store(to);
 }
 
-// The angles of one tile: a multiple of any vector's length, its arrays as those of MieIntensities.
-void add_tile(std::span<const MieTerms> spheres, std::span<const double> weights,
-              const double* one_minus_cosines, std::size_t angles, double* const* sums) {
+void add_intensities(const Amplitudes& amplitudes, double weight, std::size_t k,
+                     double* const* sums) {
+    const auto at = [&](std::size_t i)
+                        HWY_ATTR { return Lanes::load(amplitudes.data() + i * Lanes::kCount); };
+    const Lanes quarter(0.25 * weight);
+    add_intensity(quarter, at(0) + at(2), at(1) + at(3), sums[0] + k);
+    add_intensity(quarter, at(0) - at(2), at(1) - at(3), sums[1] + k);
+    add_intensity(quarter, at(4) + at(6), at(5) + at(7), sums[2] + k);
+    add_intensity(quarter, at(4) - at(6), at(5) - at(7), sums[3] + k);
+}
+
+// The first `vectors` vectors of angles of one tile, for one block of spheres.
+void add_block(std::span<const MieTerms> spheres, std::span<const double> weights,
+               const double* one_minus_cosines, std::size_t vectors, double* const* sums) {
     std::size_t most = 0;
     for (const MieTerms& terms : spheres) most = std::max(most, terms.size());
-    std::vector<double> functions(2 * Lanes::kCount * most);
-    for (std::size_t k = 0; k < angles; k += Lanes::kCount) {
-        angular_functions(Lanes::load(one_minus_cosines + k), most, functions.data());
-        for (std::size_t s = 0; s < spheres.size(); ++s) {
-            const Amplitudes at = amplitudes(spheres[s], functions.data());
-            const double weight = weights[s];
-            add_intensity(weight, at.sum_real + at.difference_real,
-                          at.sum_imaginary + at.difference_imaginary, sums[0] + k);
-            add_intensity(weight, at.sum_real - at.difference_real,
-                          at.sum_imaginary - at.difference_imaginary, sums[1] + k);
-            add_intensity(weight, at.back_sum_real + at.back_difference_real,
-                          at.back_sum_imaginary + at.back_difference_imaginary, sums[2] + k);
-            add_intensity(weight, at.back_sum_real - at.back_difference_real,
-                          at.back_sum_imaginary - at.back_difference_imaginary, sums[3] + k);
+    std::array<AngularState, kVectors> states;
+    states.fill(angular_start());
+    std::vector<Amplitudes> amplitudes(spheres.size() * vectors, Amplitudes{});
+    std::vector<double> functions(kBlockTerms * kFunctions);
+    for (std::size_t first = 0; first < most; first += kBlockTerms) {
+        const std::size_t last = std::min(first + kBlockTerms, most);
+        for (std::size_t v = 0; v < vectors; ++v) {
+            angular_functions(Lanes::load(one_minus_cosines + v * Lanes::kCount), first, last,
+                              states[v], functions.data());
+            for (std::size_t s = 0; s < spheres.size(); ++s) {
+                const std::size_t end = std::min(last, spheres[s].size());
+                if (first >= end) continue;
+                add_terms(spheres[s], first, end, functions.data(),
+                          amplitudes[s * vectors + v].data());
+            }
         }
+    }
+    for (std::size_t s = 0; s < spheres.size(); ++s) {
+        for (std::size_t v = 0; v < vectors; ++v) {
+            add_intensities(amplitudes[s * vectors + v], weights[s], v * Lanes::kCount, sums);
+        }
+    }
+}
+
+// The first `angles` angles of one tile, whose arrays are those of MieIntensities and as long as
+// the tile.
+void add_tile(std::span<const MieTerms> spheres, std::span<const double> weights,
+              const double* one_minus_cosines, std::size_t angles, double* const* sums) {
+    const std::size_t vectors = (angles + Lanes::kCount - 1) / Lanes::kCount;
+    for (std::size_t first = 0; first < spheres.size(); first += kBlockSpheres) {
+        const std::size_t count = std::min(kBlockSpheres, spheres.size() - first);
+        add_block(spheres.subspan(first, count), weights.subspan(first, count), one_minus_cosines,
+                  vectors, sums);
     }
 }
 
@@ -113,13 +183,13 @@ HWY_AFTER_NAMESPACE();
 namespace skybake {
 
 HWY_EXPORT(add_tile);
+HWY_EXPORT(all_series);
 
-namespace {
-
-// Doubles in the longest vector that Highway has (AVX-512); tiles of angles are filled up to it.
-constexpr std::size_t kTileAngles = 8;
-
-}  // namespace
+void mie_series(std::span<const double> size_parameters, ComplexNumber refractive_index,
+                std::span<MieTerms> terms, std::span<MieEfficiencies> efficiencies) {
+    assert(terms.size() == size_parameters.size() && efficiencies.size() == terms.size());
+    HWY_DYNAMIC_DISPATCH(all_series)(size_parameters, refractive_index, terms, efficiencies);
+}
 
 MieTerms mie_terms(const MieCoefficients& coefficients) {
     MieTerms terms;
@@ -127,9 +197,11 @@ MieTerms mie_terms(const MieCoefficients& coefficients) {
     for (std::size_t i = 0; i < coefficients.a.size(); ++i) {
         const double n = static_cast<double>(i + 1);
         const double c = (2 * n + 1) / (n * (n + 1));
+        const double even = i % 2 == 1 ? -1 : 1;
         const ComplexNumber sum = c * (coefficients.a[i] + coefficients.b[i]);
         const ComplexNumber difference = c * (coefficients.a[i] - coefficients.b[i]);
-        terms.push_back({sum.real, sum.imaginary, difference.real, difference.imaginary});
+        terms.push_back(
+            {sum.real, sum.imaginary, even * difference.real, even * difference.imaginary});
     }
     return terms;
 }
@@ -156,7 +228,7 @@ void add_mie_intensities(std::span<const MieTerms> spheres, std::span<const doub
             rows[i] = padded.data() + (i + 1) * kTileAngles;
             std::copy_n(outputs[i]->data() + first, used, rows[i]);
         }
-        HWY_DYNAMIC_DISPATCH(add_tile)(spheres, weights, padded.data(), kTileAngles, rows.data());
+        HWY_DYNAMIC_DISPATCH(add_tile)(spheres, weights, padded.data(), used, rows.data());
         for (std::size_t i = 0; i < rows.size(); ++i) {
             std::copy_n(rows[i], used, outputs[i]->data() + first);
         }

@@ -1,6 +1,7 @@
 #include "bakers/air/particles/particle_scattering.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "bakers/air/particles/angle_nodes.h"
 #include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/air/particles/size_distribution.h"
 #include "bakers/air/particles/tabulated_phase.h"
@@ -22,60 +24,45 @@ namespace {
 
 // Radii no longer double when their series have more terms than this, angles when terms times pairs
 // of angles exceed the other bound: 2 to 4 s on one core.
-constexpr double kMostTerms = 6e6;
+constexpr double kMostTerms = 1.2e7;
 constexpr double kMostWork = 8e9;
 constexpr int kFewestRadii = 32;
-constexpr int kPilotNodes = 32;
 constexpr int kMostNodes = 1 << 13;
 
-// 1 - cos of the nodes from the first-th on of a half of tabulated_phase.h.
-std::vector<double> node_offsets(int cells, int first, int step) {
-    std::vector<double> offsets;
-    for (int i = first; i <= cells; i += step) {
-        const double w = static_cast<double>(i) / cells;
-        offsets.push_back((w * w) * (w * w));
-    }
-    return offsets;
-}
-
-// |S_1|^2 + |S_2|^2 per cross-section, forward and backward: in proportion to the phase function.
-PhaseHalves phase_of(const MieIntensities& sums, double scattering) {
-    PhaseHalves halves;
-    for (std::size_t i = 0; i < sums.parallel.size(); ++i) {
-        halves.forward.push_back((sums.perpendicular[i] + sums.parallel[i]) / scattering);
-        halves.backward.push_back((sums.back_perpendicular[i] + sums.back_parallel[i]) /
-                                  scattering);
-    }
-    return halves;
-}
-
-double change(double before, double after) { return std::fabs(after - before) / after; }
-
-// The largest relative change, of cross-sections per node and of the phase function.
-double largest_change(const CrossSectionSums& before, const PhaseHalves& phase_before,
-                      const CrossSectionSums& after, const PhaseHalves& phase_after) {
-    // Twice as many nodes have about twice the sum.
-    double worst = std::max(change(2 * before.extinction, after.extinction),
-                            change(2 * before.scattering, after.scattering));
-    return std::max(worst, largest_difference(phase_before, phase_after));
-}
+// Size parameters of a group of large spheres, less that of the first (particle_scattering.h).
+constexpr std::array<double, 4> kGroup = {0, 1.511, 3.061, 4.572};
+constexpr double kLargeSpheres = 700;  // size parameter of what scatters most
 
 struct SizeAverage {
+    explicit SizeAverage(ComplexNumber index, int threads) : spheres(index, threads) {}
+
     WeightedSpheres spheres;
+    AngleNodes angles;
     CrossSectionSums sums;
-    PhaseHalves phase;        // at the pilot nodes
     double per_particle = 1;  // the factor that makes sums means over all particles
-    double error = 0;
+    double error = 0;         // of the radii
 };
 
-SizeAverage monodisperse_average(double x, ComplexNumber index, int threads) {
-    SizeAverage result{WeightedSpheres(index, threads), {}, {}, 1, 0};
+// Adds the spheres from number `first` on to all sums.
+void add_spheres(std::size_t first, SizeAverage& average) {
+    average.angles.add(average.spheres, first);
+    average.sums = average.spheres.cross_sections();
+}
+
+// Halves the cells between angles until interpolation is within the accuracy or the work too much.
+void refine_angles(SizeAverage& average, double accuracy) {
+    AngleNodes& angles = average.angles;
+    while (angles.error() > accuracy && angles.cells() < kMostNodes &&
+           average.spheres.terms() * angles.summed() < kMostWork) {
+        if (!angles.refine(average.spheres, 2, [=](double) { return accuracy; })) return;
+    }
+}
+
+SizeAverage monodisperse_average(double x, ComplexNumber index, double accuracy, int threads) {
+    SizeAverage result(index, threads);
     result.spheres.add(x, 1);
-    const std::vector<double> pilots = node_offsets(kPilotNodes, 0, 1);
-    MieIntensities intensities = no_intensities(pilots.size());
-    result.spheres.add_intensities(0, pilots, intensities);
-    result.sums = result.spheres.cross_sections();
-    result.phase = phase_of(intensities, result.sums.scattering);
+    add_spheres(0, result);
+    refine_angles(result, accuracy);
     return result;
 }
 
@@ -85,9 +72,9 @@ SizeAverage monodisperse_average(double x, ComplexNumber index, int threads) {
 // as many nodes as uniform ones of the same distance at the center.
 class RadiusNodes {
   public:
-    explicit RadiusNodes(const RadiusDistribution::LogRange& range)
+    RadiusNodes(const RadiusDistribution::LogRange& range, double scale)
         : center_(range.center),
-          scale_(0.5 * range.width),
+          scale_(scale * range.width),
           first_(-inverse_sinh((range.center - range.first) / scale_)),
           last_(inverse_sinh((range.last - range.center) / scale_)) {}
 
@@ -111,60 +98,107 @@ class RadiusNodes {
     double last_;
 };
 
-SizeAverage distributed_average(const RadiusDistribution& distribution, config::Length wavelength,
-                                ComplexNumber index, double accuracy, int threads) {
-    const RadiusNodes radii(distribution.scattering_range(wavelength));
-    const double wave_number = 2 * std::numbers::pi / wavelength.meters;
-    SizeAverage result{WeightedSpheres(index, threads), {}, {}, 1, 0};
-    // Every step-th of the nodes between the ends, which have no weight to speak of.
-    const auto add_nodes = [&](int intervals, int step) {
-        for (int i = 1; i < intervals; i += step) {
-            const auto [u, per_step] = radii.at(static_cast<double>(i) / intervals);
-            result.spheres.add(wave_number * exponential(u),
-                               per_step * distribution.per_log_radius(u));
-        }
-    };
-    const std::vector<double> pilots = node_offsets(kPilotNodes, 0, 1);
-    MieIntensities intensities = no_intensities(pilots.size());
-    add_nodes(kFewestRadii, 1);
-    result.spheres.add_intensities(0, pilots, intensities);
-    result.sums = result.spheres.cross_sections();
-    result.phase = phase_of(intensities, result.sums.scattering);
-    for (int intervals = 2 * kFewestRadii;; intervals *= 2) {
-        const CrossSectionSums before = result.sums;
-        const PhaseHalves phase_before = result.phase;
-        const std::size_t summed = result.spheres.count();
-        add_nodes(intervals, 2);
-        result.spheres.add_intensities(summed, pilots, intensities);
-        result.sums = result.spheres.cross_sections();
-        result.phase = phase_of(intensities, result.sums.scattering);
-        // Resonances narrower than the distance of the nodes make the error fall as its first
-        // power: half of the change is left.
-        result.error = largest_change(before, phase_before, result.sums, result.phase) / 2;
-        result.per_particle = 1.0 / intervals;
-        if (result.error <= accuracy || 2 * result.spheres.terms() > kMostTerms) return result;
-    }
+// Half of what the phase function and the cross-sections changed by, relative; all of it where
+// radii come in groups.
+double error_of_radii(const CrossSectionSums& before, const PhaseHalves& phase_before,
+                      const SizeAverage& after, bool groups) {
+    // Twice as many nodes have about twice the sum.
+    const double worst = std::max({relative_change(2 * before.extinction, after.sums.extinction),
+                                   relative_change(2 * before.scattering, after.sums.scattering),
+                                   largest_difference(phase_before, after.angles.phase())});
+    return groups ? worst : worst / 2;
 }
 
-struct AngleAverage {
-    PhaseHalves phase;
-    double error = 0;
+// The rule over radii: adds every step-th of the nodes between the ends, which have no weight to
+// speak of, from the first on.
+class RadiusRule {
+  public:
+    RadiusRule(const RadiusDistribution& distribution, config::Length wavelength)
+        : RadiusRule(distribution, wavelength, distribution.scattering_range(wavelength)) {}
+
+    double center() const { return center_; }  // size parameter of what scatters most
+    bool has_large_spheres() const { return center_ > kLargeSpheres; }
+
+    void add_nodes(int intervals, int step, WeightedSpheres& to) const {
+        for (int i = 1; i < intervals; i += step) {
+            const auto [u, per_step] = nodes_.at(static_cast<double>(i) / intervals);
+            to.add(wave_number_ * exponential(u), per_step * distribution_.per_log_radius(u));
+        }
+    }
+    void add_groups(int intervals, int step, WeightedSpheres& to) const {
+        for (int i = 1; i < intervals; i += step) {
+            const auto [u, per_step] = nodes_.at(static_cast<double>(i) / intervals);
+            const double x = wave_number_ * exponential(u);
+            // The same rule, moved: dx is the same, d ln x is not.
+            for (const double distance : kGroup) {
+                const double moved = x + distance;
+                const double density =
+                    distribution_.per_log_radius(logarithm(moved / wave_number_));
+                to.add(moved, per_step * x / moved * density / kGroup.size());
+            }
+        }
+    }
+
+  private:
+    RadiusRule(const RadiusDistribution& distribution, config::Length wavelength,
+               const RadiusDistribution::LogRange& range)
+        : distribution_(distribution),
+          wave_number_(2 * std::numbers::pi / wavelength.meters),
+          center_(wave_number_ * exponential(range.center)),
+          nodes_(range, has_large_spheres() ? 0.25 : 0.5) {}
+
+    const RadiusDistribution& distribution_;
+    double wave_number_;
+    double center_;
+    RadiusNodes nodes_;
 };
 
-AngleAverage smooth_phase(SizeAverage& average, double accuracy) {
-    AngleAverage result{average.phase, 0};
-    for (int cells = 2 * kPilotNodes;; cells *= 2) {
-        const std::vector<double> offsets = node_offsets(cells, 1, 2);
-        MieIntensities intensities = no_intensities(offsets.size());
-        average.spheres.add_intensities(0, offsets, intensities);
-        const PhaseHalves middles = phase_of(intensities, average.sums.scattering);
-        // Halving the distance of the nodes makes the error of interpolation by six of them 2^6
-        // times less: the change by the last halving, over 16, bounds it with room.
-        result.error = largest_difference(interpolated_middles(result.phase), middles) / 16;
-        result.phase = interleaved(result.phase, middles);
-        const double work = average.spheres.terms() * cells * 2;
-        if (result.error <= accuracy || work > kMostWork || cells >= kMostNodes) return result;
+// The angles that large spheres need, found with so few of them that their series stay in memory.
+// The noise of so few radii stays below the bound, but for the poles, where peaks are narrow.
+AngleNodes angles_of_large_spheres(const RadiusRule& rule, ComplexNumber index, int threads) {
+    constexpr int kRadii = 256;
+    constexpr int kMostCells = 512;
+    constexpr double kAccuracy = 0.02;
+    constexpr double kPoleAccuracy = 0.002;
+    constexpr double kPole = 15;  // x theta
+    SizeAverage few(index, threads);
+    rule.add_nodes(kRadii, 1, few.spheres);
+    add_spheres(0, few);
+    // 1 - cos theta = theta^2 / 2 is the fourth power of a node's place.
+    const double pole = std::sqrt(kPole / rule.center() / std::numbers::sqrt2);
+    const auto accuracy = [&](double place) { return place < pole ? kPoleAccuracy : kAccuracy; };
+    while (few.angles.cells() < kMostCells && few.angles.refine(few.spheres, 1, accuracy)) {
     }
+    return few.angles.empty();
+}
+
+SizeAverage distributed_average(const RadiusDistribution& distribution, config::Length wavelength,
+                                ComplexNumber index, double accuracy, int threads) {
+    const RadiusRule rule(distribution, wavelength);
+    const bool groups = rule.has_large_spheres();
+    SizeAverage result(index, threads);
+    if (groups) result.angles = angles_of_large_spheres(rule, index, threads);
+    const auto add_nodes = [&](int intervals, int step) {
+        if (groups) {
+            rule.add_groups(intervals, step, result.spheres);
+        } else {
+            rule.add_nodes(intervals, step, result.spheres);
+        }
+    };
+    add_nodes(kFewestRadii, 1);
+    add_spheres(0, result);
+    for (int intervals = 2 * kFewestRadii;; intervals *= 2) {
+        const CrossSectionSums before = result.sums;
+        const PhaseHalves phase_before = result.angles.phase();
+        const std::size_t summed = result.spheres.count();
+        add_nodes(intervals, 2);
+        add_spheres(summed, result);
+        result.error = error_of_radii(before, phase_before, result, groups);
+        result.per_particle = 1.0 / intervals;
+        if (result.error <= accuracy || 2 * result.spheres.terms() > kMostTerms) break;
+    }
+    if (!groups) refine_angles(result, accuracy);
+    return result;
 }
 
 }  // namespace
@@ -192,11 +226,10 @@ ParticleScattering particle_scattering(const config::Particles& particles,
     const ComplexNumber index = refractive_index(particles, wavelength);
     SizeAverage average =
         particles.sizes == config::SizeDistribution::monodisperse
-            ? monodisperse_average(wave_number * particles.radius.meters, index, threads)
+            ? monodisperse_average(wave_number * particles.radius.meters, index, accuracy, threads)
             : distributed_average(RadiusDistribution(particles), wavelength, index, accuracy,
                                   threads);
-    const AngleAverage by_angle = smooth_phase(average, accuracy);
-    const PhaseInterpolation interpolation(by_angle.phase);
+    const PhaseInterpolation interpolation(average.angles.phase());
     MeasuredPhase table = make_tabulated_phase(
         [&](const std::vector<ScatteringAngle>& angles) { return interpolation.values(angles); },
         accuracy);
@@ -206,9 +239,9 @@ ParticleScattering particle_scattering(const config::Particles& particles,
     result.scattering_cross_section_m2 = area * average.sums.scattering;
     result.mean_cosine = average.sums.cosine / average.sums.scattering;
     result.phase = std::move(table.phase);
-    result.error = std::max({average.error, by_angle.error, table.error});
+    result.error = std::max({average.error, average.angles.error(), table.error});
     result.radii = static_cast<int>(average.spheres.count());
-    result.angles = 2 * static_cast<int>(by_angle.phase.forward.size()) - 1;
+    result.angles = 2 * average.angles.summed() - 1;
     return result;
 }
 

@@ -6,13 +6,23 @@
 // absorbs, and its resonances are narrower than any spacing of nodes. 2,000 radii give a cloud's
 // phase function within 1 %, 20,000 within 0.1 %.
 //
-// The angles at which the series is summed (at nodes as in tabulated_phase.h) also double until
-// interpolation between them is within `accuracy`, and the cells of the table double until linear
-// interpolation within them is.
+// Of large spheres (drizzle, rain) nodes are many wavelengths apart, and the error is that of chance:
+// light that takes two ways through a sphere interferes, with a phase of x times the difference of
+// their optical lengths. So each node becomes four radii whose size parameters lie 1.5 apart, over
+// which most of these phases cancel: reflected and once refracted light differ by 0.7 to 3 radii
+// (0 to 80 degrees), reflected and once internally reflected light by 4.9 (rainbow) to 7.3
+// (180 degrees). For differences of 0.65 to 3 and 4.6 to 7.5 the four leave on average a third of the
+// variance that four radii by chance would leave. The error then is the whole last change.
+//
+// The angles at which the series is summed (at nodes as in tabulated_phase.h) double where
+// interpolation between them is not within `accuracy`: almost only at the poles and at bows. Those
+// of large spheres are found beforehand with 256 radii. The cells of the table double until linear
+// interpolation within them is within `accuracy`.
 //
 // The work is bounded: large drops (rain), and spheres that all have one size, whose phase function
 // oscillates strongly through interference, stop before they reach the accuracy. `error` states the
-// accuracy they reached: a few per cent for rain, whose remaining noise is fine in angle.
+// accuracy they reached. Rain's phase function of 1,020 radii is off by 1.2 % RMS; within 0.1 degrees
+// of the point opposite to the sun, where resonances rule, by up to 8 %.
 #pragma once
 
 #include <memory>

@@ -131,6 +131,8 @@ namespace {
 
 // Of the series kept in memory at once: 100 MB.
 constexpr double kTermsAtOnce = 3e6;
+// A multiple of the longest vector's doubles.
+constexpr std::size_t kSeriesAtOnce = 8;
 
 }  // namespace
 
@@ -152,13 +154,18 @@ std::span<const MieTerms> WeightedSpheres::series(std::size_t begin, std::size_t
     const std::size_t next = kept_begin_ + known;
     if (next < end) {
         kept_.resize(end - kept_begin_);
-        parallel_for(static_cast<int>(end - next), threads_, [&](int i) {
-            const auto at = static_cast<std::size_t>(i);
-            Sphere& sphere = spheres_[next + at];
-            const MieCoefficients c = mie_coefficients(sphere.size_parameter, index_);
-            sphere.efficiencies = mie_efficiencies(c);
-            kept_[known + at] = mie_terms(c);
+        std::vector<double> sizes;
+        for (std::size_t i = next; i < end; ++i) sizes.push_back(spheres_[i].size_parameter);
+        std::vector<MieEfficiencies> efficiencies(sizes.size());
+        const std::size_t tiles = (sizes.size() + kSeriesAtOnce - 1) / kSeriesAtOnce;
+        parallel_for(static_cast<int>(tiles), threads_, [&](int tile) {
+            const std::size_t first = static_cast<std::size_t>(tile) * kSeriesAtOnce;
+            const std::size_t count = std::min(kSeriesAtOnce, sizes.size() - first);
+            mie_series(std::span(sizes).subspan(first, count), index_,
+                       std::span(kept_).subspan(known + first, count),
+                       std::span(efficiencies).subspan(first, count));
         });
+        for (std::size_t i = next; i < end; ++i) spheres_[i].efficiencies = efficiencies[i - next];
     }
     return std::span(kept_).subspan(begin - kept_begin_, end - begin);
 }
