@@ -39,8 +39,8 @@ struct ParticleScattering {
     double mean_cosine = 0;  // by the series; see also tabulated_mean_cosine
     TabulatedPhase phase;    // for unpolarised light
     // The estimated relative error of the phase function where that error is largest: the largest
-    // of the errors of radii, angles and table. Compared with sums over 150,000 radii the estimate
-    // was right within a factor of 2.
+    // of the errors of radii, angles and table. Beside sums over 150,000 radii the largest error was
+    // 0.6 to 2.5 times the estimate: 0.66 for 0.26 % for clouds, 8.3 for 8.6 % for rain.
     double error = 0;
     int radii = 0;   // number of radii that were averaged
     int angles = 0;  // number of angles at which the series was summed
