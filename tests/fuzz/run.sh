@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 fuzzers=(recipe units setting)
 seconds=$((${1:-60} / 2))
 examples/install_packages.sh --tests
-cmake --preset fuzz -DSKYBAKE_PRECOMPILED_HEADERS=ON >/dev/null
+cmake --preset fuzz -DSKYBAKE_PRECOMPILED_HEADERS=ON -DSKYBAKE_BATCHES=ON >/dev/null
 cmake --build --preset fuzz --target "${fuzzers[@]/%/_fuzzer}"
 pids=()
 for fuzzer in "${fuzzers[@]}"; do

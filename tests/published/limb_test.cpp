@@ -1,0 +1,176 @@
+// Skies at the limb of a round planet against the comparison of seven programs by Zawada et al. 2021
+// (AMT 14, 3953; Zenodo 4292303): 351 nm, a planet of 6371 km, air without depolarisation, ozone and
+// a stratospheric aerosol over black ground, seen from 100 km, with the sun 70 degrees from the
+// vertical at the tangent point. Their radiances are means over the programs, which spread by 0.2 %.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "bakers/light/sky_radiance.h"
+#include "tests/path_tracer/path_media.h"
+
+namespace skybake::test {
+namespace {
+
+struct LimbLine {
+    double tangent_km;
+    double view_zenith;  // degrees, at the observer
+    double sun_zenith;
+    double sun_azimuth;  // from the view
+    double single;       // radiance in 1/sr for a solar irradiance of 1
+    double all;          // of all orders, of light that is polarised
+};
+
+constexpr LimbLine kLines[] = {{0.5, 100.06054538334081, 78.77865125377602, 28.620343027220304,
+                                0.09098070186673655, 0.1363528751329402},
+                               {5.5, 99.80387312801992, 78.55336727300775, 28.64499578037372,
+                                0.09458543630533539, 0.14026986260093205},
+                               {10.5, 99.54036714839489, 78.32214093329584, 28.6708494200348,
+                                0.09901089094188685, 0.1449996456558323},
+                               {15.5, 99.26944462387038, 78.08446670997236, 28.698008079180042,
+                                0.10488454416510185, 0.1507178270545253},
+                               {20.5, 98.99043505147414, 77.83976307170613, 28.726591674272264,
+                                0.1102289457442418, 0.15300499283724603},
+                               {25.5, 98.70256059124566, 77.58735544791108, 28.756739454946654,
+                                0.08959683636599057, 0.12075879663028324},
+                               {30.5, 98.40491035664321, 77.32645394977881, 28.788614649289475,
+                                0.04647525105249826, 0.06310311682014363},
+                               {35.5, 98.09640620102122, 77.05612372324849, 28.82241064835627,
+                                0.023463762012127614, 0.03187632538686241},
+                               {40.5, 97.77575628680243, 76.77524471684946, 28.858359402828036,
+                                0.011939278826321882, 0.016175175192325527},
+                               {45.5, 97.44139064051379, 76.48245584248212, 28.896743082547715,
+                                0.0063779016349968035, 0.008619311251264453},
+                               {50.5, 97.09136933559142, 76.17607542219734, 28.937910695683456,
+                                0.003499255307709608, 0.004707543774965324},
+                               {55.5, 96.72324759194377, 75.85398431082449, 28.98230251695641,
+                                0.0019141243306543378, 0.002560928807868594},
+                               {60.5, 96.33387016252243, 75.51344775991991, 29.030487337467946,
+                                0.0010166061377751584, 0.0013550324591016052},
+                               {65.5, 95.91904362194119, 75.15083151145683, 29.08322186100363,
+                                0.0005131684003128933, 0.0006812774952202454},
+                               {70.5, 95.47298418205129, 74.76112344236314, 29.141550830374523,
+                                0.0002444829982222193, 0.00032368361242626564},
+                               {75.5, 94.98731849777745, 74.33706800012234, 29.20698829161384,
+                                0.00011101108138227372, 0.0001463256428155388},
+                               {79.5, 94.56181120532626, 73.9657650193996, 29.26598724568294,
+                                5.8023264718955256e-05, 7.627706341103958e-05}};
+
+constexpr double kAirCrossSection = 2.8788469859e-30;  // m^2
+constexpr double kOzoneCrossSection = 1.22579807e-26;  // m^2
+constexpr double kAerosolAlbedo = 0.9999218597738659;  // of single scattering
+constexpr double kAerosolMeanCosine = 0.707679618076749;
+// All lines scatter the sun's light by 35.53 degrees, where the aerosol's published phase function
+// is this many times that of isotropic scattering.
+constexpr double kAerosolPhase = 3.0757;
+
+// The rows of limb_air_351nm.csv: altitude, air, ozone, aerosol.
+std::vector<std::array<double, 4>> profile() {
+    std::vector<std::array<double, 4>> rows;
+    std::ifstream file(SKYBAKE_TEST_DATA "/limb_air_351nm.csv");
+    for (std::string line; std::getline(file, line);) {
+        if (line.empty() || line[0] == '#' || line[0] == 'a') continue;
+        std::array<double, 4> row{};
+        const char* at = line.data();
+        const char* end = at + line.size();
+        for (double& value : row) at = std::from_chars(at, end, value).ptr + 1;
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+// A layer whose density is a column of the profile over its largest value.
+std::string layer_of(const std::vector<std::array<double, 4>>& rows, std::size_t column,
+                     double scattering_share, double cross_section, const std::string& rest) {
+    double most = 0;
+    for (const auto& row : rows) most = std::max(most, row[column]);
+    std::string table;
+    for (const auto& row : rows) {
+        table +=
+            fmt::format("{}['{} km', {}]", table.empty() ? "" : ", ", row[0], row[column] / most);
+        if (row[column] == 0) break;
+    }
+    const double extinction = most * cross_section;
+    return fmt::format(
+        "profile = 'tabulated'\ntable = [{}]\nscattering = '{} /m'\nabsorption = '{} /m'\n{}\n",
+        table, extinction * scattering_share, extinction * (1 - scattering_share), rest);
+}
+
+SkyMedium limb_air() {
+    const auto rows = profile();
+    return make_sky_medium(
+        recipe_of("wavelengths = ['351 nm']\n[atmosphere]\nground_radius = '6371 km'\n"
+                  "top_radius = '6471 km'\nground_albedo = 0\n[atmosphere.layers.air]\n" +
+                  layer_of(rows, 1, 1, kAirCrossSection, "phase = 'rayleigh'") +
+                  "[atmosphere.layers.ozone]\n" + layer_of(rows, 2, 0, kOzoneCrossSection, "") +
+                  "[atmosphere.layers.aerosol]\n" +
+                  layer_of(rows, 3, kAerosolAlbedo, 1,
+                           fmt::format("phase = 'henyey_greenstein'\ng = {}", kAerosolMeanCosine)))
+            .parameters.atmosphere);
+}
+
+// The aerosol's phase function as it is at the angle of all lines, for light scattered once.
+SkyMedium with_published_phase(SkyMedium air) {
+    for (SkyLayer& layer : air.layers) {
+        if (layer.phase.functions.empty() || layer.phase.functions.front().g == 0) continue;
+        layer.phase.functions = {{.constant = kAerosolPhase / (4 * std::numbers::pi)}};
+    }
+    return air;
+}
+
+View view_of(const LimbLine& line) {
+    return view_at(100, line.sun_zenith, line.view_zenith, line.sun_azimuth);
+}
+
+TEST(Limb, LightScatteredOnceIsWhatSevenProgramsFind) {
+    ASSERT_EQ(profile().size(), 101U);
+    const SkyMedium air = with_published_phase(limb_air());
+    const SkyIntegrator integrator(air, nullptr);
+    double worst = 0;
+    for (const LimbLine& line : kLines) {
+        const View view = view_of(line);
+        const double single =
+            integrator.radiance(view.altitude_km, view.sun, view.direction).single[0];
+        worst = std::max(worst, std::fabs(single / line.single - 1));
+        EXPECT_NEAR(single, line.single, 3e-3 * line.single) << line.tangent_km;
+    }
+    fmt::print("limb, single scattering: at most {:.2e} off\n", worst);
+}
+
+// The published light is polarised, which changes what is scattered again: a scalar program is off
+// by some percent.
+TEST(Limb, AllOrdersAreOffByWhatPolarisationMakes) {
+    const SkyMedium air = limb_air();
+    const SkyMedium published = with_published_phase(air);
+    const SkyIntegrator henyey_greenstein(air, nullptr);
+    const SkyIntegrator single(published, nullptr);
+    const PathTracer tracer(air);
+    std::uint32_t ray = 0;
+    double least = 1;
+    double most = -1;
+    for (const LimbLine& line : kLines) {
+        const View view = view_of(line);
+        const auto once = [&](const SkyIntegrator& of) {
+            return of.radiance(view.altitude_km, view.sun, view.direction).single[0];
+        };
+        const PathTracedRadiance traced = trace(tracer, view, paths(8192, ++ray), 2);
+        const double all = traced.radiance[0] - once(henyey_greenstein) + once(single);
+        EXPECT_LT(traced.standard_error[0], 3e-3 * line.all) << line.tangent_km;
+        least = std::min(least, all / line.all - 1);
+        most = std::max(most, all / line.all - 1);
+    }
+    fmt::print("limb, all orders without polarisation: {:.2e} to {:.2e} off\n", least, most);
+    EXPECT_GT(least, -0.05);
+    EXPECT_LT(most, 0.05);
+}
+
+}  // namespace
+}  // namespace skybake::test
