@@ -102,7 +102,7 @@ std::uint32_t sobol_bits(std::uint32_t point, std::size_t dimension) {
     const DirectionNumbers& numbers = kDirectionNumbers[dimension];
     std::uint32_t bits = 0;
     for (std::size_t i = 0; point != 0; ++i, point >>= 1) {
-        if (point & 1) bits ^= numbers[i];
+        bits ^= numbers[i] & (0 - (point & 1));  // no branch: these bits are hard to predict
     }
     return bits;
 }

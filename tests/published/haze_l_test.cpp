@@ -1,0 +1,93 @@
+// Paths of light against the radiance of Haze L by Garcia & Siewert 1985, which is problem 4a of
+// DISORT: a slab of depth 1 that absorbs nothing, over black ground, under a sun at the zenith of
+// irradiance pi.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "bakers/air/particles/tabulated_phase.h"
+#include "tests/path_tracer/path_media.h"
+
+namespace skybake::test {
+namespace {
+
+// 2 k + 1 times the Legendre moment k, from k = 1 to 32, where the published solution ends: with all
+// 82 moments the view into the sun is 0.23 % brighter.
+constexpr std::array kHazeL = {2.41260, 3.23047, 3.37296, 3.23150, 2.89350, 2.49594, 2.11361,
+                               1.74812, 1.44692, 1.17714, 0.96643, 0.78237, 0.64114, 0.51966,
+                               0.42563, 0.34688, 0.28351, 0.23317, 0.18963, 0.15788, 0.12739,
+                               0.10762, 0.08597, 0.07381, 0.05828, 0.05089, 0.03971, 0.03524,
+                               0.02720, 0.02451, 0.01874, 0.01711};
+
+double haze_l(double cosine) {
+    double sum = 1;
+    double before = 1;
+    double here = cosine;
+    for (std::size_t k = 1; k <= kHazeL.size(); ++k) {
+        sum += kHazeL[k - 1] * here;
+        const auto n = static_cast<double>(k);
+        const double next = ((2 * n + 1) * cosine * here - n * before) / (n + 1);
+        before = here;
+        here = next;
+    }
+    return sum / (4 * std::numbers::pi);
+}
+
+SkyMedium haze_l_slab() {
+    SkyMedium slab = make_sky_medium(
+        recipe_of("wavelengths = ['550 nm']\n[atmosphere]\nground_radius = '1e6 km'\n"
+                  "top_radius = '1000000.1 km'\nground_albedo = 0\n"
+                  "[atmosphere.layers.slab]\nprofile = 'slab'\nbottom_altitude = '0 m'\n"
+                  "top_altitude = '100 m'\nscattering = '0.01 /m'\n")
+            .parameters.atmosphere);
+    const MeasuredPhase measured = make_tabulated_phase(
+        [](const std::vector<ScatteringAngle>& angles) {
+            std::vector<double> values;
+            for (const ScatteringAngle& angle : angles) {
+                values.push_back(haze_l(0.5 * (angle.one_plus - angle.one_minus)));
+            }
+            return values;
+        },
+        1e-4);
+    EXPECT_LE(measured.error, 1e-4);
+    slab.layers[0].phase.functions = {
+        {.table = std::make_shared<const TabulatedPhase>(measured.phase)}};
+    return slab;
+}
+
+TEST(HazeL, PathsFindThePublishedRadiance) {
+    struct Value {
+        double cosine;
+        double up;    // at the top
+        double down;  // at the bottom
+    };
+    constexpr Value kValues[] = {
+        {0.1, 0.0926837, 0.156893}, {0.5, 0.0659569, 0.219835}, {1, 0.0364755, 3.37302}};
+    const SkyMedium slab = haze_l_slab();
+    const PathTracer tracer(slab);
+    const SunZenith sun = {1, 0};
+    std::uint32_t ray = 0;
+    for (const Value& value : kValues) {
+        const double sine = std::sqrt((1 - value.cosine) * (1 + value.cosine));
+        for (const bool is_up : {true, false}) {
+            const double expected = is_up ? value.up : value.down;
+            PathTracerSettings settings = paths(262144, ++ray);
+            settings.include_seen_ground = false;
+            const PathTracedRadiance traced = trace_paths(
+                tracer, is_up ? 0.1 : 0, sun,
+                sky_direction(sun, is_up ? -value.cosine : value.cosine, sine, 1), settings, 2);
+            const double error = std::numbers::pi * traced.standard_error[0];
+            EXPECT_LT(error, 1e-2 * expected) << value.cosine;
+            EXPECT_NEAR(std::numbers::pi * traced.radiance[0], expected,
+                        1e-3 * expected + kFourDeviations * error)
+                << value.cosine << (is_up ? " up" : " down");
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skybake::test
