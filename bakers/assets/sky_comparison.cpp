@@ -142,9 +142,8 @@ class SkyComparison {
             pilots[static_cast<std::size_t>(i)] =
                 trace(static_cast<std::size_t>(i), kPilotSeed, kPilotPaths);
         });
-        finds_light_ = std::any_of(pilots.begin(), pilots.end(), [](const auto& pilot) {
-            return pilot.walked != Spectrum{};
-        });
+        finds_light_ = std::any_of(pilots.begin(), pilots.end(),
+                                   [](const auto& pilot) { return pilot.walked != Spectrum{}; });
         double flights = 0;
         double spreads = 0;
         for (const PathTracedRadiance& pilot : pilots) {

@@ -1,4 +1,4 @@
-#include "config/sweep/sweep.h"
+#include "config/sweep/sobol.h"
 
 #include <gtest/gtest.h>
 

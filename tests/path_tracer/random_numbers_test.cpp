@@ -53,7 +53,8 @@ TEST(ScrambledPoints, BeginAsSobolPoints) {
     std::set<std::vector<std::uint32_t>> points;
     for (std::uint32_t i = 0; i < kCount; ++i) {
         std::vector<std::uint32_t> point;
-        for (std::size_t d = 0; d < kDimensions; ++d) point.push_back(sobol_bits(i, d));
+        for (std::size_t d = 0; d < kDimensions; ++d)
+            point.push_back(config::sobol_bits(i, static_cast<int>(d)));
         points.insert(point);
     }
     EXPECT_EQ(points, expected);

@@ -252,7 +252,7 @@ TEST(ParticleScattering, LargeDropsAreTheSumOverManyRadii) {
         const double d = one_minus[i];
         const double there = tabulated_phase_value(made.phase, d, 2 - d) / forward - 1;
         const double back = tabulated_phase_value(made.phase, 2 - d, d) / backward - 1;
-        // The error is known within a factor of 2.
+        // The estimate is held to half of the error at least.
         EXPECT_LE(std::fabs(there), 2 * made.error) << d;
         EXPECT_LE(std::fabs(back), 2 * made.error) << d;
         squares += there * there + back * back;

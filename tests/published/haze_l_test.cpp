@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <memory>
 #include <numbers>
 #include <vector>
 
 #include "bakers/air/particles/tabulated_phase.h"
 #include "tests/path_tracer/path_media.h"
+#include "tests/published/slab.h"
 
 namespace skybake::test {
 namespace {
@@ -38,12 +38,7 @@ double haze_l(double cosine) {
 }
 
 SkyMedium haze_l_slab() {
-    SkyMedium slab = make_sky_medium(
-        recipe_of("wavelengths = ['550 nm']\n[atmosphere]\nground_radius = '1e6 km'\n"
-                  "top_radius = '1000000.1 km'\nground_albedo = 0\n"
-                  "[atmosphere.layers.slab]\nprofile = 'slab'\nbottom_altitude = '0 m'\n"
-                  "top_altitude = '100 m'\nscattering = '0.01 /m'\n")
-            .parameters.atmosphere);
+    SkyMedium slab = make_sky_medium(slab_atmosphere(1, 1, "phase = 'isotropic'"));
     const MeasuredPhase measured = make_tabulated_phase(
         [](const std::vector<ScatteringAngle>& angles) {
             std::vector<double> values;
@@ -69,17 +64,16 @@ TEST(HazeL, PathsFindThePublishedRadiance) {
         {0.1, 0.0926837, 0.156893}, {0.5, 0.0659569, 0.219835}, {1, 0.0364755, 3.37302}};
     const SkyMedium slab = haze_l_slab();
     const PathTracer tracer(slab);
-    const SunZenith sun = {1, 0};
+    const SunZenith sun = slab_sun(1);
     std::uint32_t ray = 0;
     for (const Value& value : kValues) {
-        const double sine = std::sqrt((1 - value.cosine) * (1 + value.cosine));
         for (const bool is_up : {true, false}) {
             const double expected = is_up ? value.up : value.down;
+            const SlabView view = slab_view(sun, value.cosine, is_up);
             PathTracerSettings settings = paths(262144, ++ray);
             settings.include_seen_ground = false;
-            const PathTracedRadiance traced = trace_paths(
-                tracer, is_up ? 0.1 : 0, sun,
-                sky_direction(sun, is_up ? -value.cosine : value.cosine, sine, 1), settings, 2);
+            const PathTracedRadiance traced =
+                trace_paths(tracer, view.altitude_km, sun, view.direction, settings, 2);
             const double error = std::numbers::pi * traced.standard_error[0];
             EXPECT_LT(error, 1e-2 * expected) << value.cosine;
             EXPECT_NEAR(std::numbers::pi * traced.radiance[0], expected,

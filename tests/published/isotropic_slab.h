@@ -41,10 +41,23 @@ class IsotropicSlab {
         solve(matrix);
     }
 
-    // The radiance that leaves the top at this cosine to the vertical.
-    double up(double cosine) const { return leaving(cosine, false); }
-    // The radiance that leaves the bottom.
-    double down(double cosine) const { return leaving(cosine, true); }
+    // The radiance that leaves the top, or else the bottom, at this cosine to the vertical.
+    double leaving(double cosine, bool is_up) const {
+        const bool at_bottom = !is_up;
+        double sum = 0;
+        for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
+            const double near = (at_bottom ? depth_ - nodes_[i + 1] : nodes_[i]) / cosine;
+            const double far = (at_bottom ? depth_ - nodes_[i] : nodes_[i + 1]) / cosine;
+            const double of_near = at_bottom ? source_[i + 1] : source_[i];
+            const double of_far = at_bottom ? source_[i] : source_[i + 1];
+            const double width = far - near;
+            const double whole = -std::expm1(-width);
+            // The mean of the distance from the nearer end, over what the cell sends.
+            const double share_of_far = (whole - width * std::exp(-width)) / width;
+            sum += std::exp(-near) * (whole * of_near + share_of_far * (of_far - of_near));
+        }
+        return sum;
+    }
 
   private:
     // The integrals of E_1 and of u E_1 from 0 to u.
@@ -82,22 +95,6 @@ class IsotropicSlab {
             for (std::size_t j = k + 1; j < n; ++j) source_[k] -= matrix[k][j] * source_[j];
             source_[k] /= matrix[k][k];
         }
-    }
-
-    double leaving(double cosine, bool at_bottom) const {
-        double sum = 0;
-        for (std::size_t i = 0; i + 1 < nodes_.size(); ++i) {
-            const double near = (at_bottom ? depth_ - nodes_[i + 1] : nodes_[i]) / cosine;
-            const double far = (at_bottom ? depth_ - nodes_[i] : nodes_[i + 1]) / cosine;
-            const double of_near = at_bottom ? source_[i + 1] : source_[i];
-            const double of_far = at_bottom ? source_[i] : source_[i + 1];
-            const double width = far - near;
-            const double whole = -std::expm1(-width);
-            // The mean of the distance from the nearer end, over what the cell sends.
-            const double share_of_far = (whole - width * std::exp(-width)) / width;
-            sum += std::exp(-near) * (whole * of_near + share_of_far * (of_far - of_near));
-        }
-        return sum;
     }
 
     double depth_;

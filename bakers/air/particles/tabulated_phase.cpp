@@ -241,7 +241,7 @@ std::vector<double> middles_of(const std::vector<double>& values) {
 double largest_difference(const std::vector<double>& before, const std::vector<double>& after) {
     double worst = 0;
     for (std::size_t i = 0; i < after.size(); ++i) {
-        worst = std::max(worst, std::fabs(after[i] - before[i]) / after[i]);
+        worst = std::max(worst, relative_change(before[i], after[i]));
     }
     return worst;
 }

@@ -14,6 +14,7 @@
 // The integral over all directions is 1 for p linear in every cell.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -79,7 +80,11 @@ struct PhaseHalves {
     std::vector<double> forward, backward;
 };
 
-// Returns the largest |after - before| / after of all values.
+inline double relative_change(double before, double after) {
+    return std::fabs(after - before) / after;
+}
+
+// Returns the largest relative_change of all values.
 double largest_difference(const PhaseHalves& before, const PhaseHalves& after);
 
 // Returns the values halfway between neighbouring nodes, by interpolation.

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "config/sweep/sobol.h"
+
 namespace skybake {
 
 // Counter-based random numbers. Each value is a function of its address alone, so that any number
@@ -55,15 +57,15 @@ class RandomStream {
     unsigned used_ = 4;
 };
 
-// Sobol's points in [0, 1)^16, whose first 2^k hit each of 2^k equal intervals of every dimension
-// once (Sobol 1967; direction numbers of Joe & Kuo 2008, the first 16 rows of new-joe-kuo-6), with
-// nested uniform scrambling (Owen 1995) by hashed bits (Laine & Karras 2011; Burley 2020, "Practical
-// hash-based Owen scrambling"). Each point by itself is uniformly distributed over scramblings, so
-// that means over points stay unbiased; where a mean's integrand is smooth in a few dimensions, its
-// variance falls faster than with the inverse of the number of points.
+// Sobol's points (config/sweep/sobol.h), whose first 2^k hit each of 2^k equal intervals of every
+// dimension once, with nested uniform scrambling (Owen 1995) by hashed bits (Laine & Karras 2011;
+// Burley 2020, "Practical hash-based Owen scrambling"). Each point by itself is uniformly
+// distributed over scramblings, so means over points stay unbiased. Where a mean's integrand is
+// smooth in a few dimensions, its variance falls faster than with the inverse of the number of
+// points.
 class ScrambledPoints {
   public:
-    static constexpr std::size_t kDimensions = 16;
+    static constexpr std::size_t kDimensions = config::sobol_dimensions;
 
     // Scramblings of other seeds, rays or numbers are independent.
     ScrambledPoints(std::uint64_t seed, std::uint32_t ray, std::uint32_t scrambling);
@@ -71,16 +73,9 @@ class ScrambledPoints {
     // Returns a coordinate of a point, in (0, 1): the middle of one of 2^32 equal intervals.
     double coordinate(std::uint32_t point, std::size_t dimension) const;
 
-    // Returns a random number that belongs to the scrambling.
-    std::uint32_t any() const { return any_; }
-
   private:
     std::array<std::uint32_t, kDimensions> seeds_{};
-    std::uint32_t any_ = 0;
 };
-
-// Returns 32 bits of a coordinate of Sobol's points before they are scrambled.
-std::uint32_t sobol_bits(std::uint32_t point, std::size_t dimension);
 
 // The numbers of one path. Its choices take them in the same order in all paths, so that a number
 // has the same meaning in each.

@@ -38,6 +38,7 @@ struct Sensor {
     Aperture aperture;
     PathRules rules;
     const PathTracerSettings& settings;
+    PathWalker::Flight first{};  // of all paths, if they begin in one direction
 };
 
 ScatteringAngle zenith_angle(Aperture aperture, double share) {
@@ -49,9 +50,7 @@ ScatteringAngle zenith_angle(Aperture aperture, double share) {
 class SensorPaths {
   public:
     explicit SensorPaths(const Sensor& sensor)
-        : sensor_(sensor),
-          start_(sensor.start),
-          first_(sensor.walker.first_flight(start_, sensor.rules)) {}
+        : sensor_(sensor), start_(sensor.start), first_(sensor.first) {}
 
     std::size_t channels() const {
         return static_cast<std::size_t>(sensor_.walker.medium().air.channels);
@@ -97,18 +96,17 @@ struct Block {
     std::int64_t end = 0;
 };
 
-// Heroes take turns, and begin with any of them, so that each is as likely as the others for any
-// number of paths. The paths of a hero have points of their own.
+// The first number of a path chooses its hero.
 PathLight walk_block(const Sensor& sensor, const Block& block) {
     SensorPaths paths(sensor);
-    const std::size_t channels = paths.channels();
-    const ScrambledPoints points(sensor.settings.seed, sensor.settings.ray, static_cast<std::uint32_t>(block.replicate));
+    const ScrambledPoints points(sensor.settings.seed, sensor.settings.ray,
+                                 static_cast<std::uint32_t>(block.replicate));
+    const auto channels = static_cast<double>(paths.channels());
     PathLight sum;
     for (std::int64_t path = block.begin; path < block.end; ++path) {
-        PathNumbers numbers(points, static_cast<std::uint32_t>(path),
-                            paths.random(static_cast<std::uint64_t>(path * kReplicates + block.replicate)));
-        const std::size_t hero = std::min(static_cast<std::size_t>(numbers.next() * static_cast<double>(channels)), channels - 1);
-        paths.walk(hero, numbers, sum);
+        const auto address = static_cast<std::uint64_t>(path * kReplicates + block.replicate);
+        PathNumbers numbers(points, static_cast<std::uint32_t>(path), paths.random(address));
+        paths.walk(static_cast<std::size_t>(numbers.next() * channels), numbers, sum);
     }
     return sum;
 }
@@ -162,6 +160,9 @@ PathTracedRadiance mean_of_replicates(const std::vector<PathLight>& replicates,
 }
 
 PathTracedRadiance trace(Sensor sensor, int threads) {
+    if (sensor.aperture == Aperture::ray) {
+        sensor.first = sensor.walker.first_flight(sensor.start, sensor.rules);
+    }
     sensor.rules.usual_weight = usual_weight(sensor);
     const std::int64_t paths = (sensor.settings.paths + kReplicates - 1) / kReplicates;
     const std::vector<Block> blocks = blocks_of(paths);

@@ -82,6 +82,8 @@ class SampledBlock {
             return largest_extinction(medium, outside) <
                    (1 - kAbrupt) * largest_extinction(medium, inside);
         };
+        // Where the air ends altogether some extinction is always missing: there a layer counts that
+        // is thick itself.
         ends_abruptly_ =
             top_km >= medium.thickness_km
                 ? largest_extinction(medium, top_km - inside_km) * (top_km - bottom_km) >
