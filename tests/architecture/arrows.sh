@@ -35,28 +35,30 @@ room() {
 }
 
 room config/text
+room config/optics text
 room config/presets
 room config/diagnostics text
 room config/fields presets text diagnostics
-room config/sections text diagnostics fields
-room config/assets text diagnostics fields sections
+room config/sections text optics diagnostics fields
+room config/assets text optics diagnostics fields sections
 room config/sweep text diagnostics fields
-room config/recipe presets text diagnostics fields sections assets sweep
+room config/recipe presets text optics diagnostics fields sections assets sweep
 
 room bakers/math
+room bakers/color math
 room bakers/field math
 room bakers/io math field
 room bakers/air math
-room bakers/light math field air
+room bakers/light math color field air
 room bakers/noise math field
 room bakers/clouds math field noise
 room bakers/occupancy math field
-room bakers/assets math field io air light noise clouds occupancy
+room bakers/assets math color field io air light noise clouds occupancy
 room bakers/workspace math field io assets
 room bakers/plot field io
-room bakers/render math field io air light occupancy plot
-room bakers/report math field io air light noise clouds occupancy assets plot render
-room bakers/preview math field io air light occupancy assets workspace plot render report
+room bakers/render math color field io air light occupancy plot
+room bakers/report math color field io air light noise clouds occupancy assets plot render
+room bakers/preview math color field io air light occupancy assets workspace plot render report
 
 # Each room has its line, and nothing lies beside the rooms.
 for path in config/* bakers/*; do
@@ -86,7 +88,7 @@ forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/math/hash\.cpp'
 forbid '(thread|mutex|OpenEXR)' config "$none"
 # The console, and the reading and writing of files, are not a baker's business.
-makers='bakers/math bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/assets'
+makers='bakers/math bakers/color bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/assets'
 forbid '(iostream|fstream)' "$makers" "$none"
 forbid 'bakers/io/' bakers/assets \
     'bakers/assets/([a-z_]+_check\.(h|cpp)|occupancy/occupancy_check\.(h|cpp)|cloud_volume/cloud_inputs\.cpp)'

@@ -1,0 +1,64 @@
+// Colour spaces by their primaries, and the matrices that lead to them from CIE XYZ.
+//
+// What is white? A sky table tells radiance per solar irradiance. Two conventions:
+//
+//   sun              The sun outside the air is white: (1, 1, 1). Light that air and ground have
+//                    not coloured is neutral, as photographs with the camera set to "daylight" show
+//                    it, and a grey transmittance gives equal channels. The sun's XYZ is carried to
+//                    the space's white by Bradford's chromatic adaptation.
+//   sun_per_channel  The same white, but each channel of the space is divided by the sun's. It needs
+//                    no cone space, and it is what multiplying a table by a white sun of (1, 1, 1)
+//                    means. Colours far from grey differ from Bradford's by a few percent.
+//   own              The space's own white point (D65, or ACES white) stays white, with no adaptation.
+//                    The sun outside the air is 5800 K warm: about (1.06, 0.99, 0.93) in sRGB. For
+//                    renderers that show absolute colours.
+//
+// XYZ has no white of its own: there `own` leaves tristimulus values as they are, and both others
+// divide by the sun's, so that the sun is (1, 1, 1) too.
+#pragma once
+
+#include <array>
+#include <glm/ext/matrix_double3x3.hpp>
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_double3.hpp>
+#include <span>
+
+namespace skybake {
+
+enum class ColorSpace {
+    linear_srgb,  // Rec. 709 primaries, D65
+    display_p3,   // linear
+    rec2020,      // linear
+    acescg,       // AP1, ACES white
+    xyz
+};
+
+enum class White { sun, sun_per_channel, own };
+
+std::span<const ColorSpace> all_color_spaces();
+
+// Chromaticities x, y. Those of XYZ itself are (1, 0), (0, 1), (0, 0) and (1/3, 1/3).
+struct Primaries {
+    glm::dvec2 red, green, blue, white;
+};
+Primaries primaries_of(ColorSpace space);
+
+// The XYZ of a chromaticity with Y = 1.
+glm::dvec3 xyz_of(glm::dvec2 chromaticity);
+// The chromaticity of XYZ, whose sum is not 0.
+glm::dvec2 chromaticity_of(glm::dvec3 xyz);
+
+// Space -> XYZ and XYZ -> space, where the space's own white has Y = 1 (SMPTE RP 177). GLM's matrices
+// are stored by columns: xyz = to_xyz(space) * rgb.
+glm::dmat3 to_xyz(ColorSpace space);
+glm::dmat3 from_xyz(ColorSpace space);
+
+// Bradford's adaptation (linear, Lam 1985): takes XYZ seen under one white to XYZ that look alike
+// under the other.
+glm::dmat3 bradford(glm::dvec3 from_white_xyz, glm::dvec3 to_white_xyz);
+
+// XYZ -> space, under a convention of white: light of the XYZ `sun_xyz` becomes (1, 1, 1), unless
+// the space's own white stays.
+glm::dmat3 from_xyz(ColorSpace space, White white, glm::dvec3 sun_xyz);
+
+}  // namespace skybake

@@ -1,0 +1,48 @@
+// From spectra to colours.
+//
+// A spectrum L is radiance per solar irradiance of the same wavelength: what sky tables tell when
+// their sun is 1. Its colour is
+//
+//     XYZ = integral of L(lambda) E(lambda) (xbar, ybar, zbar)(lambda) d lambda / Y of the sun
+//
+// taken to a space by color_space.h, with E the sun's spectrum. So L = 1 at all wavelengths has
+// Y = 1, and is (1, 1, 1) where the sun is white.
+#pragma once
+
+#include <glm/ext/vector_double3.hpp>
+#include <span>
+#include <vector>
+
+#include "bakers/color/color_space.h"
+
+namespace skybake {
+
+enum class Sunlight {
+    measured,  // solar_spectrum.h
+    flat       // the same irradiance at all wavelengths
+};
+
+// XYZ of the sun outside the air with Y = 1.
+glm::dvec3 sun_xyz(Sunlight sunlight);
+
+// Lux outside the air at the mean distance of the Earth, from the measured spectrum: 1.33e5.
+double solar_illuminance_lux();
+
+// What colours are wanted.
+struct ColorTarget {
+    ColorSpace space = ColorSpace::linear_srgb;
+    White white = White::sun;
+    Sunlight sunlight = Sunlight::measured;
+};
+
+// For spectra that are known at these wavelengths (ascending, at least one), linear between
+// them and constant beyond the first and last: the colour of L is the sum of L[i] * weight[i]. The
+// weights add up to the colour of L = 1.
+std::vector<glm::dvec3> color_weights(std::span<const double> wavelengths_nm,
+                                      const ColorTarget& target);
+
+// The colour of such a spectrum; as many radiances as wavelengths.
+glm::dvec3 color_of(std::span<const double> wavelengths_nm, std::span<const double> radiances,
+                    const ColorTarget& target);
+
+}  // namespace skybake
