@@ -87,7 +87,11 @@ struct MixturePart {
 // Returns the components of the mixture with their numbers near the ground.
 std::span<const MixturePart> parts_of(AerosolMixture mixture);
 
-// The height over which the mixture's number falls to 1/e (OPAC's table 5, the layer of the mixture).
-Length scale_height_of(AerosolMixture mixture);
+// Where the mixture stands: from the ground to `top` its number falls as exp(-altitude / scale height).
+// Above it OPAC has its thin background of the free troposphere, which is not told here.
+struct MixtureLayer {
+    Length top, scale_height;
+};
+MixtureLayer layer_of(AerosolMixture mixture);
 
 }  // namespace skybake::config

@@ -1,21 +1,21 @@
 // How the gases of the Earth's air scatter and absorb light of one wavelength.
 //
-// All cross-sections are square metres per molecule, wavelengths are in vacuum. What a gas does along
-// a path is its cross-section times the molecules on that path per square metre (its column):
+// All cross-sections are square metres per molecule. What a gas does along a path is its cross-section
+// times the molecules on that path per square metre (its column):
 //
 //     zenith optical depth = (scattering + absorption) * column
 //
-//   air      scatters after Rayleigh. Bucholtz 1995 (Appl. Opt. 34, 2765), formula of eq. 8 and
-//            table 3, in standard air; the King factor is that of Bates 1984 as tabulated there.
-//            It does not absorb: ozone, oxygen and the rest are gases of their own.
+//   air      scatters after Rayleigh: Bucholtz 1995 (Appl. Opt. 34, 2765), eq. 8 and table 3, in
+//            standard air, with King's factor of Bates 1984. It does not absorb: ozone, oxygen and the
+//            rest are gases of their own.
 //   others   absorb, and scatter nothing of their own, since they are a part of air.
 //
 // gas_absorption.cpp names the source of each table and its spacing. Oxygen and water vapour absorb
-// in lines far narrower than the tables. Theirs are band means, which hold for the depth of the
-// zenith column that they were made with. Lines saturate: on a path m times as long the depth of a
-// band grows like a power of m between 0.5 and 1 where lines are strong, not like m, so that band
-// means absorb too much of a low sun's light in the A band of oxygen (759 to 771 nm) and in the bands
-// of water vapour (at 720 and above 780 nm). Between 380 and 680 nm they matter little.
+// in lines far narrower than the tables. Theirs are band means over 5 and 10 nm, which hold for the
+// depth of the standard zenith column. Lines saturate: on a path m times as long the depth of a band
+// grows like a power of m between 0.5 and 1 where lines are strong, not like m. So band means absorb too
+// much of a low sun's light in the A band of oxygen (759 to 771 nm) and in the bands of water vapour (at
+// 590, 720 and above 780 nm). At most wavelengths of the visible they are 0.
 #pragma once
 
 #include <span>
@@ -52,20 +52,19 @@ struct GasOptics {
 // The temperature for which absorption is told where a caller knows none: that of the ozone layer.
 constexpr double kOzoneLayerTemperature_K = 233;
 
-// The wavelength must be in range_of(gas). Where a gas is known at several temperatures (ozone,
-// nitrogen dioxide) absorption is linear in the temperature, which is first taken into the range that
-// was measured. The others do not heed it.
+// The wavelength must be in range_of(gas). Ozone's absorption is linear in the temperature from 193 to
+// 293 K, beyond which it stays as it is. The other gases do not heed it.
 GasOptics gas_optics(Gas gas, Length wavelength, double temperature_K = kOzoneLayerTemperature_K);
 
 // --- Air --------------------------------------------------------------------------------------------
 
-// Bucholtz 1995: within 0.2 % of its table.
 double rayleigh_cross_section_m2(Length wavelength);
 
 // King's factor F = (6 + 3 rho) / (6 - 7 rho), by which depolarisation raises scattering.
 double king_factor(Length wavelength);
 
-// The depolarisation rho of unpolarised light scattered by 90 degrees, 0.0279 at 550 nm.
+// The depolarisation rho of unpolarised light scattered by 90 degrees: 0.0295 at 400 nm, 0.0283 at 550
+// nm, 0.0278 at 700 nm.
 double rayleigh_depolarization(Length wavelength);
 
 // The phase function of air is, with mu the cosine of the scattering angle and gamma = rho / (2 - rho),
@@ -80,11 +79,15 @@ double rayleigh_second_moment(double depolarization);
 
 constexpr double kStandardPressure_Pa = 101325;
 
-// Air: pressure / (mean gravity of the column * mass of a mean molecule). 2.148e29 at 1013.25 hPa.
-double air_column_per_m2(double pressure_Pa = kStandardPressure_Pa);
+// Air: pressure / (gravity * mass of a mean molecule). 2.148e29 at 1013.25 hPa. Gravity falls with
+// altitude: with its mean over the column, 9.790 m/s^2, the column is 0.17 % more.
+constexpr double kStandardGravity_m_per_s2 = 9.80665;
+double air_column_per_m2(double pressure_Pa = kStandardPressure_Pa,
+                         double gravity_m_per_s2 = kStandardGravity_m_per_s2);
 
 // Oxygen is the share 0.209476 of air (US Standard Atmosphere 1976).
-double oxygen_column_per_m2(double pressure_Pa = kStandardPressure_Pa);
+double oxygen_column_per_m2(double pressure_Pa = kStandardPressure_Pa,
+                            double gravity_m_per_s2 = kStandardGravity_m_per_s2);
 
 // One Dobson unit is 10 um of pure gas at 0 C and 1013.25 hPa: 2.6868e20 molecules per square metre.
 constexpr double kDobsonUnit_per_m2 = 2.686780111e20;
@@ -95,10 +98,10 @@ constexpr double kStandardOzone_DU = 300;
 
 // Water vapour: a millimetre of precipitable water is a kilogram per square metre, within 0.1 %.
 double water_vapor_column_per_m2(double kilograms_per_m2);
-constexpr double kStandardWaterVapor_kg_per_m2 = 14.2;  // US Standard Atmosphere 1976 (AFGL)
+constexpr double kStandardWaterVapor_kg_per_m2 = 14.2;  // US standard of AFGL-TR-86-0110
 
-// Nitrogen dioxide: clean air, almost all of it in the stratosphere, 3e15 per cm^2; cities have up to
-// ten times as much.
+// Nitrogen dioxide: 3e15 per cm^2 is clean air by day, almost all of it in the stratosphere. Cities
+// have up to ten times as much, near the ground.
 constexpr double kStandardNitrogenDioxide_per_m2 = 3e19;
 
 // Returns the column of the gas in the standard atmosphere: the values above.
