@@ -10,7 +10,7 @@
 //                    no cone space, and it is what multiplying a table by a white sun of (1, 1, 1)
 //                    means. Colours far from grey differ from Bradford's by a few percent.
 //   own              The space's own white point (D65, or ACES white) stays white, with no adaptation.
-//                    The sun outside the air is 5800 K warm: about (1.06, 0.99, 0.93) in sRGB. For
+//                    The sun outside the air is 5800 K warm: about (1.10, 0.98, 0.94) in sRGB. For
 //                    renderers that show absolute colours.
 //
 // XYZ has no white of its own: there `own` leaves tristimulus values as they are, and both others

@@ -25,7 +25,7 @@ enum class Sunlight {
 // XYZ of the sun outside the air with Y = 1.
 glm::dvec3 sun_xyz(Sunlight sunlight);
 
-// Lux outside the air at the mean distance of the Earth, from the measured spectrum: 1.33e5.
+// Lux outside the air at the mean distance of the Earth, from the measured spectrum: 133.1e3.
 double solar_illuminance_lux();
 
 // What colours are wanted.
