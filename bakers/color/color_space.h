@@ -1,17 +1,17 @@
 // Colour spaces by their primaries, and the matrices that lead to them from CIE XYZ.
 //
-// What is white? A sky table tells radiance per solar irradiance. Two conventions:
+// What is white? A sky table tells radiance per solar irradiance. There are these conventions:
 //
 //   sun              The sun outside the air is white: (1, 1, 1). Light that air and ground have
-//                    not coloured is neutral, as photographs with the camera set to "daylight" show
-//                    it, and a grey transmittance gives equal channels. The sun's XYZ is carried to
-//                    the space's white by Bradford's chromatic adaptation.
-//   sun_per_channel  The same white, but each channel of the space is divided by the sun's. It needs
-//                    no cone space, and it is what multiplying a table by a white sun of (1, 1, 1)
+//                    not coloured is neutral, as photographs with the camera set to "daylight"
+//                    show it, and a grey transmittance gives equal channels. The sun's XYZ is
+//                    carried to the space's white by Bradford's chromatic adaptation.
+//   sun_per_channel  The same white, but each channel of the space is divided by the sun's. It
+//                    needs no cone space, and it is what multiplying a table by a sun of (1, 1, 1)
 //                    means. Colours far from grey differ from Bradford's by a few percent.
-//   own              The space's own white point (D65, or ACES white) stays white, with no adaptation.
-//                    The sun outside the air is 5800 K warm: about (1.10, 0.98, 0.94) in sRGB. For
-//                    renderers that show absolute colours.
+//   own              The space's own white point (D65, or ACES white) stays white, without
+//                    adaptation. The sun outside the air has the colour of its 5800 K, about
+//                    (1.10, 0.98, 0.94) in sRGB. It is for renderers that show absolute colours.
 //
 // XYZ has no white of its own: there `own` leaves tristimulus values as they are, and both others
 // divide by the sun's, so that the sun is (1, 1, 1) too.
@@ -48,8 +48,8 @@ glm::dvec3 xyz_of(glm::dvec2 chromaticity);
 // The chromaticity of XYZ, whose sum is not 0.
 glm::dvec2 chromaticity_of(glm::dvec3 xyz);
 
-// Space -> XYZ and XYZ -> space, where the space's own white has Y = 1 (SMPTE RP 177). GLM's matrices
-// are stored by columns: xyz = to_xyz(space) * rgb.
+// Space -> XYZ and XYZ -> space, where the space's own white has Y = 1 (SMPTE RP 177). GLM's
+// matrices are stored by columns: xyz = to_xyz(space) * rgb.
 glm::dmat3 to_xyz(ColorSpace space);
 glm::dmat3 from_xyz(ColorSpace space);
 

@@ -12,8 +12,9 @@ struct MatchingRow {
     double x, y, z;
 };
 
-// CIE 1931 colour matching functions of the 2 degree observer: CIE 018:2019, as in the table ciexyz31
-// of the Colour & Vision Research Laboratory. CIE publishes its data tables under CC BY-SA 4.0.
+// CIE 1931 colour matching functions of the 2 degree observer: CIE 018:2019, as in the table
+// ciexyz31 of the Colour & Vision Research Laboratory. CIE publishes its data tables under CC BY-SA
+// 4.0.
 constexpr MatchingRow kMatching[kSpectralNodes] = {{0.0001299, 0.000003917, 0.0006061},
                                                    {0.0002321, 0.000006965, 0.001086},
                                                    {0.0004149, 0.00001239, 0.001946},

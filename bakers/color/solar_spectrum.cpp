@@ -6,10 +6,11 @@ namespace skybake {
 
 namespace {
 
-// The spectrum outside the air of ASTM G173-03 (Gueymard 2004, Solar Energy 76, 423; 1366.1 W/m^2 over
-// all wavelengths), W / (m^2 nm) from 360 to 830 nm every 5 nm. It is told every 0.5 nm below 400 nm and
-// every 1 nm above; these are the values at the nodes of the piecewise linear function next to it in
-// least squares. Each 10 nm of what was typed in agrees with another copy's means within 0.02 %.
+// The spectrum outside the air of ASTM G173-03 (Gueymard 2004, Solar Energy 76, 423; 1366.1 W/m^2
+// over all wavelengths), W / (m^2 nm) from 360 to 830 nm every 5 nm. It is told every 0.5 nm below
+// 400 nm and every 1 nm above; these are the values at the nodes of the piecewise linear function
+// next to it in least squares. Each 10 nm of what was typed in agrees with another copy's means
+// within 0.02 %.
 constexpr double kSolar[kSpectralNodes] = {
     0.9283, 1.1564, 1.2304, 1.0208, 1.2439, 0.8264, 1.2573, 0.8423, 1.6990, 1.7352, 1.6690, 1.7919,
     1.6937, 1.7984, 1.3281, 1.7830, 1.7729, 1.9174, 2.0554, 2.0045, 2.0566, 2.0136, 1.9768, 2.0292,

@@ -15,8 +15,8 @@ double irradiance(Sunlight sunlight, double wavelength_nm) {
     return sunlight == Sunlight::flat ? 1 : solar_irradiance_W_per_m2_nm(wavelength_nm);
 }
 
-// Calls at(wavelength, weight) at the points of a quadrature from a to b that is exact for polynomials up
-// to degree 3: Simpson's rule.
+// Calls at(wavelength, weight) at the points of a quadrature from a to b that is exact for
+// polynomials up to degree 3: Simpson's rule.
 template <class At>
 void simpson(double a, double b, const At& at) {
     at(a, (b - a) / 6);
@@ -24,7 +24,8 @@ void simpson(double a, double b, const At& at) {
     at(b, (b - a) / 6);
 }
 
-// The visible wavelengths where observer, sun or a spectrum known at `wavelengths_nm` may have a kink.
+// The visible wavelengths where observer, sun or a spectrum known at `wavelengths_nm` may have a
+// kink.
 std::vector<double> kinks(std::span<const double> wavelengths_nm) {
     std::vector<double> all;
     for (std::size_t node = 0; node < kSpectralNodes; ++node) all.push_back(spectral_node_nm(node));
@@ -34,8 +35,8 @@ std::vector<double> kinks(std::span<const double> wavelengths_nm) {
     return all;
 }
 
-// XYZ, without a norm, of the hat functions of the wavelengths: each is 1 at one of them and 0 at the
-// others, linear between them and constant beyond the ends.
+// XYZ, without a norm, of the hat functions of the wavelengths: each is 1 at one of them and 0 at
+// the others, linear between them and constant beyond the ends.
 std::vector<glm::dvec3> hat_xyz(std::span<const double> wavelengths_nm, Sunlight sunlight) {
     std::vector<glm::dvec3> hats(wavelengths_nm.size(), glm::dvec3(0));
     const auto add = [&](double nm, double weight) {

@@ -1,7 +1,7 @@
-// Hess, Koepke & Schult 1998 (Bull. Amer. Meteor. Soc. 79, 831) and the data files of OPAC 3.1, which are
-// free for research and cited as that paper. Numbers are typed from the paper's tables 1c, 4 and 5 and
-// compared with copies of the data files; refractive indices go back to d'Almeida, Koepke &
-// Shettle 1991 and Palmer & Williams 1975.
+// Hess, Koepke & Schult 1998 (Bull. Amer. Meteor. Soc. 79, 831) and the data files of OPAC 3.1,
+// which are free for research and cited as that paper. Numbers are typed from the paper's tables
+// 1c, 4 and 5 and compared with copies of the data files; refractive indices go back to d'Almeida,
+// Koepke & Shettle 1991 and Palmer & Williams 1975.
 #include "config/optics/aerosol_components.h"
 
 #include <algorithm>
@@ -32,7 +32,8 @@ struct ComponentFacts {
     double smallest_um = 0, largest_um = 0;  // dry
 };
 
-// Table 1c; mode radii with humidity from the heads of OPAC's files. In the order of the enumerators.
+// Table 1c; mode radii with humidity from the heads of OPAC's files. In the order of the
+// enumerators.
 constexpr std::array kComponents = {
     ComponentFacts{"insoluble", Substance::insoluble, 2.51, same_when_humid(0.471), 0.005, 20},
     ComponentFacts{"water_soluble",
@@ -204,8 +205,8 @@ double mode_radius_um(const ComponentFacts& component, double relative_humidity_
     const double first = kTabulatedHumidities_percent[high - 1],
                  second = kTabulatedHumidities_percent[high];
     const double fraction = (relative_humidity_percent - first) / (second - first);
-    return component.mode_radius_um[high - 1] * (1 - fraction) +
-           component.mode_radius_um[high] * fraction;
+    const double below_um = component.mode_radius_um[high - 1];
+    return below_um + (component.mode_radius_um[high] - below_um) * fraction;
 }
 
 template <class Enumerator, std::size_t count>

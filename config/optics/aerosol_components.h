@@ -1,7 +1,8 @@
 // Kinds of airborne particles and the mixtures that they come in, after OPAC: Hess, Koepke & Schult
 // 1998 (Bull. Amer. Meteor. Soc. 79, 831). A component is a kind of particle with a log-normal
 // distribution of radii and a refractive index. A mixture is a number of each per volume. Particles
-// are homogeneous spheres. What they do to light is for Lorenz-Mie theory to say, not for this file.
+// are homogeneous spheres. What they do to light is for Lorenz-Mie theory to say, not for this
+// file.
 #pragma once
 
 #include <span>
@@ -87,8 +88,8 @@ struct MixturePart {
 // Returns the components of the mixture with their numbers near the ground.
 std::span<const MixturePart> parts_of(AerosolMixture mixture);
 
-// Where the mixture stands: from the ground to `top` its number falls as exp(-altitude / scale height).
-// Above it OPAC has its thin background of the free troposphere, which is not told here.
+// Where the mixture stands: from the ground to `top` its number falls as exp(-altitude / scale
+// height). Above it OPAC has its thin background of the free troposphere, which is not told here.
 struct MixtureLayer {
     Length top, scale_height;
 };

@@ -15,15 +15,13 @@ struct OzoneRow {
     double nm, at_233_K, at_293_K;  // 1e-25 m^2
 };
 
-// Gorshelev, Serdyuchenko et al. 2014 (Atmos. Meas. Tech. 7, 609 and 625; University of Bremen, open
-// data, CC BY 3.0 as published). The 293-K column is that of the spectrum every 1 nm, thinned to the
-// rows which hold it by linear interpolation within 0.8 % plus a depth of 1.2e-5 at 300 DU (4e-5 below
-// 400 nm). The 233-K column is the 293-K one times a ratio, piecewise linear in wavelength, that gives
-// the means of the 233-K spectrum over each 10 nm from 360 to 780 nm; from 438 to 443 nm it is the 233-K
-// spectrum itself. Against that spectrum it holds 440, 550 and 680 nm within 0.8, 0.2 and 0.1 %. Below 400
-// nm only the means over 10 nm are held, not the Huggins bands.
-// The two columns differ by 1 to 5 % in the Chappuis band, and by half and more in the Huggins
-// bands below 370 nm, where each molecule's part in visible light is a thousandth.
+// Gorshelev, Serdyuchenko et al. 2014 (Atmos. Meas. Tech. 7, 609 and 625, CC BY 3.0; spectra of the
+// University of Bremen). The 293-K column is that of the spectrum every 1 nm, thinned to the rows
+// which hold it by linear interpolation within 0.8 % plus a depth of 1.2e-5 at 300 DU (4e-5 below
+// 400 nm). The 233-K column is the 293-K one times a ratio, piecewise linear in wavelength, that
+// gives the means of the 233-K spectrum over each 10 nm from 360 to 780 nm; from 438 to 443 nm it
+// is the 233-K spectrum itself. Against that spectrum it holds 440, 550 and 680 nm within 0.8, 0.2
+// and 0.1 %. Below 400 nm only the means over 10 nm are held, not the Huggins bands.
 constexpr OzoneRow kOzoneAbsorption[] = {
     {360, 0.0268, 0.07867},    {361, 0.02212, 0.06495},  {362, 0.0133, 0.03906},
     {364, 0.009168, 0.02692},  {365, 0.01669, 0.049},    {368, 0.004388, 0.01529},
@@ -70,10 +68,10 @@ struct AbsorptionRow {
     double nm, cross_section;  // the unit is that of the table
 };
 
-// Vandaele et al. 1998 (J. Quant. Spectrosc. Radiat. Transfer 59, 171), 294 K, means over 5 nm around each
-// row as recommended by NASA's JPL Publication 06-2, table 4-10 (a work of the US government). 1e-23 m^2.
-// Single bands of 1 nm stand up to 20 % above or below these means. At 220 K the means differ by up to
-// 5 %, which is not told. Above 660 nm absorption falls to a 300th of that at 400 nm; it is 0 from 680 nm.
+// Vandaele et al. 1998 (J. Quant. Spectrosc. Radiat. Transfer 59, 171), 294 K, means over 5 nm
+// around each row as recommended by NASA's JPL Publication 06-2 (a work of the US government).
+// 1e-23 m^2. The bands within 5 nm, and how they sharpen in the cold of the stratosphere, are not
+// told. The recommendation ends at 662.5 nm; from there absorption is taken to fall to 0 at 680 nm.
 constexpr AbsorptionRow kNitrogenDioxideAbsorption[] = {
     {360, 5.09},   {365, 5.49},  {370, 5.61},  {375, 5.90},  {380, 5.93},  {385, 6.01},
     {390, 6.30},   {395, 5.97},  {400, 6.44},  {405, 5.82},  {410, 6.24},  {415, 5.91},
@@ -88,8 +86,8 @@ constexpr AbsorptionRow kNitrogenDioxideAbsorption[] = {
     {660, 0.0566}, {670, 0.028}, {680, 0},     {830, 0}};
 
 // The A band (759 to 771 nm), B band (687 to 695 nm) and gamma band (627 to 634 nm), as the mean
-// transmittance of the zenith column over the 5 nm around each row: absorption coefficients per
-// 1 nm of Gueymard's SMARTS 2.9.5 (2005, from HITRAN; O2, per atm-cm), whose depths are linear in the
+// transmittance of the zenith column over the 5 nm around each row: absorption coefficients per 1
+// nm of Gueymard's SMARTS 2.9.5 (2005, from HITRAN; O2, per atm-cm), whose depths are linear in the
 // column within 1 nm. 1e-30 m^2.
 constexpr AbsorptionRow kOxygenAbsorption[] = {
     {360, 0},      {600, 0},        {605, 0}, {610, 0}, {615, 0},      {620, 0},     {625, 0},
@@ -101,8 +99,9 @@ constexpr AbsorptionRow kOxygenAbsorption[] = {
     {805, 0},      {830, 0}};
 
 // Bird & Riordan 1986 (J. Climate Appl. Meteorol. 25, 87; SERI/TR-215-2436, a work of the US
-// government), their eq. 8 at 1.42 cm of water in the zenith: bands of about 10 nm. Weak bands at 505,
-// 545, 570, 630 and 650 nm, all of depths below 0.01, are not in their table and not in this. 1e-30 m^2.
+// government), their eq. 8 at 1.42 cm of water in the zenith: bands of about 10 nm. Weak bands at
+// 505, 545, 570, 630 and 650 nm, all of depths below 0.01, are not in their table and not in this.
+// 1e-30 m^2.
 constexpr AbsorptionRow kWaterVaporAbsorption[] = {
     {360, 0},          {550, 0},          {570, 0},      {593, 31.99},   {610, 0},
     {630, 0},          {656, 0},          {667.6, 0},    {690, 9.64},    {710, 7.776},
@@ -117,7 +116,7 @@ double ozone_m2(double nm, double temperature_K) {
     const std::span<const OzoneRow> rows = kOzoneAbsorption;
     const double cold = interpolate(rows, &OzoneRow::nm, &OzoneRow::at_233_K, nm);
     const double warm = interpolate(rows, &OzoneRow::nm, &OzoneRow::at_293_K, nm);
-    // Measurements go down to 193 K, along the same line within a percent in the visible.
+    // The line through the two temperatures is continued to 193 K, the coldest that was measured.
     const double part = (std::clamp(temperature_K, 193.0, 293.0) - 233) / 60;
     return std::max(0.0, cold + (warm - cold) * part) * 1e-25;
 }

@@ -1,21 +1,21 @@
 // How the gases of the Earth's air scatter and absorb light of one wavelength.
 //
-// All cross-sections are square metres per molecule. What a gas does along a path is its cross-section
-// times the molecules on that path per square metre (its column):
+// All cross-sections are square metres per molecule. What a gas does along a path is its
+// cross-section times the molecules on that path per square metre (its column):
 //
 //     zenith optical depth = (scattering + absorption) * column
 //
 //   air      scatters after Rayleigh: Bucholtz 1995 (Appl. Opt. 34, 2765), eq. 8 and table 3, in
-//            standard air, with King's factor of Bates 1984. It does not absorb: ozone, oxygen and the
-//            rest are gases of their own.
+//            standard air, with King's factor of Bates 1984. It does not absorb: ozone, oxygen
+//            and the rest are gases of their own.
 //   others   absorb, and scatter nothing of their own, since they are a part of air.
 //
 // gas_absorption.cpp names the source of each table and its spacing. Oxygen and water vapour absorb
 // in lines far narrower than the tables. Theirs are band means over 5 and 10 nm, which hold for the
-// depth of the standard zenith column. Lines saturate: on a path m times as long the depth of a band
-// grows like a power of m between 0.5 and 1 where lines are strong, not like m. So band means absorb too
-// much of a low sun's light in the A band of oxygen (759 to 771 nm) and in the bands of water vapour (at
-// 590, 720 and above 780 nm). At most wavelengths of the visible they are 0.
+// depth of the standard zenith column. Lines saturate: on a path m times as long the depth of a
+// band grows like a power of m between 0.5 and 1 where lines are strong, not like m. So band means
+// absorb too much of a low sun's light in the A band of oxygen (759 to 771 nm) and in the bands of
+// water vapour (at 590, 720 and above 780 nm). At most wavelengths of the visible they are 0.
 #pragma once
 
 #include <span>
@@ -29,11 +29,13 @@ enum class Gas { air, ozone, nitrogen_dioxide, oxygen, water_vapor };
 // All gases, in the order of the enumerators.
 std::span<const Gas> all_gases();
 
-// Both ends belong to it.
+// Both ends belong to it, however a unit's factor has rounded them.
 struct WavelengthRange {
     Length shortest, longest;
     constexpr bool contains(Length wavelength) const {
-        return wavelength.meters >= shortest.meters && wavelength.meters <= longest.meters;
+        constexpr double kRounding = 1e-12;
+        return wavelength.meters >= shortest.meters * (1 - kRounding) &&
+               wavelength.meters <= longest.meters * (1 + kRounding);
     }
     bool operator==(const WavelengthRange&) const = default;
 };
@@ -52,22 +54,23 @@ struct GasOptics {
 // The temperature for which absorption is told where a caller knows none: that of the ozone layer.
 constexpr double kOzoneLayerTemperature_K = 233;
 
-// The wavelength must be in range_of(gas). Ozone's absorption is linear in the temperature from 193 to
-// 293 K, beyond which it stays as it is. The other gases do not heed it.
+// The wavelength must be in range_of(gas). Ozone's absorption is linear in the temperature from 193
+// to 293 K, beyond which it stays as it is. The other gases do not heed it.
 GasOptics gas_optics(Gas gas, Length wavelength, double temperature_K = kOzoneLayerTemperature_K);
 
-// --- Air --------------------------------------------------------------------------------------------
+// --- Air ------------------------------------------------------------------------------------------
 
 double rayleigh_cross_section_m2(Length wavelength);
 
 // King's factor F = (6 + 3 rho) / (6 - 7 rho), by which depolarisation raises scattering.
 double king_factor(Length wavelength);
 
-// The depolarisation rho of unpolarised light scattered by 90 degrees: 0.0295 at 400 nm, 0.0283 at 550
-// nm, 0.0278 at 700 nm.
+// The depolarisation rho of unpolarised light scattered by 90 degrees: 0.0295 at 400 nm, 0.0283 at
+// 550 nm, 0.0278 at 700 nm.
 double rayleigh_depolarization(Length wavelength);
 
-// The phase function of air is, with mu the cosine of the scattering angle and gamma = rho / (2 - rho),
+// The phase function of air is, with mu the cosine of the scattering angle and gamma = rho / (2 -
+// rho),
 //
 //     3 / (16 pi (1 + 2 gamma)) * ((1 + 3 gamma) + (1 - gamma) mu^2)
 //
@@ -75,7 +78,7 @@ double rayleigh_depolarization(Length wavelength);
 // 0.0279. Moments 1, 3 and up are 0, and the value at mu is (1 + 5 moment P2(mu)) / (4 pi).
 double rayleigh_second_moment(double depolarization);
 
-// --- Columns: molecules per square metre from the ground to space -------------------------------------
+// --- Columns: molecules per square metre from the ground to space --------------------------------
 
 constexpr double kStandardPressure_Pa = 101325;
 
@@ -89,7 +92,8 @@ double air_column_per_m2(double pressure_Pa = kStandardPressure_Pa,
 double oxygen_column_per_m2(double pressure_Pa = kStandardPressure_Pa,
                             double gravity_m_per_s2 = kStandardGravity_m_per_s2);
 
-// One Dobson unit is 10 um of pure gas at 0 C and 1013.25 hPa: 2.6868e20 molecules per square metre.
+// One Dobson unit is 10 um of pure gas at 0 C and 1013.25 hPa: 2.6868e20 molecules per square
+// metre.
 constexpr double kDobsonUnit_per_m2 = 2.686780111e20;
 constexpr double ozone_column_per_m2(double dobson_units) {
     return dobson_units * kDobsonUnit_per_m2;
