@@ -240,5 +240,18 @@ TEST(SpectralColor, AgreesWithAPlainSum) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(xyz[i] / (sum[i] / norm), 1, 4e-4);
 }
 
+// So that no digit of the tables changes unseen: the sums of the logarithms of their values.
+TEST(TypedTables, OfObserverAndSun) {
+    glm::dvec3 observer(0);
+    double sun = 0;
+    for (const double nm : wavelengths(360, 5, 95)) {
+        for (std::size_t i = 0; i < 3; ++i)
+            if (color_matching(nm)[i] > 0) observer[i] += std::log(color_matching(nm)[i]);
+        sun += std::log(solar_irradiance_W_per_m2_nm(nm));
+    }
+    expect_near(observer, glm::dvec3(-404.7385, -485.0170, -228.0172), 1e-3);
+    EXPECT_NEAR(sun, 39.88156, 1e-4);
+}
+
 }  // namespace
 }  // namespace skybake
