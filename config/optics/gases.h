@@ -58,7 +58,7 @@ constexpr double kOzoneLayerTemperature_K = 233;
 // to 293 K, beyond which it stays as it is. The other gases do not heed it.
 GasOptics gas_optics(Gas gas, Length wavelength, double temperature_K = kOzoneLayerTemperature_K);
 
-// --- Air ------------------------------------------------------------------------------------------
+// --- Air -----------------------------------------------------------------------------------------
 
 double rayleigh_cross_section_m2(Length wavelength);
 

@@ -5,7 +5,7 @@
 // greatest density: 2e-7 for air (30 points, to 100 km), 0.3 % for ozone (19, to 70 km), 0.2 % for
 // water vapour (10, to 20 km), 0.5 % for nitrogen dioxide (13, to 50 km). Each point is a kink to
 // solvers. The points do not lie on the curves but where the broken line stays within those bounds:
-// air at 0 m is 0.9925. In the last piece of each, where the line goes down to 0, only twice the
+// air at 0 m is 0.995. In the last piece of each, where the line goes down to 0, only twice the
 // bounds are held, if at all. Columns are exact, since they are divided by profile_depth_m.
 #pragma once
 
