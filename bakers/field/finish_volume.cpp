@@ -68,12 +68,9 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volu
 }  // namespace
 
 void hold_voxels(const BakeOptions& options, Baked& volume) {
-    const auto start = std::chrono::steady_clock::now();
     Level& level = volume.levels.front();
     level.voxels = held_voxels(std::move(level.voxels), level.size,
                                static_cast<int>(volume.channel_names.size()), options);
-    volume.bake_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {

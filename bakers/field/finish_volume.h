@@ -17,8 +17,8 @@
 
 namespace skybake {
 
-// Makes the voxels of level 0 once and holds them in memory, if options.held_voxel_bytes allows it,
-// and adds the time to volume.bake_seconds. Call it before levels are added.
+// Has the voxels of level 0 held in memory by the first pass over them, as far as
+// options.held_voxel_bytes allows it. Call it before levels are added.
 void hold_voxels(const BakeOptions& options, Baked& volume);
 
 // Adds levels of detail, each the box mean of the one before, until there are `count` levels.

@@ -1,61 +1,181 @@
 #include "bakers/field/held_voxels.h"
 
-#include <atomic>
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 #include <vector>
+
+#include "bakers/field/sparse_rows.h"
+#include "bakers/math/memory.h"
 
 namespace skybake {
 
 namespace {
 
-std::atomic<std::int64_t>& bytes_of_held_voxels() {
-    static std::atomic<std::int64_t> bytes = 0;
-    return bytes;
+// A row of a box begins at this float of an array over the box.
+std::size_t offset_of(const VoxelBox& box, int y, int z) {
+    const auto row =
+        static_cast<std::size_t>(z - box.origin[2]) * static_cast<std::size_t>(box.size[1]) +
+        static_cast<std::size_t>(y - box.origin[1]);
+    return row * static_cast<std::size_t>(box.size[0]);
 }
 
-// Knows as much of empty boxes as its source does: writers and grids skip them unread.
+template <class Work>
+void for_each_row(const VoxelBox& box, const Work& work) {
+    for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+        for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) work(y, z);
+    }
+}
+
 class HeldSource : public VoxelSource {
   public:
+    // `memory` has room for the rows' fixed bytes.
     HeldSource(std::shared_ptr<const VoxelSource> source, std::unique_ptr<VoxelMemory> memory,
-               const std::array<int, 3>& size, int channels, const BakeOptions& options)
+               const std::array<int, 3>& size, int channels)
         : source_(std::move(source)),
+          size_(size),
+          channels_(channels),
           memory_(std::move(memory)),
-          voxels_(*source_, size, channels, options, "voxels") {}
+          rows_(static_cast<std::size_t>(VoxelBox{{}, size}.count() / size[0] * channels),
+                static_cast<std::size_t>(size[0]), *memory_) {}
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        voxels_.fill(box, channels);
+        assert(static_cast<int>(channels.size()) == channels_);
+        for (const VoxelBox& part : missing_parts(box, channels)) make(box, part, channels);
     }
-    bool is_empty(const VoxelBox& box) const override { return source_->is_empty(box); }
+
+    // Knows as much of empty boxes as its source does, and what it holds.
+    bool is_empty(const VoxelBox& box) const override {
+        if (source_->is_empty(box)) return true;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                    const std::size_t row = index_of(c, y, z);
+                    if (!rows_.holds(row) ||
+                        !rows_.is_zero(row, static_cast<std::size_t>(box.origin[0]),
+                                       static_cast<std::size_t>(box.size[0]))) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
 
   private:
+    std::size_t index_of(std::size_t channel, int y, int z) const {
+        const auto depth = static_cast<std::size_t>(size_[2]);
+        const auto height = static_cast<std::size_t>(size_[1]);
+        return (channel * depth + static_cast<std::size_t>(z)) * height +
+               static_cast<std::size_t>(y);
+    }
+
+    // Writes a row's voxels of all channels that are wanted; returns false, with some of them
+    // written, if one is not held.
+    bool read_row(const VoxelBox& box, int y, int z, const std::vector<float*>& channels) const {
+        const std::size_t at = offset_of(box, y, z);
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            if (channels[c] == nullptr) continue;
+            const std::size_t row = index_of(c, y, z);
+            if (!rows_.holds(row)) return false;
+            rows_.get(row, static_cast<std::size_t>(box.origin[0]),
+                      static_cast<std::size_t>(box.size[0]), channels[c] + at);
+        }
+        return true;
+    }
+
+    // Writes the rows that are held, and returns parts of the box that contain the others. Slices
+    // that lack the same rows are one part, since sources share work between slices.
+    std::vector<VoxelBox> missing_parts(const VoxelBox& box,
+                                        const std::vector<float*>& channels) const {
+        std::vector<VoxelBox> parts;
+        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+            int first = box.origin[1] + box.size[1];
+            int last = box.origin[1];
+            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                if (read_row(box, y, z, channels)) continue;
+                first = std::min(first, y);
+                last = y + 1;
+            }
+            if (first >= last) continue;
+            const bool as_before = !parts.empty() && parts.back().origin[1] == first &&
+                                   parts.back().size[1] == last - first &&
+                                   parts.back().origin[2] + parts.back().size[2] == z;
+            if (as_before) {
+                ++parts.back().size[2];
+            } else {
+                parts.push_back({{box.origin[0], first, z}, {box.size[0], last - first, 1}});
+            }
+        }
+        return parts;
+    }
+
+    // Makes the voxels of a part of the box, in place where they lie side by side there.
+    void make(const VoxelBox& box, const VoxelBox& part,
+              const std::vector<float*>& channels) const {
+        const std::size_t at = offset_of(box, part.origin[1], part.origin[2]);
+        std::vector<float*> targets(channels.size(), nullptr);
+        if (part.size[1] == box.size[1]) {
+            for (std::size_t c = 0; c < channels.size(); ++c) {
+                if (channels[c] != nullptr) targets[c] = channels[c] + at;
+            }
+            source_->fill(part, targets);
+            hold(part, targets);
+            return;
+        }
+        const auto count = static_cast<std::size_t>(part.count());
+        AlignedFloats made(count * channels.size());
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            if (channels[c] != nullptr) targets[c] = made.data() + c * count;
+        }
+        source_->fill(part, targets);
+        hold(part, targets);
+        copy(part, targets, box, channels);
+    }
+
+    static void copy(const VoxelBox& part, const std::vector<float*>& made, const VoxelBox& box,
+                     const std::vector<float*>& channels) {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            if (channels[c] == nullptr) continue;
+            for_each_row(part, [&](int y, int z) {
+                std::memcpy(channels[c] + offset_of(box, y, z), made[c] + offset_of(part, y, z),
+                            static_cast<std::size_t>(part.size[0]) * sizeof(float));
+            });
+        }
+    }
+
+    // Holds rows that are whole.
+    void hold(const VoxelBox& part, const std::vector<float*>& made) const {
+        if (part.size[0] != size_[0]) return;
+        for (std::size_t c = 0; c < made.size(); ++c) {
+            if (made[c] == nullptr) continue;
+            for_each_row(part, [&](int y, int z) {
+                rows_.put(index_of(c, y, z), made[c] + offset_of(part, y, z));
+            });
+        }
+    }
+
     std::shared_ptr<const VoxelSource> source_;
+    const std::array<int, 3> size_;
+    const int channels_;
     std::unique_ptr<VoxelMemory> memory_;
-    StoredSource voxels_;
+    mutable SparseRows rows_;  // any thread may change them
 };
 
 }  // namespace
 
-VoxelMemory::VoxelMemory(std::int64_t bytes) : bytes_(bytes) {
-    assert(bytes >= 0);
-    bytes_of_held_voxels() += bytes_;
-}
-
-VoxelMemory::~VoxelMemory() { bytes_of_held_voxels() -= bytes_; }
-
-std::int64_t VoxelMemory::total() { return bytes_of_held_voxels(); }
-
 std::shared_ptr<const VoxelSource> held_voxels(std::shared_ptr<const VoxelSource> source,
                                                const std::array<int, 3>& size, int channels,
                                                const BakeOptions& options) {
-    const auto bytes_in_float = static_cast<std::int64_t>(sizeof(float));
-    const std::int64_t bytes = VoxelBox{{}, size}.count() * channels * bytes_in_float;
-    // It is counted before it is compared, so that bakes on other threads see it.
-    auto memory = std::make_unique<VoxelMemory>(bytes);
-    if (VoxelMemory::total() > options.held_voxel_bytes) return source;
-    return std::make_shared<HeldSource>(std::move(source), std::move(memory), size, channels,
-                                        options);
+    auto memory = std::make_unique<VoxelMemory>(options.held_voxel_bytes);
+    const auto rows = static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]) *
+                      static_cast<std::size_t>(channels);
+    if (!memory->take(SparseRows::fixed_bytes(rows, static_cast<std::size_t>(size[0])))) {
+        return source;
+    }
+    return std::make_shared<HeldSource>(std::move(source), std::move(memory), size, channels);
 }
 
 }  // namespace skybake

@@ -50,8 +50,9 @@ StoredSource::StoredSource(const VoxelSource& source, const std::array<int, 3>& 
                            const BakeOptions& options, std::string_view step)
     : size_(size) {
     const auto slice = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
-    values_.assign(static_cast<std::size_t>(channels),
-                   std::vector<float>(slice * static_cast<std::size_t>(size[2])));
+    for (int channel = 0; channel < channels; ++channel) {
+        values_.emplace_back(slice * static_cast<std::size_t>(size[2]));
+    }
     // One after the other, the voxels of these boxes are those of the volume.
     const BoxSequence boxes(size, channels);
     for_each_tile(boxes.count(), options, step, [&](int tile) {

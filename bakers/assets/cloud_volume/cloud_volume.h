@@ -33,8 +33,8 @@ Baked make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBak
 // The voxels of a volume, which it shares with the grids that are made of it.
 Need need_of_voxels(const config::Parameters& parameters, const config::CloudVolumeBake& asset);
 
-// Returns the same with the voxels in memory, if options.held_voxel_bytes allows it. They are
-// incomplete after an interruption.
+// Returns the same with voxels that the first pass over them holds in memory, as far as
+// options.held_voxel_bytes allows it.
 Baked hold_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                         const CloudInputs& inputs, const BakeOptions& options, Baked volume);
 

@@ -1,0 +1,173 @@
+#include "bakers/field/sparse_rows.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstring>
+
+namespace skybake {
+
+namespace {
+
+std::atomic<std::int64_t>& bytes_taken() {
+    static std::atomic<std::int64_t> bytes = 0;
+    return bytes;
+}
+
+constexpr std::size_t kWordBits = 64;
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 18;  // floats: 1 MiB
+
+std::size_t words_of(std::size_t length) {
+    const std::size_t pieces = (length + SparseRows::kPiece - 1) / SparseRows::kPiece;
+    return (pieces + kWordBits - 1) / kWordBits;
+}
+
+// How many of the pieces before this one are stored.
+std::size_t stored_before(const std::uint64_t* words, std::size_t piece) {
+    std::size_t count = 0;
+    for (std::size_t word = 0; word < piece / kWordBits; ++word) {
+        count += static_cast<std::size_t>(std::popcount(words[word]));
+    }
+    if (piece % kWordBits == 0) return count;
+    const std::uint64_t before = words[piece / kWordBits] << (kWordBits - piece % kWordBits);
+    return count + static_cast<std::size_t>(std::popcount(before));
+}
+
+// Neighbouring pieces that are all stored, or all zeros, as far as one word tells.
+struct Run {
+    bool stored = false;
+    std::size_t end = 0;
+};
+
+Run run_from(const std::uint64_t* words, std::size_t piece) {
+    const std::size_t bit = piece % kWordBits;
+    const std::uint64_t rest = words[piece / kWordBits] >> bit;
+    const bool stored = (rest & 1) != 0;
+    const auto length = static_cast<std::size_t>(std::countr_zero(stored ? ~rest : rest));
+    return {stored, piece + std::min(length, kWordBits - bit)};
+}
+
+// Whether all values are +0. A -0 is not, so that rows come back bit for bit.
+bool is_all_zero(const float* values, std::size_t count) {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < count; ++i) bits |= std::bit_cast<std::uint32_t>(values[i]);
+    return bits == 0;
+}
+
+}  // namespace
+
+VoxelMemory::VoxelMemory(std::int64_t most_bytes) : most_bytes_(most_bytes) {
+    assert(most_bytes >= 0);
+}
+
+VoxelMemory::~VoxelMemory() { bytes_taken() -= taken_; }
+
+bool VoxelMemory::take(std::int64_t bytes) {
+    assert(bytes >= 0);
+    // They are counted before they are compared, so that bakes on other threads see them.
+    if ((bytes_taken() += bytes) > most_bytes_) {
+        bytes_taken() -= bytes;
+        return false;
+    }
+    taken_ += bytes;
+    return true;
+}
+
+std::int64_t VoxelMemory::total() { return bytes_taken(); }
+
+std::int64_t SparseRows::fixed_bytes(std::size_t count, std::size_t length) {
+    const std::size_t row =
+        sizeof(State) + sizeof(float*) + words_of(length) * sizeof(std::uint64_t);
+    return static_cast<std::int64_t>(count * row);
+}
+
+SparseRows::SparseRows(std::size_t count, std::size_t length, VoxelMemory& memory)
+    : length_(length),
+      words_(words_of(length)),
+      block_(std::min(kMostAtOnce, count * length)),
+      memory_(memory),
+      states_(count),
+      stored_(count * words_),
+      pieces_(count) {}
+
+void SparseRows::put(std::size_t row, const float* voxels) {
+    if (full_) return;
+    State absent = State::absent;
+    if (!states_[row].compare_exchange_strong(absent, State::in_the_making)) return;
+    const bool held = store(row, voxels);
+    states_[row].store(held ? State::held : State::absent, std::memory_order_release);
+}
+
+// Returns false, with nothing stored, if there is no memory left.
+bool SparseRows::store(std::size_t row, const float* voxels) {
+    std::uint64_t* words = stored_.data() + row * words_;
+    std::fill_n(words, words_, std::uint64_t{0});
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < length_; first += kPiece) {
+        if (is_all_zero(voxels + first, std::min(kPiece, length_ - first))) continue;
+        const std::size_t piece = first / kPiece;
+        words[piece / kWordBits] |= std::uint64_t{1} << piece % kWordBits;
+        ++count;
+    }
+    if (count == 0) return true;
+    float* to = allocate(count);
+    if (to == nullptr) return false;
+    pieces_[row] = to;
+    for (std::size_t at = 0; at < length_;) {
+        const Run run = run_from(words, at / kPiece);
+        const std::size_t part = std::min(run.end * kPiece, length_) - at;
+        if (run.stored) {
+            std::memcpy(to, voxels + at, part * sizeof(float));
+            to += part;
+        }
+        at += part;
+    }
+    return true;
+}
+
+// Returns memory for so many pieces of one row, or null.
+float* SparseRows::allocate(std::size_t pieces) {
+    const std::size_t count = pieces * kPiece;
+    const std::lock_guard lock(mutex_);
+    if (free_count_ < count) {
+        const std::size_t block = std::max(block_, count);
+        if (!memory_.take(static_cast<std::int64_t>(block * sizeof(float)))) {
+            full_ = true;
+            return nullptr;
+        }
+        free_ = blocks_.emplace_back(new float[block]).get();
+        free_count_ = block;
+    }
+    float* const from = free_;
+    free_ += count;
+    free_count_ -= count;
+    return from;
+}
+
+void SparseRows::get(std::size_t row, std::size_t first, std::size_t count, float* out) const {
+    assert(holds(row) && first + count <= length_);
+    const std::uint64_t* words = words_of_row(row);
+    const float* from = pieces_[row] + stored_before(words, first / kPiece) * kPiece;
+    const std::size_t end = first + count;
+    for (std::size_t at = first; at < end;) {
+        const Run run = run_from(words, at / kPiece);
+        const std::size_t part = std::min(run.end * kPiece, end) - at;
+        if (run.stored) {
+            std::memcpy(out, from + at % kPiece, part * sizeof(float));
+            from += (run.end - at / kPiece) * kPiece;
+        } else {
+            std::memset(out, 0, part * sizeof(float));
+        }
+        out += part;
+        at += part;
+    }
+}
+
+bool SparseRows::is_zero(std::size_t row, std::size_t first, std::size_t count) const {
+    assert(holds(row) && count > 0 && first + count <= length_);
+    const std::uint64_t* words = words_of_row(row);
+    const std::size_t last = (first + count - 1) / kPiece;
+    return stored_before(words, first / kPiece) == stored_before(words, last + 1);
+}
+
+}  // namespace skybake
