@@ -90,6 +90,7 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
             finished.state == AssetState::baked ? time_text(finished.certify_s) : "",
             time_text(asset.timing.write_s),
             sky_error_text(asset.error),
+            color_error_text(asset.error),
             asset.error
                 ? fmt::format("{:.2g} / {:.2g}", asset.error->lookup.max, asset.error->lookup.rms)
                 : "not measured"};
@@ -104,13 +105,15 @@ std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestF
 // Returns the table of what was made. It is empty if all was up to date.
 std::string assets_text(const BakedFolder& baked, int columns) {
     TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
-                     Align::right, Align::right, Align::left, Align::left});
+                     Align::right, Align::right, Align::left, Align::left, Align::left});
     // A narrow terminal does not show these columns: write, certify, pixel type, channels.
     constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
     constexpr std::array<std::size_t, 2> names = {0, 3};
     constexpr std::size_t kSkyError = 8;
+    constexpr std::size_t kColorError = 9;
     table.add_row({"asset", "size", "", "file", "", "bake", "certify", "write",
-                   "sky error median / max", "lookup error max / rms"});
+                   "sky error median / max", "colour error median / max",
+                   "lookup error max / rms"});
     bool made = false;
     for (const FinishedAsset& finished : baked.assets) {
         if (finished.state == AssetState::up_to_date) continue;
@@ -121,6 +124,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
             if (!first) table.add_row(further_row(finished.entry, file));
         }
     }
+    table.drop_if_empty(kColorError);
     table.drop_if_empty(kSkyError);
     return made ? table.text_within(columns, expendable, names) : "";
 }
@@ -190,6 +194,11 @@ std::string sky_error_text(const std::optional<Certificate>& error) {
     if (sky.points == 0) return "too noisy to tell";
     return fmt::format("{:.2g} / {:.2g} ± {:.2g} %", 100 * sky.median, 100 * sky.max,
                        100 * sky.standard_error);
+}
+
+std::string color_error_text(const std::optional<Certificate>& error) {
+    if (!error || !error->color) return "";
+    return fmt::format("{:.2g} / {:.2g} %", 100 * error->color->median, 100 * error->color->max);
 }
 
 std::string plan_event(const FolderPlan& plan) {

@@ -59,7 +59,12 @@ std::string finished_events(const BakedFolder& baked, const std::filesystem::pat
                             double seconds);
 
 // Returns the median and the largest error of an asset's light and the noise of what it is compared
-// with, one standard error: "0.31 / 2.4 ± 0.2 %", or "too noisy to tell". Returns nothing if its light is not compared.
+// with, one standard error: "0.31 / 2.4 ± 0.2 %", or "too noisy to tell". Returns nothing if its
+// light is not compared.
 std::string sky_error_text(const std::optional<Certificate>& error);
+
+// Returns the median and the largest error of the colours that a recipe's wavelengths make:
+// "0.2 / 1.4 %". Returns nothing if the recipe has no colours.
+std::string color_error_text(const std::optional<Certificate>& error);
 
 }  // namespace skybake::cli

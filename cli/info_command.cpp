@@ -255,19 +255,22 @@ std::string bytes_text(const fs::path& file, std::uint64_t bytes) {
 
 std::string manifest_text(const fs::path& folder, const Manifest& manifest) {
     TextTable table({Align::left, Align::left, Align::right, Align::left, Align::left, Align::left,
-                     Align::left, Align::right, Align::left});
+                     Align::left, Align::right, Align::left, Align::left, Align::left});
     table.add_row({"asset", "kind", "size", "", "mapping", "file", "", "bytes",
-                   "sky error median / max", "lookup error max / rms"});
+                   "sky error median / max", "colour error median / max",
+                   "lookup error max / rms"});
     for (const ManifestAsset& asset : manifest.assets) {
         for (const ManifestFile& file : asset.files) {
             table.add_row({asset.name, asset.kind, extent_text(size_of(asset, file)),
                            fmt::format("{}", fmt::join(asset.channels, "")), asset.mapping,
                            file.path, std::string(to_string(file.pixel_type)),
                            bytes_text(folder / file.path, file.bytes), sky_error_text(asset.error),
-                           error_text(asset.error)});
+                           color_error_text(asset.error), error_text(asset.error)});
         }
     }
     constexpr std::size_t kSkyError = 8;
+    constexpr std::size_t kColorError = 9;
+    table.drop_if_empty(kColorError);
     table.drop_if_empty(kSkyError);
     return fmt::format("{} {}{}\n", manifest.tool_name, manifest.tool_version,
                        wavelengths_text(manifest)) +

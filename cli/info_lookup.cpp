@@ -168,7 +168,11 @@ ExitCode show_lookup(const fs::path& path, bool json, Console& console) {
         baker_of(*own).lookup(recipe.value->parameters, *own,
                               {asset.mapping, size_of(asset, shape), asset.channels.size()});
     const std::string name = glsl_name(own->name);
-    const std::string text = heading(*file.value, path, *own, lookup) + lookup_glsl(lookup, name);
+    std::string text = heading(*file.value, path, *own, lookup) + lookup_glsl(lookup, name);
+    const auto& color = asset.conventions.color;
+    if (color && !color->is_applied && asset.conventions.wavelengths_nm.size() > 1) {
+        text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm, name);
+    }
     console.result(json ? event_line({{"event", "lookup"},
                                       {"path", path.string()},
                                       {"function", name},

@@ -1,5 +1,6 @@
 #include "bakers/assets/asset_label.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace skybake {
@@ -23,7 +24,9 @@ Conventions sky_conventions(const Parameters& parameters) {
 
 std::vector<std::string> colour_names(const Parameters& parameters) {
     if (parameters.wavelengths.size() == 1) return {"Y"};
-    return {"R", "G", "B"};
+    std::vector<std::string> names = {"R", "G", "B", "A"};
+    names.resize(std::min(parameters.wavelengths.size(), names.size()));
+    return names;
 }
 
 Baked labelled_table(const Parameters& parameters, AssetLabel label) {

@@ -16,7 +16,7 @@ struct AssetLabel {
     Facts details;
 };
 
-// Returns {"R", "G", "B"}, or {"Y"} for one wavelength.
+// Returns {"R", "G", "B"} for three wavelengths, {"Y"} for one, and at most four names.
 std::vector<std::string> colour_names(const config::Parameters& parameters);
 
 // Return a labelled asset of the sky, whose bakers add what the values mean.

@@ -9,6 +9,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/probe_places.h"
+#include "bakers/field/baked.h"
 
 namespace skybake {
 
@@ -42,6 +43,11 @@ std::string glsl_name(std::string_view asset);
 
 // The functions of the lookup under this name, below what they need of the published file.
 std::string lookup_glsl(const AssetLookup& lookup, const std::string& name);
+
+// A function NAME_color that turns light at the wavelengths of a file into colours, with what it does
+// as a comment.
+std::string color_glsl(const ColorConvention& color, const std::vector<double>& wavelengths_nm,
+                       const std::string& name);
 
 // The text of examples/lookups/LIBRARY.glsl, which the build puts into the program. Throws
 // std::out_of_range where there is none.

@@ -12,6 +12,7 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/assets/sky_comparison.h"
+#include "bakers/assets/sky_lights.h"
 #include "bakers/assets/solvable_air.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
@@ -38,8 +39,12 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     };
     any.needs = [&baker](const Parameters& parameters, const Bake& bake,
                          Certification certification) {
-        return baker.needs ? baker.needs(parameters, bake.as<Asset>(), certification)
-                           : std::vector<Need>{};
+        std::vector<Need> needs;
+        if (baker.needs) needs = baker.needs(parameters, bake.as<Asset>(), certification);
+        if (config::kind_of(bake).facts.use_of_light != config::UseOfLight::none) {
+            for (Need& need : color_needs(parameters)) needs.push_back(std::move(need));
+        }
+        return needs;
     };
     any.places = [&baker](const Parameters& parameters, const Bake& bake,
                           const StoredTexels& stored) {
@@ -112,6 +117,19 @@ std::optional<config::Diagnostic> large_lookup_errors(const Baked& baked) {
     return warning;
 }
 
+// Says how the wavelengths of an asset of light become colours. An interrupted bake has no value.
+void add_colors(const Parameters& parameters, const Bake& bake, const BakeOptions& options,
+                std::optional<Baked>& baked) {
+    const config::UseOfLight use = config::kind_of(bake).facts.use_of_light;
+    if (!baked || use == config::UseOfLight::none) return;
+    const std::shared_ptr<const SkyColors> colors = colors_of(parameters, options);
+    if (options.cancelled()) baked.reset();
+    if (!colors || !baked) return;
+    baked->conventions.color = color_convention(
+        *parameters.color, *colors, use == config::UseOfLight::colors && holds_colors(parameters));
+    if (baked->certified) baked->certificate.color = colors->error;
+}
+
 // Adds error.sky. An interrupted bake has no value.
 void compare_with_paths(const AnyBaker& baker, const config::Parameters& parameters,
                         const Bake& bake, const BakeOptions& options, std::optional<Baked>& baked) {
@@ -176,6 +194,7 @@ Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
     label.parameters = asset_parameters(recipe, bake);
     label.details.emplace_back("baker_version", static_cast<double>(baker.version));
     Outcome<Baked> outcome = baker.bake(recipe.parameters, bake, options, std::move(label));
+    add_colors(recipe.parameters, bake, options, outcome.value);
     compare_with_paths(baker, recipe.parameters, bake, options, outcome.value);
     if (outcome.value) {
         if (auto warning = large_lookup_errors(*outcome.value)) {

@@ -1,5 +1,7 @@
 #include "bakers/assets/sky_asset.h"
 
+#include <utility>
+
 #include "bakers/light/shared_light.h"
 #include "bakers/math/relative_error.h"
 
@@ -12,6 +14,20 @@ std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyO
         needs.push_back(need_of(LightRequest{.atmosphere = atmosphere}));
     }
     if (reads_sunlight) needs.push_back(need_of(SunlightRequest{atmosphere}));
+    return needs;
+}
+
+std::vector<Need> light_needs(const config::Parameters& parameters, config::SkyOrders orders,
+                              bool reads_sunlight) {
+    if (!holds_colors(parameters)) {
+        return light_needs(parameters.atmosphere, orders, reads_sunlight);
+    }
+    std::vector<Need> needs;
+    for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
+        for (Need& need : light_needs(packet, orders, reads_sunlight)) {
+            needs.push_back(std::move(need));
+        }
+    }
     return needs;
 }
 

@@ -8,24 +8,27 @@
 #include <vector>
 
 #include "bakers/assets/asset_label.h"
+#include "bakers/assets/sky_lights.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/intermediates.h"
 
 namespace skybake {
 
-// Returns make(light). If the bake was interrupted while the light was solved for, returns nothing;
+// Returns make(light), of a SkyLight or of SkyLights. If the bake was interrupted while the light was solved for, returns nothing;
 // if the solution is invalid, returns E0405 for the asset of that name.
-template <class Make>
-config::Outcome<Baked> bake_of_light(const SkyLight& light, const std::string& name,
+template <class Light, class Make>
+config::Outcome<Baked> bake_of_light(const Light& light, const std::string& name,
                                      const BakeOptions& options, const Make& make) {
     if (options.cancelled()) return {};
     if (const auto problem = light.problem(name)) return {{}, {*problem}};
     return make(light);
 }
 
-// Returns the solved light of an asset, which it needs unless it shows light that was scattered
+// Return the solved light of an asset, of all packets of wavelengths or of one, which it needs unless it shows light that was scattered
 // once, and the table of sunlight if it integrates rows of rays (sky_row.h).
+std::vector<Need> light_needs(const config::Parameters& parameters, config::SkyOrders orders,
+                              bool reads_sunlight);
 std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders,
                               bool reads_sunlight);
 

@@ -52,10 +52,49 @@ struct CountedError {
     double standard_error = 0;
 };
 
+// The weights of an asset's wavelengths in its channels; empty if channels are wavelengths.
+std::vector<Spectrum> weights_of(const Baked& baked) {
+    std::vector<Spectrum> weights;
+    const auto& color = baked.conventions.color;
+    if (!color || !color->is_applied) return weights;
+    for (std::size_t i = 0; i + 2 < color->weights.size(); i += 3) {
+        weights.emplace_back(color->weights[i], color->weights[i + 1], color->weights[i + 2], 0);
+    }
+    return weights;
+}
+
+// The colours that the weights make of the light of all packets.
+PathTracedRadiance in_colors(const std::vector<PathTracedRadiance>& packets,
+                             const std::vector<Spectrum>& weights) {
+    PathTracedRadiance sum;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const PathTracedRadiance& packet = packets[i / kMaxChannels];
+        const std::size_t c = i % kMaxChannels;
+        sum.radiance += packet.radiance[c] * weights[i];
+        sum.walked += packet.walked[c] * weights[i];
+        for (std::size_t r = 0; r < kPathReplicates; ++r) {
+            sum.replicates[r] += packet.replicates[r][c] * weights[i];
+        }
+    }
+    for (const PathTracedRadiance& packet : packets) sum.flights += packet.flights;
+    Spectrum mean{};
+    for (const Spectrum& replicate : sum.replicates) mean += replicate;
+    mean /= static_cast<double>(kPathReplicates);
+    Spectrum squares{};
+    for (const Spectrum& replicate : sum.replicates) {
+        squares += (replicate - mean) * (replicate - mean);
+    }
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        sum.standard_error[c] = std::sqrt(squares[c] / (kPathReplicates * (kPathReplicates - 1)));
+    }
+    return sum;
+}
+
 class SkyComparison {
   public:
     SkyComparison(const TracedLight& light, const Baked& baked, const BakeOptions& options)
         : light_(light),
+          weights_(weights_of(baked)),
           options_(options),
           found_(light.found(baked, options.threads)),
           places_(light.places.size()) {}
@@ -115,7 +154,19 @@ class SkyComparison {
         settings.seed = seed;
         settings.ray = static_cast<std::uint32_t>(place);
         settings.paths = paths;
-        return light_.traced(place, settings);
+        if (weights_.empty()) return light_.traced.front()(place, settings);
+        std::vector<PathTracedRadiance> packets;
+        for (const TraceOfPlace& traced : light_.traced) {
+            packets.push_back(traced(place, settings));
+            settings.ray += static_cast<std::uint32_t>(places_.size());
+        }
+        return in_colors(packets, weights_);
+    }
+
+    // What errors of a channel are relative to: its light, or in colours, of which one channel may
+    // be nearly 0 or below, the brightest channel.
+    double scale_of(const PathTracedRadiance& traced, std::size_t channel) const {
+        return weights_.empty() ? traced.radiance[channel] : largest(traced.radiance);
     }
 
     void trace(const std::vector<std::size_t>& places, std::uint64_t seed) {
@@ -129,8 +180,9 @@ class SkyComparison {
     double spread_of(const PathTracedRadiance& pilot) const {
         double squares = 0;
         for (std::size_t c = 0; c < static_cast<std::size_t>(light_.channels); ++c) {
-            if (!(pilot.radiance[c] > 0)) continue;
-            const double spread = pilot.standard_error[c] / pilot.radiance[c];
+            const double scale = scale_of(pilot, c);
+            if (!(scale > 0)) continue;
+            const double spread = pilot.standard_error[c] / scale;
             squares += spread * spread;
         }
         return std::sqrt(squares / light_.channels);
@@ -166,11 +218,14 @@ class SkyComparison {
         std::vector<CountedError> counted;
         const PathTracedRadiance& traced = places_[place].light;
         for (std::size_t c = 0; c < static_cast<std::size_t>(light_.channels); ++c) {
-            if (!(traced.radiance[c] > 0)) continue;
-            double error = std::fabs(found_[place][c] / traced.radiance[c] - 1);
+            const double scale = scale_of(traced, c);
+            if (!(scale > 0)) continue;
+            double error = weights_.empty()
+                               ? std::fabs(found_[place][c] / scale - 1)
+                               : std::fabs(found_[place][c] - traced.radiance[c]) / scale;
             if (std::isnan(error)) error = std::numeric_limits<double>::infinity();
             if (!is_trusted(traced, c)) continue;
-            counted.push_back({error, traced.standard_error[c] / traced.radiance[c]});
+            counted.push_back({error, traced.standard_error[c] / scale});
         }
         return counted;
     }
@@ -180,14 +235,15 @@ class SkyComparison {
     bool is_trusted(const PathTracedRadiance& traced, std::size_t channel) const {
         if (!finds_light_) return true;
         const double error = traced.standard_error[channel];
-        return traced.walked[channel] > 0 && error <= kLargestSpread * traced.radiance[channel] &&
-               error <= kLargestSpreadOfWalked * traced.walked[channel];
+        const double walked = weights_.empty() ? traced.walked[channel] : largest(traced.walked);
+        return walked > 0 && error <= kLargestSpread * scale_of(traced, channel) &&
+               error <= kLargestSpreadOfWalked * walked;
     }
 
     int lit_channels(std::size_t place) const {
         int lit = 0;
         for (std::size_t c = 0; c < static_cast<std::size_t>(light_.channels); ++c) {
-            if (places_[place].light.radiance[c] > 0) ++lit;
+            if (scale_of(places_[place].light, c) > 0) ++lit;
         }
         return lit;
     }
@@ -215,6 +271,7 @@ class SkyComparison {
     }
 
     const TracedLight& light_;
+    const std::vector<Spectrum> weights_;  // of colours, one per wavelength; or none
     const BakeOptions& options_;
     std::vector<Spectrum> found_;
     std::vector<TracedPlace> places_;

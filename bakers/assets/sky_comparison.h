@@ -12,8 +12,10 @@
 
 namespace skybake {
 
-// Returns |found / traced - 1| over all places and channels. Channels where no path finds light do not
-// count, and those whose standard error is above 5 % are left out. After an interruption the result must not be used.
+// Returns |found / traced - 1| over all places and channels; of colours, whose channels may be 0 or
+// below, the difference over the brightest channel. Channels where no path finds light do not count,
+// and those whose standard error is above 5 % are left out. After an interruption the result must
+// not be used.
 SkyError measure_sky(const TracedLight& light, const Baked& baked, const BakeOptions& options);
 
 }  // namespace skybake

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/math/vectors.h"
@@ -40,7 +40,7 @@ config::Length thickness_of(const config::Atmosphere& atmosphere) {
 
 // Returns the zenith optical depth of scattering, of the channel where it is largest.
 double scattering_depth(const config::Atmosphere& atmosphere) {
-    std::array<double, kMaxChannels> depths{};
+    std::vector<double> depths(atmosphere.ground_albedo.size(), 0.0);
     for (const config::Layer& given : atmosphere.layers) {
         if (!given.enabled) continue;
         const config::Layer layer = with_coefficients(given);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "bakers/assets/sky_lights.h"
 #include "bakers/field/certify.h"
 #include "bakers/light/sky_radiance.h"
 
@@ -88,6 +89,19 @@ LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> pl
         }
         return light;
     };
+}
+
+std::vector<TraceOfPlace> traces_of_packets(
+    const config::Parameters& parameters,
+    const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of) {
+    if (!holds_colors(parameters)) {
+        return {trace_of(std::make_shared<const TracedAir>(parameters.atmosphere))};
+    }
+    std::vector<TraceOfPlace> traces;
+    for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
+        traces.push_back(trace_of(std::make_shared<const TracedAir>(packet)));
+    }
+    return traces;
 }
 
 }  // namespace skybake

@@ -14,6 +14,7 @@
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/math/bake_options.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/parameters.h"
 #include "config/sections/scene.h"
 
 namespace skybake {
@@ -59,12 +60,18 @@ LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> pl
 TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
                                  std::vector<LevelSample> samples, config::SkyOrders orders);
 
+// Returns the traces of each packet of the recipe's wavelengths: one packet, unless its tables of
+// light hold colours.
+std::vector<TraceOfPlace> traces_of_packets(
+    const config::Parameters& parameters,
+    const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of);
+
 // The light of an asset at some places, in the asset's unit for a solar irradiance of 1.
 struct TracedLight {
-    int channels = 0;
+    int channels = 0;  // of the asset
     std::vector<Place> places;
     LightAtPlaces found;
-    TraceOfPlace traced;
+    std::vector<TraceOfPlace> traced;  // of each packet of wavelengths
 };
 
 }  // namespace skybake

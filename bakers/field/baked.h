@@ -38,6 +38,17 @@ struct AxisMapping {
     Facts constants = {};  // the formula's numbers, with units in their names
 };
 
+// How the light of the wavelengths becomes colours: colour = sum over wavelengths of their weights
+// times light.
+struct ColorConvention {
+    std::string space;            // "linear_srgb"
+    std::string white;            // "sun", "space"
+    std::string sun;              // "measured", "flat": the sunlight that the weights contain
+    std::string observer;         // "cie_1931"
+    bool is_applied = false;      // channels are colours; else they are wavelengths
+    std::vector<double> weights;  // three for each of wavelengths_nm, in their order
+};
+
 // The meaning of an asset's numbers. A member is empty if it does not apply: a noise has no
 // lengths, and a transmittance does not depend on the sun's irradiance.
 struct Conventions {
@@ -46,8 +57,9 @@ struct Conventions {
     std::string angle_unit;        // of angles along the axes: "cosine", "deg"
     std::string radiance_unit;     // of values that are radiances
     std::vector<double> solar_irradiance = {};  // E of each colour; all values contain this factor
-    std::vector<double> wavelengths_nm = {};    // of each colour
-    std::string up_axis = {};                   // "+z", of assets that lie in space
+    std::vector<double> wavelengths_nm = {};    // of each channel, or what colours are made of
+    std::optional<ColorConvention> color = {};
+    std::string up_axis = {};  // "+z", of assets that lie in space
 };
 
 struct ErrorFigures {
@@ -69,6 +81,16 @@ struct SkyError {
     std::string worst;          // the place of the largest error
 };
 
+// How far colours made of the recipe's wavelengths are from those of whole spectra: the largest
+// difference of a channel, over luminance. Air, light and lookups are the same for both.
+struct ColorError {
+    double median = 0;
+    double ninth_decile = 0;
+    double max = 0;
+    std::array<double, 3> disc{};  // of the sun seen from the ground, at 5, 1 and 0 degrees
+    int skies = 0;                 // views of the sky that were measured
+};
+
 // The measured error of a table. All figures are pure functions of the parameters.
 struct Certificate {
     ErrorFigures texel;  // stored texels against the reference at their centres
@@ -80,8 +102,9 @@ struct Certificate {
     std::string scale;      // what an error of 1 means
     std::string
         worst;  // where the largest lookup error was: "altitude_km 0.02, sun_cos_zenith -0.01"
-    std::string advice;                // what would help, or empty
-    std::optional<SkyError> sky = {};  // of assets of light that is scattered more than once
+    std::string advice;                    // what would help, or empty
+    std::optional<SkyError> sky = {};      // of assets of light that is scattered more than once
+    std::optional<ColorError> color = {};  // of recipes with colours
 };
 
 // Counts of texels, over all levels, that a pixel type cannot hold accurately.

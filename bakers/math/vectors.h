@@ -17,10 +17,10 @@
 
 namespace skybake {
 
-// The largest number of colour channels in a recipe.
-inline constexpr int kMaxChannels = 3;
+// The largest number of wavelengths that are computed at a time, and of channels of a table.
+inline constexpr int kMaxChannels = 4;
 
-// One value for each wavelength of a packet of four. A recipe uses the first one to three of them.
+// One value for each wavelength of a packet of four. A recipe of fewer wavelengths uses the first ones.
 // In the unused ones nothing scatters, absorbs or shines: coefficients, depths and radiances are 0
 // there, and transmittances are 1 or 0.
 using Spectrum = glm::dvec4;

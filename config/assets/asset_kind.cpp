@@ -40,8 +40,13 @@ const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake);
 
 namespace {
 
-// The scattering and extinction of a layer of particles follow from the values listed here.
-std::vector<Read> reads_of_spheres(const Layer& layer) {
+// The scattering and extinction of a layer of particles, a gas or an aerosol follow from the values
+// listed here.
+std::vector<Read> reads_of_matter(const Layer& layer) {
+    if (layer.gas || layer.aerosol) {
+        return {{join_path("atmosphere.layers", layer.name),
+                 {Role::geometry, Role::content, Role::particles}}};
+    }
     if (layer.phase != Phase::mie) return {};
     std::vector<Read> reads = reads_of_particles(layer.particles.particles.name);
     reads.push_back({join_path("atmosphere.layers", layer.name), {Role::phase, Role::particles}});
@@ -56,13 +61,16 @@ void append(std::vector<Read>&& more, std::vector<Read>& reads) {
 }
 
 std::vector<Read> reads_of_air(const Parameters& parameters, Roles roles) {
-    std::vector<Read> reads = {{""}, {"atmosphere", roles}, {"atmosphere.layers.*", roles}};
-    for (const Layer& layer : parameters.atmosphere.layers) append(reads_of_spheres(layer), reads);
+    // Colours are fitted to the skies of the whole air.
+    const Roles wanted = parameters.color ? Roles::all() : roles;
+    std::vector<Read> reads = {
+        {""}, {"color"}, {"atmosphere", wanted}, {"atmosphere.layers.*", wanted}};
+    for (const Layer& layer : parameters.atmosphere.layers) append(reads_of_matter(layer), reads);
     return reads;
 }
 
 std::vector<Read> reads_of_layer(const Layer& layer, Roles roles) {
-    std::vector<Read> reads = reads_of_spheres(layer);
+    std::vector<Read> reads = reads_of_matter(layer);
     reads.push_back({join_path("atmosphere.layers", layer.name), roles});
     return reads;
 }

@@ -30,11 +30,20 @@ struct RecipeSoFar {
 // it.
 using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder);
 
+// What an asset does with the wavelengths of a recipe.
+enum class UseOfLight {
+    none,
+    rgb,       // one channel for each: one or three
+    channels,  // one channel for each, at most four: what a runtime multiplies
+    colors,    // light of any number of wavelengths, turned into colours
+};
+
 struct AssetFacts {
     std::string_view name;           // the word after `asset =`
     std::string_view documentation;  // one line that says what the asset is
     bool is_table = false;           // it has two axes and is held in memory; else it is a volume
     bool needs_atmosphere = false;
+    UseOfLight use_of_light = UseOfLight::none;
     bool of_another_bake = false;  // made from another bake, so resolved after all others
 };
 

@@ -294,6 +294,7 @@ const AssetKind& asset_kind(Tag<BrunetonBake>) {
             .name = "bruneton",
             .documentation = "a table of Bruneton's precomputed scattering",
             .needs_atmosphere = true,
+            .use_of_light = UseOfLight::rgb,
         },
         std::span<const BrunetonField>(rows), reads_of, resolve_bruneton);
     return kind;

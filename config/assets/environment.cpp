@@ -41,7 +41,8 @@ const AssetKind& asset_kind(Tag<EnvironmentBake>) {
         {.name = "environment",
          .documentation = "the sky and the ground around a camera, by longitude and latitude",
          .is_table = true,
-         .needs_atmosphere = true},
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::colors},
         std::span<const EnvironmentField>(rows), reads_of);
     return kind;
 }

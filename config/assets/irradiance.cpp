@@ -75,6 +75,7 @@ const AssetKind& asset_kind(Tag<IrradianceBake>) {
             .documentation = "the light that falls on level surfaces",
             .is_table = true,
             .needs_atmosphere = true,
+            .use_of_light = UseOfLight::colors,
         },
         std::span<const IrradianceField>(rows), reads_of);
     return kind;

@@ -117,6 +117,7 @@ const AssetKind& asset_kind(Tag<MultipleScatteringBake>) {
             .documentation = "the light scattered twice or more, per unit of scattering",
             .is_table = true,
             .needs_atmosphere = true,
+            .use_of_light = UseOfLight::channels,
         },
         std::span<const MultipleScatteringField>(rows), reads_of);
     return kind;

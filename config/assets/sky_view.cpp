@@ -61,6 +61,7 @@ const AssetKind& asset_kind(Tag<SkyViewBake>) {
             .documentation = "the sky as a camera sees it, under given suns",
             .is_table = true,
             .needs_atmosphere = true,
+            .use_of_light = UseOfLight::colors,
         },
         std::span<const SkyViewField>(rows), reads_of);
     return kind;

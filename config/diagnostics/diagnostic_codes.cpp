@@ -276,9 +276,11 @@ constexpr std::array codes = {
         "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
         "orders = \"single\"\nlayers = [\"mie\"]",
         usage},
-    DiagnosticCode{"E0139", "coefficient of a layer of particles",
+    DiagnosticCode{"E0139", "key that contradicts what a layer is made of",
                    "A layer with phase = \"mie\" gets its scattering, its extinction and its phase "
-                   "function from its particles. A coefficient would contradict them.",
+                   "function from its particles; one with `gas` gets its coefficients from the "
+                   "gas, and one with `optical_depth` or `visibility` from these. A coefficient "
+                   "would contradict them.",
                    "preset = \"earth\"\n[particles.fog]\npreset = \"fog\"\n"
                    "[atmosphere.layers.fog]\nprofile = \"slab\"\nbottom_altitude = \"0 m\"\n"
                    "top_altitude = \"200 m\"\nphase = { mie = \"fog\" }\n"
@@ -320,6 +322,30 @@ constexpr std::array codes = {
         "effective_radius = \"1 um\"\n[bake.phase]\nparticles = \"p\"",
         usage},
 
+    DiagnosticCode{
+        "E0145", "gas or aerosol whose coefficients cannot be computed",
+        "Each gas is known at visible wavelengths and somewhat beyond; the message says from where "
+        "to where. Its profile must have some density between the ground and the top of the air, "
+        "over which the amount is spread, and its extinction must be at most 1e6 /m.",
+        "preset = \"earth\"\nwavelengths = [\"2000 nm\"]\n[atmosphere.layers.rayleigh]\n"
+        "scattering = \"0 /m\"\n[atmosphere.layers.ozone]\nabsorption = \"0 /m\"\n"
+        "[atmosphere.layers.o3]\nprofile = \"standard\"\ngas = \"ozone\"\ncolumn = \"300 DU\"",
+        "preset = \"earth\"\nwavelengths = [\"600 nm\"]\n[atmosphere.layers.rayleigh]\n"
+        "scattering = \"0 /m\"\n[atmosphere.layers.ozone]\nabsorption = \"0 /m\"\n"
+        "[atmosphere.layers.o3]\nprofile = \"standard\"\ngas = \"ozone\"\ncolumn = \"300 DU\"",
+        usage},
+    DiagnosticCode{
+        "E0147", "wavelengths that an asset cannot hold",
+        "Tables of transmittance and of multiple scattering hold one channel for each wavelength, "
+        "and files have at most four. Tables of light (sky_view, environment, irradiance) hold "
+        "colours made of any number of wavelengths if the recipe has [color] or asks for the best "
+        "ones; one wavelength alone has no colour. All other tables hold one or three wavelengths.",
+        "preset = \"earth\"\nwavelengths = \"380 nm..780 nm by 5 nm\"\n"
+        "[atmosphere.layers.rayleigh]\nscattering = \"1e-5 /m\"\n"
+        "[atmosphere.layers.ozone]\nabsorption = \"0 /m\"\n[bake.transmittance]",
+        "preset = \"earth\"\nwavelengths = [\"680 nm\", \"550 nm\", \"440 nm\"]\n"
+        "[bake.transmittance]",
+        usage},
     DiagnosticCode{
         "E0143", "atmosphere that the convention cannot express",
         "takram's AtmosphereParameters have three wavelengths and at most three layers: an "

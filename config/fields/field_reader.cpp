@@ -60,16 +60,6 @@ std::optional<FieldValue> read_one_choice(const Reader& reader, const Value& val
     return read_choice(reader, value);
 }
 
-std::optional<FieldValue> read_wavelengths(const Reader& reader, const Value& value) {
-    std::optional<std::vector<double>> numbers = read_numbers(reader, value);
-    if (!numbers) return std::nullopt;
-    if (numbers->size() != 1 && numbers->size() != 3) {
-        report_count(reader, value, numbers->size(), "expected one wavelength, or three");
-        return std::nullopt;
-    }
-    return std::move(*numbers);
-}
-
 std::optional<FieldValue> read_angles(const Reader& reader, const Value& value) {
     std::optional<std::vector<double>> numbers = read_numbers(reader, value);
     if (!numbers) return std::nullopt;

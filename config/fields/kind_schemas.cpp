@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/fields/fields.h"
+#include "config/fields/wavelength_reader.h"
 
 namespace skybake::config {
 namespace {
@@ -71,6 +72,14 @@ Json numbers_schema(const Field& field) {
 
 Json one_or_numbers_schema(const Field& field) {
     return one_or_list(number_schema(field), field.kind.fewest, field.kind.most);
+}
+
+Json wavelengths_schema(const Field& field) {
+    Json schema = one_or_numbers_schema(field);
+    const std::string best = "^best (" + best_wavelength_counts() + ")$";
+    schema["anyOf"].push_back({{"type", "string"}, {"pattern", best}});
+    schema["anyOf"].push_back({{"type", "string"}, {"pattern", "^.+\\.\\..+ by .+$"}});
+    return schema;
 }
 
 Json wholes_schema(const Field& field) {

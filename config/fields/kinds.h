@@ -47,7 +47,7 @@ struct ValueKind {
 
 ReadKind read_flag, read_whole, read_quantity, read_text, read_text_list, read_path_groups;
 ReadKind read_one_choice, read_choice_list;
-// These take, in this order, one or three wavelengths, one number per channel, and up to
+// These take, in this order, wavelengths (wavelength_reader.cpp), one number per channel, and up to
 // most_angles angles.
 ReadKind read_wavelengths, read_channels, read_angles;
 ReadKind read_size, read_voxels;  // two whole numbers; three whole numbers
@@ -73,6 +73,7 @@ KindSchema path_groups_schema, choice_schema, choice_list_schema, seed_schema, s
 KindSchema numbers_schema;         // a list of `fewest` to `most` numbers
 KindSchema one_or_numbers_schema;  // a number, or a list of `fewest` to `most` numbers
 KindSchema wholes_schema;          // a list of `fewest` to `most` whole numbers
+KindSchema wavelengths_schema;     // one_or_numbers_schema, or a text
 KindSchema frequency_schema, frequencies_schema, clamp_schema, levels_schema, power_of_two_schema;
 KindSchema density_table_schema, height_table_schema;
 
@@ -92,6 +93,9 @@ struct Scales {
                                           inverse_length_to_string};
     static constexpr Scale number_density{Dimension::number_density, number_density_to_string,
                                           number_density_to_string};
+    static constexpr Scale pressure{Dimension::pressure, pressure_to_string, pressure_to_string};
+    static constexpr Scale column_density{Dimension::column_density, column_density_to_string,
+                                          column_density_to_string};
     static constexpr Scale angle{Dimension::angle, angle_to_string, degrees_to_string};
 };
 
@@ -99,6 +103,7 @@ struct Scales {
 
 inline constexpr int most_angles = 64;
 inline constexpr int most_octaves = 16;
+inline constexpr int most_wavelengths = 512;
 
 constexpr ValueKind list_kind(std::string_view words, ReadKind* read, KindSchema* schema,
                               const Scale* scale, int fewest, int most,
@@ -129,20 +134,30 @@ struct Kind {
         list_kind("two lengths, the smaller one first, such as [\"0 km\", \"3 km\"]", read_bounds,
                   numbers_schema, &S::length, 2, 2);
     static constexpr ValueKind wavelengths = list_kind(
-        "a list of wavelengths, such as [\"680 nm\", \"550 nm\", \"440 nm\"]", read_wavelengths,
-        one_or_numbers_schema, &S::wavelength, 1, 3, RangeOver::numbers);
+        "a list of wavelengths, such as [\"680 nm\", \"550 nm\", \"440 nm\"], \"best 4\", or a "
+        "range, such as \"380 nm..780 nm by 5 nm\"",
+        read_wavelengths, wavelengths_schema, &S::wavelength, 1, most_wavelengths,
+        RangeOver::numbers);
     static constexpr ValueKind coefficient{"a coefficient with a unit, such as \"40 /km\"",
                                            read_quantity, number_schema, &S::inverse_length,
                                            RangeOver::numbers};
     static constexpr ValueKind coefficients = list_kind(
         "a coefficient with a unit, such as \"4e-6 /m\", or a list of one per channel",
-        read_channels, one_or_numbers_schema, &S::inverse_length, 1, 3, RangeOver::numbers);
+        read_channels, one_or_numbers_schema, &S::inverse_length, 1, most_wavelengths,
+        RangeOver::numbers);
     static constexpr ValueKind fractions =
         list_kind("a fraction, such as 0.3 or \"30 %\", or a list of one per channel",
-                  read_channels, one_or_numbers_schema, &S::fraction, 1, 3, RangeOver::numbers);
+                  read_channels, one_or_numbers_schema, &S::fraction, 1, most_wavelengths,
+                  RangeOver::numbers);
     static constexpr ValueKind number_density{"a number per volume, such as \"300 /cm3\"",
                                               read_quantity, number_schema, &S::number_density,
                                               RangeOver::numbers};
+    static constexpr ValueKind pressure{"a pressure with a unit, such as \"1013.25 hPa\"",
+                                        read_quantity, number_schema, &S::pressure,
+                                        RangeOver::numbers};
+    static constexpr ValueKind column_density{
+        "a number of molecules per area, such as \"300 DU\" or \"4e26 /m2\"", read_quantity,
+        number_schema, &S::column_density, RangeOver::numbers};
     static constexpr ValueKind angle{"an angle with a unit, such as \"30 deg\"", read_quantity,
                                      number_schema, &S::angle, RangeOver::numbers};
     static constexpr ValueKind angles =

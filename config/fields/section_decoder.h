@@ -26,7 +26,8 @@ namespace skybake::config {
 // These are the types of quantities that hold one number in an SI unit.
 template <class T>
 concept SiQuantity = std::same_as<T, Length> || std::same_as<T, InverseLength> ||
-    std::same_as<T, NumberDensity> || std::same_as<T, Angle>;
+    std::same_as<T, NumberDensity> || std::same_as<T, Pressure> || std::same_as<T, ColumnDensity> ||
+    std::same_as<T, Angle>;
 
 // Stores one value of a field in a member. Both come from the same row, so their types fit.
 template <class T>

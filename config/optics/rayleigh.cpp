@@ -1,6 +1,5 @@
 // Scattering by the molecules of air, without absorption.
-#include <cmath>
-
+#include "config/optics/elementary.h"
 #include "config/optics/gases.h"
 
 namespace skybake::config {
@@ -15,7 +14,7 @@ double rayleigh_cross_section_m2(Length wavelength) {
     constexpr Fit kShort = {3.01577e-28, 3.55212, 1.35579, 0.11563};
     constexpr Fit kLong = {4.01061e-28, 3.99668, 1.10298e-3, 2.71393e-2};
     const Fit& fit = um <= 0.5 ? kShort : kLong;
-    return fit.a_cm2 * 1e-4 * std::pow(um, -(fit.b + fit.c * um + fit.d / um));
+    return fit.a_cm2 * 1e-4 * power(um, -(fit.b + fit.c * um + fit.d / um));
 }
 
 // Bates 1984 (Planet. Space Sci. 32, 785) for nitrogen, oxygen, argon and carbon dioxide, weighted

@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"
+#include "config/fields/wavelength_reader.h"
 #include "config/sections/sections.h"
+#include "config/sections/spectral_air.h"
 #include "config/sweep/sweep.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
@@ -36,6 +39,14 @@ void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere
         std::optional<Layer> layer =
             decode_layer(entry.key, entry.key_place, *table, recipe, decoder);
         if (!layer) continue;
+        const Length thickness{result.top_radius.meters - result.ground_radius.meters};
+        const std::string fault = resolve_matter(*layer, thickness, recipe.wavelengths);
+        if (!fault.empty() && !decoder.diagnostics.has_errors()) {
+            decoder.diagnostics.error(
+                "E0145", entry.key_place,
+                fmt::format("layer `{}`: {}", join_path("atmosphere.layers", entry.key), fault),
+                "choose other wavelengths, another profile or another amount");
+        }
         if (!decoder.diagnostics.has_errors()) {
             check_optical_depth(*layer, result, *table, decoder);
         }
@@ -58,6 +69,23 @@ Atmosphere decode_atmosphere(const Table& root, const Parameters& recipe, Decode
     bind_section(section, atmosphere_fields(), result);
     decode_layers(table, recipe, result, decoder);
     return result;
+}
+
+// Decodes [color], which `wavelengths = "best 4"` implies.
+std::optional<Color> decode_color(const Table& root, Decoder& decoder) {
+    const Entry* entry = find_entry(root, "color");
+    const Entry* wavelengths = find_entry(root, "wavelengths");
+    if (!entry && !(wavelengths && asks_for_best_wavelengths(wavelengths->value))) {
+        return std::nullopt;
+    }
+    const Place place = entry ? entry->key_place : wavelengths->key_place;
+    const DecodedSection section =
+        decode_section(*find_section("color"), "color", place, subtable(root, "color", "", decoder),
+                       Absent::filled_in, decoder);
+    append_values(section, decoder);
+    Color color;
+    bind_section(section, color_fields(), color);
+    return color;
 }
 
 std::optional<Scene> decode_scene(const Table& root, Decoder& decoder) {
@@ -128,6 +156,43 @@ void check_atmosphere(const Table& root, const Parameters& parameters, const Sou
                               "start from preset = \"earth\", or see `skybake init`");
 }
 
+// Returns why an asset cannot hold the recipe's wavelengths, or an empty text.
+std::string fault_of_wavelengths(const Parameters& recipe, UseOfLight use) {
+    constexpr std::size_t most_channels = 4;
+    const std::size_t count = recipe.wavelengths.size();
+    const bool is_rgb = count == 1 || count == 3;
+    const bool is_colored = recipe.color && recipe.color->space != ColorSpace::none;
+    if (use == UseOfLight::colors && is_colored) {
+        return count > 1 ? "" : "cannot make a colour of one wavelength";
+    }
+    if (use == UseOfLight::channels) {
+        return count <= most_channels ? "" : "holds at most four wavelengths, one per channel";
+    }
+    if (use == UseOfLight::none || is_rgb) return "";
+    return use == UseOfLight::rgb ? "holds one or three wavelengths"
+                                  : "holds one or three wavelengths unless [color] has a space";
+}
+
+// Reports assets that cannot hold the recipe's wavelengths.
+void check_wavelengths(const Table& root, const Parameters& recipe, const Source& source,
+                       Decoder& decoder) {
+    if (recipe.wavelengths.empty()) return;  // at fault, which has been reported
+    const Entry* entry = find_entry(root, "wavelengths");
+    for (const Bake& bake : recipe.bakes) {
+        const AssetFacts& facts = kind_of(bake).facts;
+        const auto* table = bake.find<MultipleScatteringBake>();
+        const bool holds_moments = table && table->content == MultipleScatteringContent::moments;
+        const std::string fault =
+            fault_of_wavelengths(recipe, holds_moments ? UseOfLight::rgb : facts.use_of_light);
+        if (fault.empty()) continue;
+        decoder.diagnostics.error(
+            "E0147", entry ? entry->value.place : Place{&source},
+            fmt::format("[bake.{}]: {} {}; the recipe has {}", bake.name, facts.name, fault,
+                        recipe.wavelengths.size()),
+            "give this asset a recipe of its own, or choose other wavelengths");
+    }
+}
+
 }  // namespace
 
 Parameters decode_recipe(const Table& root, const Source& source, Decoder& decoder) {
@@ -139,6 +204,7 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     if (!parameters.wavelengths.empty()) {
         decoder.channels = static_cast<int>(parameters.wavelengths.size());
     }
+    parameters.color = decode_color(root, decoder);
     parameters.particles = decode_all_particles(root, parameters.wavelengths, decoder);
     parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
     parameters.scene = decode_scene(root, decoder);
@@ -146,6 +212,7 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     parameters.clouds = decode_clouds(root, parameters.noises, decoder);
     parameters.bakes = decode_bakes(root, parameters, decoder);
     check_atmosphere(root, parameters, source, decoder);
+    check_wavelengths(root, parameters, source, decoder);
     return parameters;
 }
 
@@ -170,6 +237,7 @@ Section make_section(std::string_view path, std::string_view documentation,
 std::vector<Section> make_sections() {
     std::vector<Section> all = {
         make_section("", "the recipe as a whole", root_fields()),
+        make_section("color", "the colours in which the sky's tables hold light", color_fields()),
         make_section("atmosphere", "the planet and its air", atmosphere_fields()),
         make_section("atmosphere.layers.*", "one kind of gas or particle, under any name",
                      layer_fields()),

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <span>
 #include <utility>
 
 #include "config/fields/section_decoder.h"
+#include "config/optics/standard_profiles.h"
 #include "config/sections/sections.h"
+#include "config/sections/spectral_air.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 
@@ -55,6 +58,8 @@ double density_column(const Layer& layer, Length thickness) {
                                  top);
         case Profile::tabulated:
             return tabulated_column(layer.table, top);
+        case Profile::standard:
+            break;  // is tabulated when it is bound
     }
     return 0;
 }
@@ -176,19 +181,134 @@ bool is_of_particles(const DecodedSection& layer) {
     return choice_of<Phase>(phase) == Phase::mie;
 }
 
-// Removes the coefficients of a layer of particles and reports any that are given. They follow from
-// the particles, and given ones would contradict them.
-void leave_coefficients_to_particles(DecodedSection& layer, Decoder& decoder) {
-    for (const std::string_view key :
-         {"scattering", "extinction", "absorption", "single_scattering_albedo"}) {
+// What a layer's coefficients follow from.
+enum class Matter { numbers, particles, gas, aerosol };
+
+Matter matter_of(const DecodedSection& layer) {
+    if (is_of_particles(layer)) return Matter::particles;
+    if (layer.at("gas").source) return Matter::gas;
+    const bool is_aerosol = layer.at("optical_depth").source || layer.at("visibility").source;
+    return is_aerosol ? Matter::aerosol : Matter::numbers;
+}
+
+// Removes keys that contradict what the layer is made of, and reports those that are given.
+void leave_out(std::initializer_list<std::string_view> keys, std::string_view of,
+               const std::string& reason, DecodedSection& layer, Decoder& decoder) {
+    for (const std::string_view key : keys) {
         DecodedField& decoded = layer.at(key);
         decoded.value.reset();
         if (!decoded.source) continue;
         decoder.diagnostics.error(
             "E0139", decoded.source->place,
-            fmt::format("`{}` cannot be given for a layer of particles",
-                        join_path(layer.path, key)),
-            "phase = \"mie\" computes it from their number and size; leave it out");
+            fmt::format("`{}` cannot be given for a layer of {}", join_path(layer.path, key), of),
+            reason);
+    }
+}
+
+// Leaves a layer's coefficients to what it is made of. Given ones would contradict it.
+void leave_coefficients_to(Matter matter, DecodedSection& layer, Decoder& decoder) {
+    if (matter == Matter::particles) {
+        leave_out({"scattering", "extinction", "absorption", "single_scattering_albedo", "gas",
+                   "optical_depth", "visibility", "angstrom_exponent"},
+                  "particles",
+                  "phase = \"mie\" computes it from their number and size; leave it out", layer,
+                  decoder);
+    } else if (matter == Matter::gas) {
+        leave_out({"scattering", "extinction", "absorption", "single_scattering_albedo",
+                   "optical_depth", "visibility", "angstrom_exponent"},
+                  "a gas", "`gas` knows it at each wavelength; leave it out", layer, decoder);
+    } else if (matter == Matter::aerosol) {
+        leave_out({"scattering", "extinction", "absorption"}, "an aerosol",
+                  "it follows from the optical depth or the visibility; leave it out", layer,
+                  decoder);
+    } else {
+        leave_out({"angstrom_exponent"}, "given coefficients",
+                  "give optical_depth or visibility in place of them", layer, decoder);
+    }
+}
+
+// Returns the number of a field, or another one if it has none.
+double number_or(const DecodedField& decoded, double other) {
+    return decoded.value ? std::get<double>(*decoded.value) : other;
+}
+
+// The exponent of common haze, and the depolarisation of air at 550 nm.
+constexpr double usual_angstrom_exponent = 1.3;
+constexpr double depolarization_of_air = 0.0279;
+
+void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
+    const DecodedField& named = section.at("gas");
+    if (!named.value) return;
+    GasAmount amount;
+    amount.gas = choice_of<Gas>(named).value_or(Gas::air);
+    if (amount.gas == Gas::air) {
+        amount.column = {
+            air_column_per_m2(number_or(section.at("pressure"), kStandardPressure_Pa))};
+    } else {
+        amount.column = {number_or(section.at("column"), 0)};
+    }
+    layer.gas = amount;
+    if (amount.gas != Gas::air) return;
+    if (layer.phase == Phase::rayleigh) {
+        layer.depolarization = number_or(section.at("depolarization"), depolarization_of_air);
+    } else if (section.at("phase").value) {
+        const DecodedField& phase = section.at("phase");
+        decoder.diagnostics.error(
+            "E0139", phase.source ? phase.source->place : section.place,
+            fmt::format("`{}` does not fit gas = \"air\"", join_path(section.path, "phase")),
+            "air scatters with phase = \"rayleigh\"");
+    }
+}
+
+void bind_aerosol(const DecodedSection& section, Decoder& decoder, Layer& layer) {
+    AerosolLaw law;
+    law.angstrom_exponent = number_or(section.at("angstrom_exponent"), usual_angstrom_exponent);
+    const std::vector<double>* albedo = numbers_of(section.at("single_scattering_albedo"));
+    if (albedo) {
+        law.single_scattering_albedo = albedo->front();
+        if (std::any_of(albedo->begin(), albedo->end(),
+                        [&](double value) { return value != albedo->front(); })) {
+            const DecodedField& given = section.at("single_scattering_albedo");
+            decoder.diagnostics.error(
+                "E0139", given.source->place,
+                fmt::format("`{}` must be one value for an aerosol",
+                            join_path(section.path, "single_scattering_albedo")),
+                "give one number for all wavelengths, or coefficients for each");
+        }
+    }
+    const DecodedField& depth = section.at("optical_depth");
+    const DecodedField& visibility = section.at("visibility");
+    if (depth.value) {
+        law.optical_depth = std::get<double>(*depth.value);
+    } else if (visibility.value) {
+        law.extinction = haze_of_visibility({std::get<double>(*visibility.value)});
+    }
+    layer.aerosol = law;
+}
+
+// Takes the measured profile of the layer's gas in place of the word for it.
+void bind_standard_profile(const DecodedSection& section, Decoder& decoder, Layer& layer) {
+    if (layer.profile != Profile::standard) return;
+    layer.profile = Profile::tabulated;
+    if (layer.gas) {
+        for (const ProfilePoint& point : standard_profile(layer.gas->gas)) {
+            layer.table.push_back({{point.altitude_m}, point.relative_density});
+        }
+        return;
+    }
+    const DecodedField& profile = section.at("profile");
+    decoder.diagnostics.error("E0111", profile.source ? profile.source->place : section.place,
+                              fmt::format("`{}` = \"standard\" belongs to a gas, and there is none",
+                                          join_path(section.path, "profile")),
+                              "give the layer a gas, or another profile");
+}
+
+// Files carry the extinction of a layer of numbers in place of its albedo. That of an aerosol stands
+// for itself.
+void carry_albedo(const DecodedSection& section, Decoder& decoder) {
+    const std::string path = join_path(section.path, "single_scattering_albedo");
+    for (ResolvedValue& value : decoder.values) {
+        if (value.path == path) value.only_shown = false;
     }
 }
 
@@ -198,7 +318,14 @@ Layer bind_layer(const std::string& name, const DecodedSection& section, const P
     Layer layer;
     layer.name = name;
     bind_section(section, layer_fields(), layer);
-    if (!is_of_particles(section)) return layer;
+    const Matter matter = matter_of(section);
+    if (layer.phase == Phase::rayleigh) {
+        layer.depolarization = number_or(section.at("depolarization"), 0);
+    }
+    if (matter == Matter::gas) bind_gas(section, decoder, layer);
+    if (matter == Matter::aerosol) bind_aerosol(section, decoder, layer);
+    bind_standard_profile(section, decoder, layer);
+    if (matter != Matter::particles) return layer;
     const Particles* particles =
         find_named(section, "particles", std::span<const Particles>(recipe.particles),
                    particles_reference, decoder);
@@ -221,14 +348,15 @@ std::optional<Layer> decode_layer(const std::string& name, const Place& place, c
         decode_switched_off(section, decoder);
         return std::nullopt;
     }
-    if (is_of_particles(section)) {
-        leave_coefficients_to_particles(section, decoder);
-    } else {
+    const Matter matter = matter_of(section);
+    leave_coefficients_to(matter, section, decoder);
+    if (matter == Matter::numbers) {
         check_extinction(section, decoder);
         derive_extinction(section, decoder);
     }
     check_slab(section, decoder);
     append_values(section, decoder);
+    if (matter == Matter::aerosol) carry_albedo(section, decoder);
     return bind_layer(name, section, recipe, decoder);
 }
 

@@ -12,6 +12,12 @@ constexpr Range altitude_range{-1e9, 1e12};
 constexpr Range thickness_range{1e-3, 1e9};
 constexpr Range wavelength_range{1e-8, 1e-3};
 constexpr Range number_density_range{1e-12, 1e30};
+constexpr Range pressure_range{1e-3, 1e8};
+constexpr Range column_range{1, 1e33};
+constexpr Range aerosol_depth_range{0, 1000};
+constexpr Range visibility_range{1, 3e5};
+constexpr Range angstrom_range{-4, 6};
+constexpr Range depolarization_range{0, 0.5};
 constexpr Range albedo_of_scattering_range{1e-6, 1};
 constexpr Range asymmetry_range{-1, 1, true, true};
 
@@ -23,6 +29,10 @@ constexpr std::array profile_choices = {
            "1 at center_altitude, falling linearly to 0 half_width above and below"},
     Choice{Profile::slab, "slab", "1 between bottom_altitude and top_altitude, 0 elsewhere"},
     Choice{Profile::tabulated, "tabulated", "linear between the entries of table, 0 outside"},
+    Choice{
+        Profile::standard, "standard",
+        "that of the gas in the US Standard Atmosphere 1976, by 10 to 30 altitudes, each of which "
+        "costs time: skies take ten times as long as with an exponential profile"},
 };
 constexpr std::array phase_choices = {
     Choice{Phase::isotropic, "isotropic", "the same in all directions"},
@@ -34,12 +44,24 @@ constexpr std::array phase_choices = {
            "the phase function of [particles.NAME], and with it scattering and extinction"},
 };
 
-// These are the profiles and phases for which a key applies.
+constexpr std::array gas_choices = {
+    Choice{Gas::air, "air", "scatters by Rayleigh's law (Bucholtz 1995)"},
+    Choice{Gas::ozone, "ozone", "absorbs yellow light, and ultraviolet"},
+    Choice{Gas::nitrogen_dioxide, "nitrogen_dioxide", "absorbs blue light: brown air of cities"},
+    Choice{Gas::oxygen, "oxygen", "absorbs in bands of the far red, taken as their means"},
+    Choice{Gas::water_vapor, "water_vapor", "absorbs in bands of the red, taken as their means"},
+};
+
+// These are the profiles, phases and gases for which a key applies.
 constexpr std::string_view exponential[] = {"exponential"};
 constexpr std::string_view tent[] = {"tent"};
 constexpr std::string_view slab[] = {"slab"};
 constexpr std::string_view tabulated[] = {"tabulated"};
 constexpr std::string_view mie[] = {"mie"};
+constexpr std::string_view rayleigh[] = {"rayleigh"};
+constexpr std::string_view air[] = {"air"};
+constexpr std::string_view absorbing_gases[] = {"ozone", "nitrogen_dioxide", "oxygen",
+                                                "water_vapor"};
 constexpr std::string_view with_asymmetry[] = {"henyey_greenstein", "cornette_shanks"};
 
 const std::array root_table = {
@@ -65,8 +87,9 @@ const std::array root_table = {
                .kind = Kind::wavelengths,
                .range = wavelength_range,
                .fallback = R"(["680 nm", "550 nm", "440 nm"])",
-               .documentation = "wavelengths, one per channel: three (R, G, B) or one (Y)",
-               .hint = "visible light is 380 nm to 750 nm",
+               .documentation = "wavelengths of light: one channel for each, or with [color] any "
+                                "number that are turned into colours",
+               .hint = "visible light is 380 nm to 750 nm; \"best 4\" is enough for its colours",
                .citation = bruneton_2008},
               &Parameters::wavelengths},
 };
@@ -180,6 +203,59 @@ const std::array layer_table = {
          .selected_by = tabulated,
          .role = Role::geometry},
         &Layer::table},
+    LayerField{{.key = "gas",
+                .kind = Kind::choice,
+                .choices = gas_choices,
+                .documentation = "gas whose coefficients are looked up at each wavelength",
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "pressure",
+                .kind = Kind::pressure,
+                .range = pressure_range,
+                .fallback = R"("1013.25 hPa")",
+                .documentation = "pressure of the air at the ground, which says how much there is",
+                .hint = "840 hPa at 1500 m above the sea",
+                .selector = "gas",
+                .selected_by = air,
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "column",
+                .kind = Kind::column_density,
+                .range = column_range,
+                .required = true,
+                .documentation = "molecules of the gas from the ground to the top of the air",
+                .hint = "ozone has 250 to 450 DU, nitrogen dioxide 0.1 to 1 DU, oxygen 4.5e28 /m2, "
+                        "water vapour 4.7e26 /m2 (14 mm of water)",
+                .selector = "gas",
+                .selected_by = absorbing_gases,
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "optical_depth",
+                .kind = Kind::number,
+                .range = aerosol_depth_range,
+                .documentation = "optical depth of an aerosol at 550 nm, straight up",
+                .hint = "clean air of mountains has 0.02 to 0.05, haze 0.3",
+                .exclusive_group = "amount",
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "visibility",
+                .kind = Kind::length,
+                .range = visibility_range,
+                .documentation = "distance at which things vanish in the haze at the ground",
+                .hint = "clear air has 50 km, haze 5 km, fog less than 1 km",
+                .citation = "Koschmieder 1924",
+                .exclusive_group = "amount",
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "angstrom_exponent",
+                .kind = Kind::number,
+                .range = angstrom_range,
+                .documentation = "exponent by which an aerosol's extinction falls with wavelength; "
+                                 "without it 1.3",
+                .hint = "dust and sea salt have 0 to 0.5, smoke 2",
+                .citation = "Angstrom 1929",
+                .role = Role::particles},
+               {}},
     LayerField{{.key = "scattering",
                 .kind = Kind::coefficients,
                 .range = coefficient_range,
@@ -234,6 +310,16 @@ const std::array layer_table = {
                 .selected_by = with_asymmetry,
                 .role = Role::phase},
                &Layer::g},
+    LayerField{{.key = "depolarization",
+                .kind = Kind::number,
+                .range = depolarization_range,
+                .documentation = "how much of the light scattered by 90 degrees is depolarised; "
+                                 "without it 0, and for gas = \"air\" 0.0279",
+                .citation = "Bates 1984",
+                .selector = "phase",
+                .selected_by = rayleigh,
+                .role = Role::phase},
+               {}},
     LayerField{{.key = "particles",
                 .kind = Kind::text,
                 .required = true,

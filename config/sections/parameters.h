@@ -12,6 +12,7 @@
 
 #include "config/sections/atmosphere.h"
 #include "config/sections/cloud.h"
+#include "config/sections/color.h"
 #include "config/sections/noise.h"
 #include "config/sections/particles.h"
 #include "config/sections/scene.h"
@@ -49,7 +50,8 @@ struct Bake {
 };
 
 struct Parameters {
-    std::vector<Length> wavelengths;  // one per channel: 1 (luminance, Y) or 3 (R, G, B)
+    std::vector<Length> wavelengths;  // without `color`, one per channel: Y, or R, G, B
+    std::optional<Color> color;       // of the sky's tables of light
     Atmosphere atmosphere;            // has no radii and no layers if a recipe has only noises
     std::optional<Scene> scene;
     std::vector<Particles> particles;  // sorted by name

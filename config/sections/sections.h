@@ -9,6 +9,7 @@
 #include "config/fields/section_decoder.h"
 #include "config/sections/atmosphere.h"
 #include "config/sections/cloud.h"
+#include "config/sections/color.h"
 #include "config/sections/noise.h"
 #include "config/sections/parameters.h"
 #include "config/sections/particles.h"
@@ -22,6 +23,7 @@ namespace skybake::config {
 using RootField = Row<Parameters>;
 using AtmosphereField = Row<Atmosphere>;
 using LayerField = Row<Layer>;
+using ColorField = Row<Color>;
 using SceneField = Row<Scene>;
 using ParticlesField = Row<Particles>;
 using NoiseField = Row<Noise>;
@@ -35,6 +37,7 @@ using TowerScatterField = Row<TowerScatter>;
 std::span<const RootField> root_fields();
 std::span<const AtmosphereField> atmosphere_fields();
 std::span<const LayerField> layer_fields();
+std::span<const ColorField> color_fields();
 std::span<const SceneField> scene_fields();
 std::span<const ParticlesField> particles_fields();
 std::span<const NoiseField> noise_fields();

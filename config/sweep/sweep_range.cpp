@@ -32,6 +32,10 @@ std::string_view base_unit(Dimension dimension) {
             return "/m";
         case Dimension::number_density:
             return "/m3";
+        case Dimension::pressure:
+            return "Pa";
+        case Dimension::column_density:
+            return "/m2";
         case Dimension::angle:
             return "rad";
         case Dimension::number:

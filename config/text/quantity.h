@@ -23,6 +23,17 @@ struct NumberDensity {
     bool operator==(const NumberDensity&) const = default;
 };
 
+struct Pressure {
+    double pascals = 0;
+    bool operator==(const Pressure&) const = default;
+};
+
+// This is a number of molecules per area, of a gas from the ground to the top of the air.
+struct ColumnDensity {
+    double per_square_meter = 0;
+    bool operator==(const ColumnDensity&) const = default;
+};
+
 struct Angle {
     double radians = 0;
     bool operator==(const Angle&) const = default;

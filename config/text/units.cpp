@@ -14,7 +14,7 @@
 namespace skybake::config {
 namespace {
 
-// Each unit is a power of ten of its base unit, except the degree. Other spellings of a unit are
+// Each unit is a power of ten of its base unit, except the degree and Dobson's unit. Other spellings of a unit are
 // read but not listed.
 struct Unit {
     std::string_view name;
@@ -48,6 +48,18 @@ constexpr std::array units = {
     Unit{"1/cm3", Dimension::number_density, 6, alias},
     Unit{"m^-3", Dimension::number_density, 0, alias},
     Unit{"cm^-3", Dimension::number_density, 6, alias},
+    Unit{"Pa", Dimension::pressure, 0},
+    Unit{"hPa", Dimension::pressure, 2},
+    Unit{"kPa", Dimension::pressure, 3},
+    Unit{"bar", Dimension::pressure, 5},
+    Unit{"mbar", Dimension::pressure, 2, alias},
+    Unit{"/m2", Dimension::column_density, 0},
+    Unit{"/cm2", Dimension::column_density, 4},
+    Unit{"DU", Dimension::column_density, 16, true, 26867},  // of Dobson
+    Unit{"1/m2", Dimension::column_density, 0, alias},
+    Unit{"1/cm2", Dimension::column_density, 4, alias},
+    Unit{"m^-2", Dimension::column_density, 0, alias},
+    Unit{"cm^-2", Dimension::column_density, 4, alias},
     Unit{"deg", Dimension::angle, 0, true, std::numbers::pi / 180},
     Unit{"rad", Dimension::angle, 0},
 };
@@ -227,6 +239,10 @@ std::string_view dimension_name(Dimension dimension) {
             return "a coefficient (1/length)";
         case Dimension::number_density:
             return "a number of particles per volume";
+        case Dimension::pressure:
+            return "a pressure";
+        case Dimension::column_density:
+            return "a number of molecules per area";
         case Dimension::angle:
             return "an angle";
     }
@@ -261,6 +277,12 @@ std::string inverse_length_to_string(double per_meter) {
 
 std::string number_density_to_string(double per_cubic_meter) {
     return number_to_string(per_cubic_meter) + " /m3";
+}
+
+std::string pressure_to_string(double pascals) { return number_to_string(pascals) + " Pa"; }
+
+std::string column_density_to_string(double per_square_meter) {
+    return number_to_string(per_square_meter) + " /m2";
 }
 
 std::string angle_to_string(double radians) { return number_to_string(radians) + " rad"; }

@@ -3,8 +3,8 @@
 //
 // Reading and spelling do not depend on the locale. They are exact where decimal arithmetic can be:
 // a power-of-ten unit is added to the decimal exponent before the one rounding to double, so that
-// "8 km" is 8000 and "680 nm" is the double next to 6.8e-7. Base units are metre, 1/m, 1/m3, radian
-// and 1.
+// "8 km" is 8000 and "680 nm" is the double next to 6.8e-7. Base units are metre, 1/m, 1/m3, pascal,
+// 1/m2, radian and 1.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace skybake::config {
 
-enum class Dimension { number, fraction, length, inverse_length, number_density, angle };
+enum class Dimension { number, fraction, length, inverse_length, number_density, pressure, column_density, angle };
 
 struct Quantity {
     double value = 0;                         // finite, in base units; never -0
@@ -56,6 +56,8 @@ std::string length_to_string(double meters);                   // "8000 m"
 std::string wavelength_to_string(double meters);               // "680 nm"
 std::string inverse_length_to_string(double per_meter);        // "5.802e-06 /m"
 std::string number_density_to_string(double per_cubic_meter);  // "1e+08 /m3"
+std::string pressure_to_string(double pascals);                // "101325 Pa"
+std::string column_density_to_string(double per_square_meter); // "8e+22 /m2"
 std::string angle_to_string(double radians);                   // "0.925 rad"
 
 }  // namespace skybake::config

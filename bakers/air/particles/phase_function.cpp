@@ -25,6 +25,12 @@ PhaseFunction make_phase_function(config::Phase phase, double g) {
     return {factor, factor, g};
 }
 
+PhaseFunction make_rayleigh_phase(double depolarization) {
+    const double gamma = depolarization / (2 - depolarization);
+    const double factor = 3 / (16 * std::numbers::pi * (1 + 2 * gamma));
+    return {factor * (1 + 3 * gamma), factor * (1 - gamma), 0};
+}
+
 double phase_value(const PhaseFunction& phase, double one_minus_cosine, double one_plus_cosine) {
     if (phase.table) return tabulated_phase_value(*phase.table, one_minus_cosine, one_plus_cosine);
     return HWY_NAMESPACE::closed_phase_value(phase.constant, phase.quadratic, phase.g,

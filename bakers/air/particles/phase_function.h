@@ -33,6 +33,13 @@ struct PhaseFunction {
 // Makes a phase function of a closed form: `phase` must not be mie.
 PhaseFunction make_phase_function(config::Phase phase, double g);
 
+// Makes Rayleigh's phase function of molecules that are no spheres, which depolarise the share
+// `depolarization` of light scattered by 90 degrees (Bates 1984, Bucholtz 1995):
+//
+//   a = 3 (1 + 3 gamma) / (16 pi (1 + 2 gamma)),  b = 3 (1 - gamma) / (16 pi (1 + 2 gamma)),
+//   gamma = rho / (2 - rho)
+PhaseFunction make_rayleigh_phase(double depolarization);
+
 // Returns p in 1/sr for the cosine nu, given as 1 - nu and 1 + nu.
 double phase_value(const PhaseFunction& phase, double one_minus_cosine, double one_plus_cosine);
 

@@ -150,7 +150,7 @@ std::optional<TracedLight> traced(const Parameters& parameters,
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    return TracedLight{air->medium().air.channels, at, light_looked_up(places_in, at), trace};
+    return TracedLight{air->medium().air.channels, at, light_looked_up(places_in, at), {trace}};
 }
 
 void draft(AerialPerspectiveBake& asset, int) {

@@ -142,8 +142,10 @@ std::optional<TracedLight> traced_irradiance(const Parameters& parameters,
         }
         return light;
     };
-    return TracedLight{air->medium().air.channels, places_of(samples), found,
-                       trace_of_irradiance(air, samples, config::SkyOrders::all)};
+    return TracedLight{air->medium().air.channels,
+                       places_of(samples),
+                       found,
+                       {trace_of_irradiance(air, samples, config::SkyOrders::all)}};
 }
 
 // Cameras near the ground, in the middle of the air and high above, under suns of the table.
@@ -221,8 +223,10 @@ std::optional<TracedLight> traced_scattering(const Parameters& parameters,
         }
         return light;
     };
-    return TracedLight{air->medium().air.channels, places_of(samples), found,
-                       trace_of_table(air, samples, asset)};
+    return TracedLight{air->medium().air.channels,
+                       places_of(samples),
+                       found,
+                       {trace_of_table(air, samples, asset)}};
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters, const BrunetonBake& asset) {

@@ -26,15 +26,17 @@ namespace {
 
 Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const SkyLight light(parameters.atmosphere, asset.orders, asset.layers, options);
-    return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
+    const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
+        return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
+    });
+    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
         return bake_environment(found, asset, options,
-                                labelled_table(parameters, std::move(label)));
+                                labelled_light_table(parameters, std::move(label)));
     });
 }
 
 std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
-    return light_needs(parameters.atmosphere, asset.orders, true);
+    return light_needs(parameters, asset.orders, true);
 }
 
 Estimate estimate(const Parameters&, const EnvironmentBake& asset) {
@@ -62,7 +64,6 @@ AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const Stored
 
 std::optional<TracedLight> traced(const Parameters& parameters, const EnvironmentBake& asset) {
     if (asset.orders == config::SkyOrders::single) return std::nullopt;
-    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const Shell shell = shell_of(parameters.atmosphere);
     const double altitude_km = asset.altitude.kilometers();
     const double dip_deg = SkyViewCamera(shell, altitude_km).dip() * kDegreesPerRadian;
@@ -78,9 +79,12 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Environmen
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    return TracedLight{air->medium().air.channels, places_of(samples),
+    const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
+        return trace_of_sky(std::move(air), samples, asset.orders, true);
+    };
+    return TracedLight{light_channels(parameters), places_of(samples),
                        light_looked_up(places_in, std::move(at)),
-                       trace_of_sky(air, samples, asset.orders, true)};
+                       traces_of_packets(parameters, trace_of)};
 }
 
 void draft(EnvironmentBake& asset, int) {

@@ -105,16 +105,18 @@ TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
     return model;
 }
 
-config::Outcome<Baked> bake_environment(const SkyLight& light, const EnvironmentBake& bake,
+config::Outcome<Baked> bake_environment(const SkyLights& lights, const EnvironmentBake& bake,
                                         const BakeOptions& options, Baked table) {
-    const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
-    describe(bake, camera, light.shell(), table);
+    const Shell& shell = lights.first().shell();
+    const SkyViewCamera camera(shell, bake.altitude.kilometers());
+    describe(bake, camera, shell, table);
     const auto place_of = [](double x, double y) {
         return Place{{"azimuth_deg", environment_azimuth_deg(x)},
                      {"elevation_deg", environment_elevation_deg(y)}};
     };
+    const SunZenith sun = sun_at_elevation(bake.sun_elevation.radians);
     const TableModel model =
-        environment_model(light, camera, sun_at_elevation(bake.sun_elevation.radians));
+        lights.model([&](const SkyLight& light) { return environment_model(light, camera, sun); });
     AccuracyRequest request = sky_table_request(bake.size);
     // The horizon lies within a row of texels, so more rows must be measured than of sky_view.
     request.quick_search = {64, 36, 8, 6, 64};

@@ -1,6 +1,7 @@
 // The sky and the ground around a camera, by longitude and latitude (asset = "environment").
 #pragma once
 
+#include "bakers/assets/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
@@ -24,7 +25,8 @@ TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
 
 // Bakes the sky from one altitude under one sun, without the sun's disc. `table` comes with name,
 // parameters and channel names.
-config::Outcome<Baked> bake_environment(const SkyLight& light, const config::EnvironmentBake& bake,
+config::Outcome<Baked> bake_environment(const SkyLights& lights,
+                                        const config::EnvironmentBake& bake,
                                         const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -28,16 +28,19 @@ using config::IrradianceBake;
 
 Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const SkyLight light(parameters.atmosphere, orders_of(asset), asset.layers, options);
-    return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
-        return bake_irradiance(found, asset, options, labelled_table(parameters, std::move(label)));
+    const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
+        return std::make_unique<SkyLight>(atmosphere, orders_of(asset), asset.layers, options);
+    });
+    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
+        return bake_irradiance(found, asset, options,
+                               labelled_light_table(parameters, std::move(label)));
     });
 }
 
 std::vector<Need> needs(const Parameters& parameters, const IrradianceBake& asset, Certification) {
     if (asset.content == config::IrradianceContent::direct) return {};
     const config::SkyOrders orders = orders_of(asset);
-    return light_needs(parameters.atmosphere, orders, orders != config::SkyOrders::multiple);
+    return light_needs(parameters, orders, orders != config::SkyOrders::multiple);
 }
 
 Estimate estimate(const Parameters&, const IrradianceBake& asset) {
@@ -86,22 +89,23 @@ Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
 
 std::optional<TracedLight> traced(const Parameters& parameters, const IrradianceBake& asset) {
     if (orders_of(asset) == config::SkyOrders::single) return std::nullopt;
-    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    TraceOfPlace trace = trace_of_irradiance(air, samples, orders_of(asset));
-    if (asset.content == config::IrradianceContent::total) {
-        trace = [=, of_sky = std::move(trace)](std::size_t place,
-                                               const PathTracerSettings& settings) {
-            PathTracedRadiance light = of_sky(place, settings);
-            light.radiance += sunlight_on(*air, samples[place]);
-            return light;
-        };
-    }
-    return TracedLight{air->medium().air.channels, places_of(samples),
-                       light_looked_up(places_in, irradiance_probes_at(samples)), std::move(trace)};
+    const auto trace_of = [&](const std::shared_ptr<const TracedAir>& air) -> TraceOfPlace {
+        TraceOfPlace trace = trace_of_irradiance(air, samples, orders_of(asset));
+        if (asset.content != config::IrradianceContent::total) return trace;
+        return
+            [=, of_sky = std::move(trace)](std::size_t place, const PathTracerSettings& settings) {
+                PathTracedRadiance light = of_sky(place, settings);
+                light.radiance += sunlight_on(*air, samples[place]);
+                return light;
+            };
+    };
+    return TracedLight{light_channels(parameters), places_of(samples),
+                       light_looked_up(places_in, irradiance_probes_at(samples)),
+                       traces_of_packets(parameters, trace_of)};
 }
 
 void draft(IrradianceBake& asset, int) {

@@ -107,10 +107,11 @@ TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
     return model;
 }
 
-config::Outcome<Baked> bake_irradiance(const SkyLight& light, const IrradianceBake& bake,
+config::Outcome<Baked> bake_irradiance(const SkyLights& lights, const IrradianceBake& bake,
                                        const BakeOptions& options, Baked table) {
     const auto mapping = bake.mapping;
-    describe(bake, light.shell(), table);
+    const Shell shell = lights.first().shell();
+    describe(bake, shell, table);
     AccuracyRequest request;
     request.size = bake.size;
     request.max_texel_error = bake.max_texel_error;
@@ -118,12 +119,13 @@ config::Outcome<Baked> bake_irradiance(const SkyLight& light, const IrradianceBa
     request.full = {64, 16};
     request.quick_search = {64, 32, 8, 8, 128};
     request.full_search = {128, 64, 16, 16, 512};
-    const auto place_of = [&light, mapping](double x, double y) {
-        return Place{{"altitude_km", irradiance_altitude_km(light.shell(), y)},
+    const auto place_of = [shell, mapping](double x, double y) {
+        return Place{{"altitude_km", irradiance_altitude_km(shell, y)},
                      {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
     };
-    return finish_table(irradiance_model(light, bake), request, options, place_of,
-                        std::move(table));
+    const TableModel model =
+        lights.model([&](const SkyLight& light) { return irradiance_model(light, bake); });
+    return finish_table(model, request, options, place_of, std::move(table));
 }
 
 }  // namespace skybake

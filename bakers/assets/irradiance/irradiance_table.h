@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bakers/air/ray.h"
+#include "bakers/assets/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
@@ -26,7 +27,7 @@ TableModel irradiance_model(const SkyLight& light, const config::IrradianceBake&
 config::SkyOrders orders_of(const config::IrradianceBake& bake);
 
 // Bakes the table. `table` comes with name, parameters and channel names.
-config::Outcome<Baked> bake_irradiance(const SkyLight& light, const config::IrradianceBake& bake,
+config::Outcome<Baked> bake_irradiance(const SkyLights& lights, const config::IrradianceBake& bake,
                                        const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -145,9 +145,12 @@ AssetLookup lookup(const Parameters& parameters, const MultipleScatteringBake& a
         "coefficient alone. altitude_km is from 0 to {}.",
         sun.thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
-    function.value = fmt::format("multiple_scattering(table, {}, altitude_km, sun_cos_zenith, {})",
-                                 sun.thickness_km, sun.axis);
-    return {"multiple_scattering", {with_channels(stored.channels, 3, std::move(function))}};
+    const bool is_of_4 = stored.channels == 4;
+    function.value =
+        fmt::format("multiple_scattering{}(table, {}, altitude_km, sun_cos_zenith, {})",
+                    is_of_4 ? "_of_4" : "", sun.thickness_km, sun.axis);
+    return {"multiple_scattering",
+            {with_channels(stored.channels, is_of_4 ? 4 : 3, std::move(function))}};
 }
 
 // Cameras near the ground, in the scene if there is one.
@@ -195,8 +198,10 @@ std::optional<TracedLight> traced(const Parameters& parameters,
         const TableOrders orders(air->medium(), table.image(), degree, place);
         return sky_of_table(air->medium(), orders, samples, threads);
     };
-    return TracedLight{air->medium().air.channels, places_of(samples), found,
-                       trace_of_sky(air, samples, config::SkyOrders::all, false)};
+    return TracedLight{air->medium().air.channels,
+                       places_of(samples),
+                       found,
+                       {trace_of_sky(air, samples, config::SkyOrders::all, false)}};
 }
 
 void draft(MultipleScatteringBake& asset, int) {

@@ -47,15 +47,18 @@ std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphe
 
 Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const auto light = light_of_view(parameters.atmosphere, asset, options);
-    return bake_of_light(*light, label.name, options, [&](const SkyLight& found) {
-        return bake_sky_view(found, asset, options, labelled_table(parameters, std::move(label)));
+    const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
+        return light_of_view(atmosphere, asset, options);
+    });
+    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
+        return bake_sky_view(found, asset, options,
+                             labelled_light_table(parameters, std::move(label)));
     });
 }
 
 std::vector<Need> needs(const Parameters& parameters, const SkyViewBake& asset, Certification) {
     if (is_from_strips(asset)) return {};
-    return light_needs(parameters.atmosphere, asset.orders, true);
+    return light_needs(parameters, asset.orders, true);
 }
 
 Estimate estimate(const Parameters&, const SkyViewBake& asset) {
@@ -120,7 +123,6 @@ AssetLookup lookup(const Parameters& parameters, const SkyViewBake& asset,
 
 std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBake& asset) {
     if (asset.orders == config::SkyOrders::single) return std::nullopt;
-    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     std::vector<double> elevations_deg;
     for (const config::Angle& elevation : asset.sun_elevations) {
         elevations_deg.push_back(elevation.radians * kDegreesPerRadian);
@@ -138,9 +140,12 @@ std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBak
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    return TracedLight{air->medium().air.channels, places_of(samples),
+    const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
+        return trace_of_sky(std::move(air), samples, asset.orders, true);
+    };
+    return TracedLight{light_channels(parameters), places_of(samples),
                        light_looked_up(places_in, std::move(at)),
-                       trace_of_sky(air, samples, asset.orders, true)};
+                       traces_of_packets(parameters, trace_of)};
 }
 
 void draft(SkyViewBake& asset, int) {

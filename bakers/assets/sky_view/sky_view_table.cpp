@@ -122,10 +122,11 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
     return model;
 }
 
-config::Outcome<Baked> bake_sky_view(const SkyLight& light, const SkyViewBake& bake,
+config::Outcome<Baked> bake_sky_view(const SkyLights& lights, const SkyViewBake& bake,
                                      const BakeOptions& options, Baked table) {
-    const SkyViewCamera camera(light.shell(), bake.altitude.kilometers());
-    describe(bake, camera, light.shell(), table);
+    const Shell& shell = lights.first().shell();
+    const SkyViewCamera camera(shell, bake.altitude.kilometers());
+    describe(bake, camera, shell, table);
     const AccuracyRequest request = sky_table_request(bake.size);
     config::Outcome<Baked> outcome;
     std::vector<TablePart> parts;
@@ -135,7 +136,9 @@ config::Outcome<Baked> bake_sky_view(const SkyLight& light, const SkyViewBake& b
                          {"above_horizon_deg", camera.angle_at(y) * kDegreesPerRadian},
                          {"sun_elevation_deg", elevation.radians * kDegreesPerRadian}};
         };
-        const TableModel model = sky_view_model(light, camera, sun_at_elevation(elevation.radians));
+        const SunZenith sun = sun_at_elevation(elevation.radians);
+        const TableModel model =
+            lights.model([&](const SkyLight& light) { return sky_view_model(light, camera, sun); });
         config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);
         outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                    part.diagnostics.end());

@@ -1,6 +1,7 @@
 // The baker of `asset = "sky_view"`.
 #pragma once
 
+#include "bakers/assets/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
@@ -17,7 +18,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
 
 // Bakes the sky from one altitude under one sun or several (sky_view_mapping.h), without the sun's
 // disc. `table` comes with name, parameters and channel names.
-config::Outcome<Baked> bake_sky_view(const SkyLight& light, const config::SkyViewBake& bake,
+config::Outcome<Baked> bake_sky_view(const SkyLights& lights, const config::SkyViewBake& bake,
                                      const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -191,6 +191,27 @@ AxisMapping read_axis(const Node& node) {
     return axis;
 }
 
+// Three weights for each wavelength.
+ColorConvention read_color(const Node& node, std::size_t wavelengths) {
+    ColorConvention color = {node["space"].text(), node["white"].text(), node["sun"].text(),
+                             node["observer"].text(), node["is_applied"].flag()};
+    for (const Node& weight : node["weights"].elements(3 * wavelengths)) {
+        color.weights.push_back(weight.number());
+    }
+    return color;
+}
+
+ColorError read_color_error(const Node& node) {
+    ColorError error;
+    error.median = node["median"].number();
+    error.ninth_decile = node["ninth_decile"].number();
+    error.max = node["max"].number();
+    const std::vector<Node> disc = node["disc_at_5_1_0_deg"].elements(error.disc.size());
+    for (std::size_t i = 0; i < disc.size(); ++i) error.disc[i] = disc[i].number();
+    error.skies = node["skies"].integer<int>(0);
+    return error;
+}
+
 Conventions read_conventions(const Node& node) {
     const auto text = [&node](const char* name) {
         return node.has(name) ? node[name].text() : std::string();
@@ -199,9 +220,14 @@ Conventions read_conventions(const Node& node) {
         return node.has(name) ? numbers(node[name]) : std::vector<double>();
     };
     node["texel_origin"].text();
-    return {text("length_unit"),   text("coefficient_unit"), text("angle_unit"),
-            text("radiance_unit"), list("solar_irradiance"), list("wavelengths_nm"),
-            text("up_axis")};
+    Conventions conventions = {text("length_unit"),      text("coefficient_unit"),
+                               text("angle_unit"),       text("radiance_unit"),
+                               list("solar_irradiance"), list("wavelengths_nm")};
+    if (node.has("color")) {
+        conventions.color = read_color(node["color"], conventions.wavelengths_nm.size());
+    }
+    conventions.up_axis = text("up_axis");
+    return conventions;
 }
 
 std::optional<Certificate> read_certificate(const Node& node) {
@@ -226,6 +252,7 @@ std::optional<Certificate> read_certificate(const Node& node) {
                                    sky["left_out"].integer<int>(0),
                                    sky["worst"].text()};
     }
+    if (node.has("color")) certificate.color = read_color_error(node["color"]);
     return certificate;
 }
 

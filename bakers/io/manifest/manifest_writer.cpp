@@ -71,6 +71,14 @@ Json to_json(const AxisMapping& axis) {
             {"constants", to_json(axis.constants)}};
 }
 
+Json color_error_json(const ColorError& error) {
+    return {{"median", error.median},
+            {"ninth_decile", error.ninth_decile},
+            {"max", error.max},
+            {"disc_at_5_1_0_deg", error.disc},
+            {"skies", error.skies}};
+}
+
 Json to_json(const std::optional<Certificate>& certificate) {
     if (!certificate) return nullptr;
     const Certificate& c = *certificate;
@@ -83,6 +91,7 @@ Json to_json(const std::optional<Certificate>& certificate) {
                  {"worst", c.worst},
                  {"advice", c.advice}};
     if (c.sky) json["sky"] = sky_error_json(*c.sky);
+    if (c.color) json["color"] = color_error_json(*c.color);
     return json;
 }
 
@@ -155,6 +164,12 @@ void add_levels(const ManifestAsset& asset, Json& json) {
     }
 }
 
+Json to_json(const ColorConvention& color) {
+    return {
+        {"space", color.space},       {"white", color.white},           {"sun", color.sun},
+        {"observer", color.observer}, {"is_applied", color.is_applied}, {"weights", color.weights}};
+}
+
 // Leaves out members that do not apply to the asset.
 Json to_json(const Conventions& conventions, bool of_volume) {
     Json json = Json::object();
@@ -171,6 +186,7 @@ Json to_json(const Conventions& conventions, bool of_volume) {
     if (!conventions.wavelengths_nm.empty()) {
         json["wavelengths_nm"] = to_json(FactValue(conventions.wavelengths_nm));
     }
+    if (conventions.color) json["color"] = to_json(*conventions.color);
     add_text("up_axis", conventions.up_axis);
     json["texel_origin"] =
         of_volume ? "first voxel u = 0, v = 0, w = 0" : "first column u = 0, first row v = 0";

@@ -102,6 +102,10 @@ std::string error_line(const std::optional<Certificate>& certificate) {
             c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->standard_error, c.sky->points,
             c.sky->reference);
     }
+    if (c.color) {
+        line += fmt::format("colour median {} ninth decile {} max {} ({} skies); ", c.color->median,
+                            c.color->ninth_decile, c.color->max, c.color->skies);
+    }
     line += fmt::format(
         "lookup max {} rms {} ({} points); texel max {} rms {} ({} points); reference: {}; scale: "
         "{}",

@@ -18,7 +18,7 @@ namespace {
 
 // Replicates of an estimate, each by points of its own scrambling: how far their means scatter is
 // the standard error, known to 18 % of itself.
-constexpr std::int64_t kReplicates = 16;
+constexpr auto kReplicates = static_cast<std::int64_t>(kPathReplicates);
 constexpr std::int64_t kPathsPerBlock = 1024;
 // Random paths that find out what weight is usual: few find a mean well enough. They are no part of
 // the estimate: their numbers come from an address that no estimate reaches.
@@ -148,9 +148,9 @@ PathTracedRadiance mean_of_replicates(const std::vector<PathLight>& replicates,
         result.orders[n] = all.orders[n].spectrum() / count;
     }
     Spectrum squares{};
-    for (const PathLight& replicate : replicates) {
-        const Spectrum apart =
-            all_light(replicate) / static_cast<double>(paths_of_replicate) - result.radiance;
+    for (std::size_t i = 0; i < replicates.size(); ++i) {
+        result.replicates[i] = all_light(replicates[i]) / static_cast<double>(paths_of_replicate);
+        const Spectrum apart = result.replicates[i] - result.radiance;
         squares += apart * apart;
     }
     for (std::size_t c = 0; c < kMaxChannels; ++c) {

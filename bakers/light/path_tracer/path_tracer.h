@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -34,11 +35,16 @@ struct PathTracerSettings {
     double length_km = std::numeric_limits<double>::infinity();
 };
 
+// Paths fall into so many parts, each evenly spread by itself, from which the standard error follows.
+inline constexpr std::size_t kPathReplicates = 16;
+
 // Radiance per channel, in 1/sr for a solar irradiance of 1 unless a function states another unit.
 struct PathTracedRadiance {
     Spectrum radiance{};
-    Spectrum standard_error{};                   // of the radiance
-    Spectrum walked{};                           // its part that was found by paths
+    Spectrum standard_error{};  // of the radiance
+    Spectrum walked{};          // its part that was found by paths
+    std::array<Spectrum, kPathReplicates>
+        replicates{};                            // means of `walked` over parts of the paths
     std::array<Spectrum, kPathOrders> orders{};  // 1 to 5, 6 and more
     double flights = 0;                          // of a path, in the mean: what it costs
 };

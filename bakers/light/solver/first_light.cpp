@@ -93,7 +93,7 @@ class FirstLightPass {
           azimuths_(first_azimuths(phases, degree)),
           row_(static_cast<std::size_t>(sunlight.row_size())),
           sines_(suns_),
-          before_(static_cast<std::size_t>(azimuths_) * 4 * suns_),
+          before_(static_cast<std::size_t>(azimuths_) * (kMaxChannels + 1) * suns_),
           sums_(static_cast<std::size_t>(azimuths_) * (layers_ + 1) * kMaxChannels * suns_),
           moments_(static_cast<std::size_t>(moment_count(degree)) * kMaxChannels * suns_),
           irradiance_(kMaxChannels * suns_) {
@@ -191,14 +191,15 @@ FirstLightPass::Place FirstLightPass::place_at(double r_km, const FanRay& ray, d
 void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Spectrum* far,
                               const Spectrum& grazing_before, const Spectrum& grazing) {
     for (int j = 0; j < azimuths_; ++j) {
-        double* before = before_.data() + static_cast<std::size_t>(j) * 4 * suns_;
+        double* before = before_.data() + static_cast<std::size_t>(j) * (kMaxChannels + 1) * suns_;
         const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
         for (std::size_t i = first_; i < last_; i += Lanes::kCount) {
             const Lanes s = Lanes::load(axis_.cosines.data() + i) * Lanes(place.along_km) +
                             Lanes::load(sines_.data() + i) * Lanes(across_km);
             const Lanes height = s - Lanes(place.edge_km);
             const LaneMask up = height >= Lanes(0.0);
-            Lanes here[kMaxChannels] = {Lanes(0.0), Lanes(0.0), Lanes(0.0)};
+            Lanes here[kMaxChannels];
+            for (Lanes& value : here) value = Lanes(0.0);
             if (any(up)) {
                 read_sunlight(place, s, here);
                 for (Lanes& value : here) value = select(up, value, Lanes(0.0));

@@ -1,0 +1,146 @@
+#include "bakers/assets/sky_lights.h"
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "config/fields/fields.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr int kColorChannels = 3;
+
+ColorRequest request_of(const config::Parameters& parameters) {
+    return {parameters.wavelengths, *parameters.color, parameters.atmosphere};
+}
+
+// Makes colours of rows whose channels are wavelengths.
+class RowColors {
+  public:
+    RowColors(std::vector<TableModel> packets, std::shared_ptr<const SkyColors> colors)
+        : packets_(std::move(packets)), colors_(std::move(colors)) {}
+
+    const std::vector<TableModel>& packets() const { return packets_; }
+
+    // `fill` writes a row of one packet.
+    template <class Fill>
+    void row(std::size_t points, double* values, const Fill& fill) const {
+        std::fill_n(values, points * kColorChannels, 0.0);
+        std::vector<double> light;
+        std::size_t first = 0;
+        for (const TableModel& packet : packets_) {
+            const auto channels = static_cast<std::size_t>(packet.channels);
+            light.resize(points * channels);
+            fill(packet, light.data());
+            for (std::size_t i = 0; i < points; ++i) {
+                for (std::size_t c = 0; c < channels; ++c) {
+                    const glm::dvec3 color = light[i * channels + c] * colors_->weights[first + c];
+                    double* to = values + i * kColorChannels;
+                    to[0] += color.x;
+                    to[1] += color.y;
+                    to[2] += color.z;
+                }
+            }
+            first += channels;
+        }
+    }
+
+  private:
+    std::vector<TableModel> packets_;
+    std::shared_ptr<const SkyColors> colors_;
+};
+
+}  // namespace
+
+bool holds_colors(const config::Parameters& parameters) {
+    return parameters.color && parameters.color->space != config::ColorSpace::none;
+}
+
+int light_channels(const config::Parameters& parameters) {
+    return holds_colors(parameters) ? kColorChannels
+                                    : static_cast<int>(parameters.wavelengths.size());
+}
+
+std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
+                                           const BakeOptions& options) {
+    if (!parameters.color || parameters.wavelengths.size() < 2) return nullptr;
+    return colors_of(request_of(parameters), options);
+}
+
+ColorConvention color_convention(const config::Color& color, const SkyColors& colors,
+                                 bool is_applied) {
+    const config::Section& section = *config::find_section("color");
+    const auto word = [&](std::string_view key, auto value) {
+        return std::string(config::choice_name(*config::find_field(section, key), value));
+    };
+    // Weights without colours are for the space that displays have.
+    const config::ColorSpace space =
+        color.space == config::ColorSpace::none ? config::ColorSpace::linear_srgb : color.space;
+    ColorConvention convention = {word("space", space), word("white", color.white),
+                                  word("sun", color.sun), word("observer", color.observer),
+                                  is_applied};
+    for (const glm::dvec3& weight : colors.weights) {
+        convention.weights.insert(convention.weights.end(), {weight.x, weight.y, weight.z});
+    }
+    return convention;
+}
+
+std::vector<Need> color_needs(const config::Parameters& parameters) {
+    if (!parameters.color || parameters.wavelengths.size() < 2) return {};
+    return {need_of(request_of(parameters))};
+}
+
+SkyLights::SkyLights(const config::Parameters& parameters, const BakeOptions& options,
+                     const Make& make) {
+    if (holds_colors(parameters)) colors_ = colors_of(parameters, options);
+    if (!colors_) {
+        owned_.push_back(make(parameters.atmosphere));
+    } else {
+        for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
+            if (options.cancelled()) break;
+            owned_.push_back(make(packet));
+        }
+    }
+    for (const auto& light : owned_) packets_.push_back(light.get());
+}
+
+std::optional<config::Diagnostic> SkyLights::problem(const std::string& name) const {
+    for (const SkyLight* light : packets_) {
+        if (auto found = light->problem(name)) return found;
+    }
+    return std::nullopt;
+}
+
+TableModel SkyLights::model(
+    const std::function<TableModel(const SkyLight& light)>& of_packet) const {
+    if (!colors_) return of_packet(first());
+    std::vector<TableModel> packets;
+    for (const SkyLight* light : packets_) packets.push_back(of_packet(*light));
+    TableModel model = packets.front();
+    model.channels = kColorChannels;
+    // Colours outside the triangle of the space's primaries have negative channels.
+    model.lowest = std::numeric_limits<double>::lowest();
+    for (double& cost : model.cost_per_texel) cost *= static_cast<double>(packets.size());
+    const auto colors = std::make_shared<const RowColors>(std::move(packets), colors_);
+    model.row = [colors](int level, double y, const std::vector<double>& x, double* values) {
+        colors->row(x.size(), values, [&](const TableModel& packet, double* light) {
+            packet.row(level, y, x, light);
+        });
+    };
+    model.reference = [colors](double y, const std::vector<double>& x, double* values) {
+        colors->row(x.size(), values, [&](const TableModel& packet, double* light) {
+            packet.reference(y, x, light);
+        });
+    };
+    return model;
+}
+
+Baked labelled_light_table(const config::Parameters& parameters, AssetLabel label) {
+    Baked table = labelled_table(parameters, std::move(label));
+    if (holds_colors(parameters)) table.channel_names = {"R", "G", "B"};
+    return table;
+}
+
+}  // namespace skybake

@@ -1,0 +1,65 @@
+// The light of all wavelengths of a recipe: of each packet that is computed together, and the colours
+// that a table makes of them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bakers/assets/asset_label.h"
+#include "bakers/field/table_model.h"
+#include "bakers/light/sky_colors.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/math/intermediates.h"
+#include "config/sections/parameters.h"
+
+namespace skybake {
+
+// Whether tables of light hold colours in place of wavelengths.
+bool holds_colors(const config::Parameters& parameters);
+
+// Returns the number of channels of tables of light.
+int light_channels(const config::Parameters& parameters);
+
+// Returns the colours of a recipe that has [color]; null if it has none, or after an interruption.
+std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
+                                           const BakeOptions& options);
+
+// Returns what files say of the colours; `is_applied` says whether their channels are colours.
+ColorConvention color_convention(const config::Color& color, const SkyColors& colors,
+                                 bool is_applied);
+
+// What fitting the colours needs, if the recipe has any.
+std::vector<Need> color_needs(const config::Parameters& parameters);
+
+class SkyLights {
+  public:
+    // The light of a recipe without colours. It must outlive this object.
+    SkyLights(const SkyLight& light) : packets_{&light} {}  // NOLINT: any light is one of lights
+
+    // Makes the light of each packet of the recipe's wavelengths.
+    using Make =
+        std::function<std::unique_ptr<const SkyLight>(const config::Atmosphere& atmosphere)>;
+    SkyLights(const config::Parameters& parameters, const BakeOptions& options, const Make& make);
+
+    // The light of the first wavelengths; what does not depend on them is the same for all.
+    const SkyLight& first() const { return *packets_.front(); }
+
+    // Returns what is wrong with the light of any packet (SkyLight::problem).
+    [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
+
+    // Returns the model of a table of all wavelengths: that of one packet, or the colours made of
+    // the models of all.
+    TableModel model(const std::function<TableModel(const SkyLight& light)>& of_packet) const;
+
+  private:
+    std::vector<std::unique_ptr<const SkyLight>> owned_;
+    std::vector<const SkyLight*> packets_;
+    std::shared_ptr<const SkyColors> colors_;  // null: channels are wavelengths
+};
+
+// Returns a labelled table of light: its channels are colours, if the recipe has them.
+Baked labelled_light_table(const config::Parameters& parameters, AssetLabel label);
+
+}  // namespace skybake

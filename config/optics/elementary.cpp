@@ -1,0 +1,42 @@
+#include "config/optics/elementary.h"
+
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace skybake::config {
+namespace {
+
+// ln 2 in two parts, the first of which has so few bits that its product with an exponent is exact.
+constexpr double ln_2_high = 0x1.62e42feep-1;
+constexpr double ln_2_low = 1.90821492927058770002e-10;
+
+}  // namespace
+
+double logarithm(double x) {
+    assert(x > 0);
+    int exponent = 0;
+    double mantissa = std::frexp(x, &exponent);
+    if (mantissa < 1 / std::numbers::sqrt2) {
+        mantissa *= 2;
+        --exponent;
+    }
+    // ln m = 2 (s + s^3 / 3 + s^5 / 5 + ...) with s = (m - 1) / (m + 1), whose square is below 0.03.
+    const double s = (mantissa - 1) / (mantissa + 1);
+    const double square = s * s;
+    double sum = 0;
+    for (int k = 12; k >= 1; --k) sum = square * (1.0 / (2 * k + 1) + sum);
+    return exponent * ln_2_high + (exponent * ln_2_low + 2 * s * sum + 2 * s);
+}
+
+double exponential(double x) {
+    const double halvings = std::floor(x / std::numbers::ln2 + 0.5);
+    const double rest = (x - halvings * ln_2_high) - halvings * ln_2_low;
+    double sum = 0;
+    for (int k = 16; k >= 1; --k) sum = rest / k * (1 + sum);
+    return std::ldexp(1 + sum, static_cast<int>(halvings));
+}
+
+double power(double base, double exponent) { return exponential(exponent * logarithm(base)); }
+
+}  // namespace skybake::config
