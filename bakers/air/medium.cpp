@@ -45,6 +45,7 @@ std::vector<ProfilePoint> profile_points(const Layer& layer) {
             return points;
         }
         case Profile::exponential:
+        case Profile::standard:  // which recipes hold as a table
             break;
     }
     return {};

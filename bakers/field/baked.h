@@ -41,12 +41,12 @@ struct AxisMapping {
 // How the light of the wavelengths becomes colours: colour = sum over wavelengths of their weights
 // times light.
 struct ColorConvention {
-    std::string space;            // "linear_srgb"
-    std::string white;            // "sun", "space"
-    std::string sun;              // "measured", "flat": the sunlight that the weights contain
-    std::string observer;         // "cie_1931"
-    bool is_applied = false;      // channels are colours; else they are wavelengths
-    std::vector<double> weights;  // three for each of wavelengths_nm, in their order
+    std::string space;                 // "linear_srgb"
+    std::string white;                 // "sun", "space"
+    std::string sun;                   // "measured", "flat": the sunlight that the weights contain
+    std::string observer;              // "cie_1931"
+    bool is_applied = false;           // channels are colours; else they are wavelengths
+    std::vector<double> weights = {};  // three for each of wavelengths_nm, in their order
 };
 
 // The meaning of an asset's numbers. A member is empty if it does not apply: a noise has no

@@ -1,0 +1,219 @@
+#include "bakers/light/sky_spectra.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bakers/light/higher_orders.h"
+#include "bakers/light/sky_radiance.h"
+#include "bakers/light/solver/solve_light.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
+#include "config/sections/spectral_air.h"
+
+namespace skybake {
+
+namespace {
+
+// Spectra are known at these wavelengths.
+constexpr double kFirst_nm = 380;
+constexpr double kLast_nm = 780;
+constexpr double kStep_nm = 5;
+// Spheres scatter almost alike at neighbouring wavelengths, and cost much to average: they are
+// taken at every so many nm.
+constexpr double kStepOfSpheres_nm = 50;
+
+// Enough for the shape of a spectrum: the mean radiance of Earth is 1 % off.
+constexpr SolverSettings kFewNodes = {.degree = 2,
+                                      .suns = 16,
+                                      .level_scale = 0.5,
+                                      .zenith_nodes = 4,
+                                      .first_zenith_nodes = 4,
+                                      .ray_tolerance = 0.1,
+                                      .sunlight = {64, 32},
+                                      .orders = 3};
+
+// The camera, the suns and the views. The views under each second sun are measured, not fitted.
+constexpr double kCameraShare = 0.02;  // of the air's thickness
+constexpr std::array kSuns_deg = {80.0, 60.0, 40.0, 25.0, 15.0, 9.0,  6.0,  4.0,
+                                  2.5,  1.0,  0.0,  -1.0, -2.0, -3.0, -4.0, -5.0};
+constexpr std::array kViews_deg = {1.0, 4.0, 12.0, 30.0, 60.0, 88.0, -20.0};
+constexpr std::array kAzimuths_deg = {3.0, 40.0, 110.0, 175.0};
+
+SunZenith sun_at_deg(double elevation_deg) {
+    const double quarter = elevation_deg / 180;
+    return {cosine_of_pi(0.5 - quarter), cosine_of_pi(quarter)};
+}
+
+// Returns the order in which wavelengths fall into packets: each packet has some from all of the
+// spectrum, so that all have grids alike, whose errors are then smooth over wavelengths.
+std::vector<std::size_t> packet_order(std::size_t count) {
+    const std::size_t packets = (count + kMaxChannels - 1) / kMaxChannels;
+    std::vector<std::size_t> order;
+    for (std::size_t packet = 0; packet < packets; ++packet) {
+        for (std::size_t i = packet; i < count; i += packets) order.push_back(i);
+    }
+    return order;
+}
+
+// The light of one packet of wavelengths: of each view, then of each of the sun's elevations.
+class PacketLight {
+  public:
+    explicit PacketLight(const config::Atmosphere& atmosphere)
+        : medium_(make_sky_medium(atmosphere)),
+          shell_(shell_of(medium_.air)),
+          light_(solve_light(medium_, kFewNodes, 1)),
+          orders_(medium_, light_, kFewNodes.degree),
+          integrator_(medium_, &orders_) {}
+
+    Spectrum of(const SpectrumView& view) const {
+        const double altitude_km = kCameraShare * shell_.thickness_km;
+        const double above = view.above_deg / 180;
+        // The horizon lies below the horizontal.
+        const double r = shell_.ground_radius_km + altitude_km;
+        const double dip_cosine = shell_.ground_radius_km / r;
+        const double dip_sine = horizon_distance_km(shell_, altitude_km) / r;
+        const double sine = cosine_of_pi(0.5 - above);
+        const double cosine = cosine_of_pi(above);
+        const double mu = sine * dip_cosine - cosine * dip_sine;
+        const SkyDirection direction =
+            sky_direction(view.sun, mu, std::sqrt(std::max((1 - mu) * (1 + mu), 0.0)),
+                          cosine_of_pi(view.azimuth_deg / 180));
+        return integrator_.radiance(altitude_km, view.sun, direction).total();
+    }
+
+    // The sunlight that reaches the ground.
+    Spectrum of_sun(double elevation_deg) const {
+        return integrator_.sunlight(0, shell_.ground_radius_km * sun_at_deg(elevation_deg).cosine);
+    }
+
+  private:
+    SkyMedium medium_;
+    Shell shell_;
+    SolvedLight light_;
+    SolvedOrders orders_;
+    SkyIntegrator integrator_;
+};
+
+// Spheres at the nearest of a few wavelengths.
+void take_few_spheres(config::Atmosphere& atmosphere) {
+    for (config::Layer& layer : atmosphere.layers) {
+        for (config::Length& wavelength : layer.particles.wavelengths) {
+            const double steps = std::round(wavelength.meters * 1e9 / kStepOfSpheres_nm);
+            wavelength = {steps * kStepOfSpheres_nm / 1e9};
+        }
+    }
+}
+
+// Replaces a tabulated profile, each entry of which is a kink that costs time, by a smooth one with
+// the same column, mean altitude and, of gases above the ground, spread. Spectra depend on columns.
+void take_smooth_profile(config::Layer& layer) {
+    double column = 0;
+    double first = 0;  // moments over altitude, in m
+    double second = 0;
+    for (std::size_t i = 0; i + 1 < layer.table.size(); ++i) {
+        const double low = layer.table[i].altitude.meters;
+        const double high = layer.table[i + 1].altitude.meters;
+        const double middle = (low + high) / 2;
+        const double part =
+            (high - low) * (layer.table[i].density + layer.table[i + 1].density) / 2;
+        column += part;
+        first += part * middle;
+        second += part * middle * middle;
+    }
+    const double mean = first / column;
+    const bool is_at_ground = layer.table.front().density >= layer.table.back().density &&
+                              layer.table.front().density > 0.5;
+    layer.table.clear();
+    if (is_at_ground) {
+        layer.profile = config::Profile::exponential;
+        layer.scale_height = {mean};
+        return;
+    }
+    // The variance of a tent is a sixth of its half width squared.
+    layer.profile = config::Profile::tent;
+    layer.center_altitude = {mean};
+    layer.half_width = {std::sqrt(6 * std::max(second / column - mean * mean, 1.0))};
+}
+
+config::Atmosphere air_of_spectra(const config::Atmosphere& atmosphere,
+                                  const std::vector<config::Length>& given,
+                                  const std::vector<config::Length>& wanted) {
+    config::Atmosphere smooth = atmosphere;
+    for (config::Layer& layer : smooth.layers) {
+        if (layer.gas && layer.profile == config::Profile::tabulated) take_smooth_profile(layer);
+    }
+    config::Atmosphere air = config::atmosphere_at(smooth, given, wanted);
+    take_few_spheres(air);
+    return air;
+}
+
+}  // namespace
+
+std::vector<SpectrumView> spectrum_views() {
+    std::vector<SpectrumView> all;
+    for (const double sun : kSuns_deg) {
+        for (const double above : kViews_deg) {
+            for (const double azimuth : kAzimuths_deg) {
+                all.push_back({sun_at_deg(sun), above, azimuth});
+            }
+        }
+    }
+    return all;
+}
+
+bool is_fitted(std::size_t view) {
+    return view / (kViews_deg.size() * kAzimuths_deg.size()) % 2 == 0;
+}
+
+std::vector<double> spectrum_nm() {
+    std::vector<double> wavelengths;
+    for (double nm = kFirst_nm; nm <= kLast_nm; nm += kStep_nm) wavelengths.push_back(nm);
+    return wavelengths;
+}
+
+Spectra sky_spectra(const config::Atmosphere& atmosphere,
+                    const std::vector<config::Length>& wavelengths,
+                    const std::vector<SpectrumView>& views, const BakeOptions& options) {
+    const std::vector<double> nm = spectrum_nm();
+    const std::vector<std::size_t> order = packet_order(nm.size());
+    const std::size_t size = kMaxChannels;
+    Spectra spectra(views.size() + kSpectrumDiscs_deg.size(), std::vector<double>(nm.size()));
+    const auto packets = static_cast<int>((order.size() + size - 1) / size);
+    for_each_tile(packets, options, "fitting colours", [&](int p) {
+        const std::size_t first = static_cast<std::size_t>(p) * size;
+        std::vector<config::Length> of_packet;
+        for (std::size_t i = first; i < std::min(first + size, order.size()); ++i) {
+            of_packet.push_back({nm[order[i]] / 1e9});
+        }
+        const PacketLight light(air_of_spectra(atmosphere, wavelengths, of_packet));
+        const auto put = [&](std::size_t sample, const Spectrum& value) {
+            for (std::size_t c = 0; c < of_packet.size(); ++c) {
+                spectra[sample][order[first + c]] = value[c];
+            }
+        };
+        for (std::size_t i = 0; i < views.size(); ++i) put(i, light.of(views[i]));
+        for (std::size_t i = 0; i < kSpectrumDiscs_deg.size(); ++i) {
+            put(views.size() + i, light.of_sun(kSpectrumDiscs_deg[i]));
+        }
+    });
+    return spectra;
+}
+
+Spectra at_wavelengths(const Spectra& spectra, const std::vector<config::Length>& wavelengths) {
+    Spectra few;
+    for (const std::vector<double>& spectrum : spectra) {
+        std::vector<double> light;
+        for (const config::Length wavelength : wavelengths) {
+            const double steps = (wavelength.meters * 1e9 - kFirst_nm) / kStep_nm;
+            const double most = static_cast<double>(spectrum.size() - 1);
+            const double place = std::clamp(steps, 0.0, most);
+            const auto low = std::min(static_cast<std::size_t>(place), spectrum.size() - 2);
+            const double share = place - static_cast<double>(low);
+            light.push_back(spectrum[low] + share * (spectrum[low + 1] - spectrum[low]));
+        }
+        few.push_back(std::move(light));
+    }
+    return few;
+}
+
+}  // namespace skybake

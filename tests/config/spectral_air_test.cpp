@@ -1,0 +1,171 @@
+// Layers of gases and aerosols, and air at other wavelengths than the recipe's.
+#include "config/sections/spectral_air.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::codes_and_places;
+using testing::find_layer;
+using testing::parse;
+using testing::valid;
+using Codes = std::vector<std::string>;
+
+// Four lines, so that the first line of a layer is number 5.
+const std::string planet =
+    "wavelengths = ['680 nm', '550 nm', '440 nm']\n[atmosphere]\nground_radius = '6371 km'\n"
+    "top_radius = '6471 km'\n";
+const std::string exponential = "profile = 'exponential'\nscale_height = '8 km'\n";
+
+Codes faults(const std::string& text) { return codes_and_places(parse(planet + text).diagnostics); }
+
+std::vector<double> depths(const std::string& layer) {
+    const Recipe recipe = valid(planet + "[atmosphere.layers.it]\n" + layer);
+    return zenith_optical_depth(*find_layer(recipe.parameters, "it"), recipe.parameters.atmosphere);
+}
+
+// Bucholtz 1995 over 2.148e29 molecules per square metre.
+TEST(Gases, AirHasItsMeasuredDepthOverAnyProfile) {
+    for (const std::string& profile : {exponential, std::string("profile = 'standard'\n")}) {
+        const std::vector<double> found = depths("gas = 'air'\nphase = 'rayleigh'\n" + profile);
+        EXPECT_NEAR(found[0], 0.0409, 1e-3 * 0.0409);
+        EXPECT_NEAR(found[1], 0.0968, 1e-3 * 0.0968);
+        EXPECT_NEAR(found[2], 0.2423, 1e-3 * 0.2423);
+    }
+    const std::vector<double> high = depths(
+        "gas = 'air'\npressure = '506.625 hPa'\n"
+        "phase = 'rayleigh'\n" +
+        exponential);
+    EXPECT_NEAR(high[1], 0.0484, 1e-3 * 0.0484);
+}
+
+// CalcMySky's table of ozone's absorption at 233 K, 300 DU.
+TEST(Gases, OzoneHasItsMeasuredDepth) {
+    const std::vector<double> found =
+        depths("gas = 'ozone'\ncolumn = '300 DU'\nprofile = 'standard'\n");
+    EXPECT_NEAR(found[0], 0.01063, 1e-2 * 0.01063);
+    EXPECT_NEAR(found[1], 0.02647, 1e-2 * 0.02647);
+    EXPECT_NEAR(found[2], 0.00107, 1e-2 * 0.00107);
+}
+
+TEST(Gases, AirScattersAllThatItTakesAndIsDepolarised) {
+    const Recipe recipe = valid(planet + "[atmosphere.layers.air]\ngas = 'air'\n" +
+                                "phase = 'rayleigh'\n" + exponential);
+    const Layer& air = *find_layer(recipe.parameters, "air");
+    EXPECT_EQ(air.scattering, air.extinction);
+    EXPECT_EQ(air.depolarization, 0.0279);
+    const Layer& plain = *find_layer(
+        valid(planet + "[atmosphere.layers.a]\nphase = 'rayleigh'\n" + exponential).parameters,
+        "a");
+    EXPECT_EQ(plain.depolarization, 0);
+}
+
+TEST(Aerosols, FollowAngstromsLaw) {
+    const std::vector<double> found =
+        depths("optical_depth = 0.1\nangstrom_exponent = 2\n" + exponential);
+    EXPECT_NEAR(found[1], 0.1, 1e-12);
+    EXPECT_NEAR(found[0], 0.1 * std::pow(550.0 / 680, 2), 1e-12);
+    EXPECT_NEAR(found[2], 0.1 * std::pow(550.0 / 440, 2), 1e-12);
+}
+
+TEST(Aerosols, HazeOfAVisibilityAndTheAirTogetherObeyKoschmieder) {
+    const Recipe recipe = valid(planet + "[atmosphere.layers.haze]\nvisibility = '10 km'\n" +
+                                "single_scattering_albedo = 0.9\n" + exponential);
+    const Layer& haze = *find_layer(recipe.parameters, "haze");
+    EXPECT_NEAR(haze.extinction[1].per_kilometer() + 0.01162, 0.3912, 1e-9);
+    EXPECT_NEAR(haze.scattering[1].per_meter, 0.9 * haze.extinction[1].per_meter, 1e-18);
+    // Files carry the albedo, which their extinction does not tell.
+    EXPECT_TRUE(testing::has_value(recipe, "atmosphere.layers.haze.single_scattering_albedo"));
+}
+
+TEST(Matter, ContradictionsAreFaults) {
+    const std::string ozone =
+        "[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n" + exponential;
+    EXPECT_EQ(faults(ozone), Codes{});
+    EXPECT_EQ(faults(ozone + "absorption = '1e-6 /m'\n"), Codes{"E0139 10:14"});
+    EXPECT_EQ(faults(ozone + "optical_depth = 0.1\n"), Codes{"E0139 10:17"});
+    EXPECT_EQ(faults(ozone + "pressure = '1 bar'\n"), Codes{"E0111 10:1"});
+    EXPECT_EQ(
+        faults("[atmosphere.layers.a]\noptical_depth = 0.1\nscattering = '1 /m'\n" + exponential),
+        Codes{"E0139 7:14"});
+    EXPECT_EQ(
+        faults("[atmosphere.layers.a]\noptical_depth = 0.1\nvisibility = '9 km'\n" + exponential)
+            .size(),
+        1u);
+    EXPECT_EQ(faults("[atmosphere.layers.a]\nscattering = '1e-6 /m'\nangstrom_exponent = 1\n" +
+                     exponential),
+              Codes{"E0139 7:21"});
+    EXPECT_EQ(faults("[atmosphere.layers.a]\nscattering = '1e-6 /m'\nprofile = 'standard'\n"),
+              Codes{"E0111 7:11"});
+    EXPECT_EQ(faults("[atmosphere.layers.a]\ngas = 'air'\nphase = 'isotropic'\n" + exponential),
+              Codes{"E0139 7:9"});
+}
+
+TEST(Matter, AGasIsKnownAtSomeWavelengthsOnly) {
+    const auto outcome =
+        parse("wavelengths = ['2 um']\n" + planet.substr(planet.find('\n') + 1) +
+              "[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n" + exponential);
+    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 5:20"});
+    const std::string& message = outcome.diagnostics.front().message;
+    EXPECT_NE(message.find("2000 nm"), std::string::npos) << message;
+    EXPECT_EQ(faults("[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n"
+                     "profile = 'slab'\nbottom_altitude = '150 km'\ntop_altitude = '160 km'\n"),
+              Codes{"E0145 5:20"});
+}
+
+// --- At other wavelengths ------------------------------------------------------------------------
+
+std::vector<Length> lengths(const std::vector<double>& nm) {
+    std::vector<Length> result;
+    for (const double value : nm) result.push_back({value * 1e-9});
+    return result;
+}
+
+TEST(AtmosphereAt, NumbersFollowThePowerLawBetweenThem) {
+    const Recipe recipe = valid(planet +
+                                "ground_albedo = [0.4, 0.2, 0.1]\n[atmosphere.layers.a]\n"
+                                "scattering = ['1e-6 /m', '2e-6 /m', '4e-6 /m']\n" +
+                                exponential);
+    const Parameters& given = recipe.parameters;
+    const Atmosphere at =
+        atmosphere_at(given.atmosphere, given.wavelengths, lengths({440, 495, 550, 615, 680, 780}));
+    const auto scattering = [&](std::size_t i) { return at.layers[0].scattering[i].per_meter; };
+    EXPECT_NEAR(scattering(0), 4e-6, 1e-18);
+    EXPECT_NEAR(scattering(2), 2e-6, 1e-18);
+    EXPECT_NEAR(scattering(4), 1e-6, 1e-18);
+    EXPECT_NEAR(scattering(1), 4e-6 * std::pow(495.0 / 440, std::log(0.5) / std::log(1.25)), 1e-15);
+    EXPECT_LT(scattering(5), 1e-6);
+    EXPECT_NEAR(at.ground_albedo[1], 0.15, 1e-12);
+    EXPECT_EQ(at.ground_albedo[5], 0.4);
+}
+
+TEST(AtmosphereAt, GasesAreLookedUp) {
+    const std::string air =
+        "[atmosphere.layers.air]\ngas = 'air'\nphase = 'rayleigh'\n" + exponential;
+    const Parameters given = valid(planet + air).parameters;
+    const Parameters wanted =
+        valid("wavelengths = ['500 nm', '600 nm']\n" + planet.substr(planet.find('\n') + 1) + air)
+            .parameters;
+    EXPECT_EQ(atmosphere_at(given.atmosphere, given.wavelengths, wanted.wavelengths),
+              wanted.atmosphere);
+}
+
+TEST(ChannelsOf, AreThoseWavelengthsOnly) {
+    const Parameters given =
+        valid(planet + "[atmosphere.layers.a]\nscattering = ['1e-6 /m', '2e-6 /m', '4e-6 /m']\n" +
+              exponential)
+            .parameters;
+    const Atmosphere part = channels_of(given.atmosphere, 1, 2);
+    EXPECT_EQ(part.ground_albedo.size(), 2u);
+    EXPECT_EQ(part.layers[0].scattering, (std::vector<InverseLength>{{2e-6}, {4e-6}}));
+}
+
+}  // namespace
+}  // namespace skybake::config

@@ -1,0 +1,121 @@
+// Colours made of a few wavelengths, against those of whole spectra.
+#include "bakers/light/sky_colors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "bakers/assets/registry.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake::test {
+namespace {
+
+config::Parameters mountain(const std::string& wavelengths) {
+    return recipe_of("preset = 'earth_clear_mountain'\n", {"wavelengths='" + wavelengths + "'"})
+        .parameters;
+}
+
+SkyColors colors(const config::Parameters& parameters) {
+    return *colors_of({parameters.wavelengths, *parameters.color, parameters.atmosphere},
+                      {.threads = 2});
+}
+
+struct Bar {
+    const char* wavelengths;
+    double median, ninth_decile, disc;
+};
+
+// The first two are goals, of the sun's disc too; three wavelengths are what they are.
+TEST(SkyColors, FewWavelengthsComeNearWholeSpectra) {
+    for (const Bar& bar : {Bar{"best 4", 5e-3, 1.5e-2, 2e-2}, Bar{"best 8", 1e-3, 3e-3, 5e-3},
+                           Bar{"best 3", 4e-2, 8e-2, 5e-2}}) {
+        const ColorError error = colors(mountain(bar.wavelengths)).error;
+        EXPECT_GT(error.skies, 100);
+        EXPECT_LT(error.median, bar.median) << bar.wavelengths;
+        EXPECT_LT(error.ninth_decile, bar.ninth_decile) << bar.wavelengths;
+        for (const double disc : error.disc) EXPECT_LT(disc, bar.disc) << bar.wavelengths;
+    }
+}
+
+TEST(SkyColors, AllWavelengthsAreTheSpectrum) {
+    const ColorError error = colors(mountain("380 nm..780 nm by 5 nm")).error;
+    EXPECT_LT(error.max, 1e-10);
+}
+
+TEST(SkyColors, TheSunOutsideTheAirIsWhite) {
+    for (const char* wavelengths : {"best 3", "best 4", "best 8", "best 16"}) {
+        glm::dvec3 sum(0);
+        for (const glm::dvec3& weight : colors(mountain(wavelengths)).weights) sum += weight;
+        EXPECT_LT(glm::length(sum - glm::dvec3(1)), 0.02) << wavelengths;
+    }
+}
+
+TEST(Packets, HaveFourWavelengthsAtMost) {
+    const config::Parameters parameters = mountain("380 nm..420 nm by 5 nm");
+    const std::vector<config::Atmosphere> packets = packets_of(parameters.atmosphere);
+    ASSERT_EQ(packets.size(), 3u);
+    EXPECT_EQ(packets[1].ground_albedo.size(), 4u);
+    EXPECT_EQ(packets[2].ground_albedo.size(), 1u);
+    EXPECT_EQ(packets[1].layers[0].scattering[0], parameters.atmosphere.layers[0].scattering[4]);
+}
+
+// --- Tables --------------------------------------------------------------------------------------
+
+Baked baked(const std::string& section, const std::vector<std::string>& settings) {
+    const config::Recipe recipe =
+        recipe_of("preset = 'earth_clear_mountain'\n" + section, settings);
+    auto outcome = bake_asset(recipe, recipe.parameters.bakes.at(0),
+                              {.threads = 2, .certification = Certification::off});
+    EXPECT_TRUE(outcome.value);
+    return std::move(*outcome.value);
+}
+
+// A table of colours is the sum of the tables of its wavelengths.
+TEST(TablesOfColors, AreWeightedSumsOfWavelengths) {
+    for (const std::string section :
+         {"[bake.sky_view]\nsize = [8, 8]\nsun_elevations = ['20 deg', '-3 deg']\n",
+          "[bake.environment]\nsize = [8, 4]\nsun_elevation = '10 deg'\n",
+          "[bake.irradiance]\nsize = [4, 4]\n"}) {
+        const Baked color = baked(section, {"wavelengths='best 3'"});
+        const Baked light = baked(section, {"wavelengths='best 3'", "color.space='none'"});
+        ASSERT_TRUE(color.conventions.color);
+        EXPECT_TRUE(color.conventions.color->is_applied);
+        EXPECT_FALSE(light.conventions.color->is_applied);
+        const std::vector<double>& weights = color.conventions.color->weights;
+        const auto& colors = color.image().texels;
+        const auto& lights = light.image().texels;
+        ASSERT_EQ(colors.size(), lights.size());
+        for (std::size_t i = 0; i < colors.size(); i += 3) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                double sum = 0;
+                double scale = 0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    sum += weights[3 * k + c] * lights[i + k];
+                    scale = std::max(scale, double{lights[i + k]});
+                }
+                EXPECT_NEAR(colors[i + c], sum, 1e-6 * scale) << section << i;
+            }
+        }
+    }
+}
+
+TEST(TablesOfColors, HaveThreeChannelsOfAnyNumberOfWavelengths) {
+    const Baked table = baked("[bake.irradiance]\nsize = [4, 4]\n", {"wavelengths='best 8'"});
+    EXPECT_EQ(table.channel_names, (std::vector<std::string>{"R", "G", "B"}));
+    EXPECT_EQ(table.conventions.wavelengths_nm.size(), 8u);
+    EXPECT_EQ(table.conventions.color->weights.size(), 24u);
+}
+
+TEST(TablesOfWavelengths, HaveFourChannelsAndTheWeights) {
+    const Baked table = baked("[bake.transmittance]\nsize = [8, 8]\n", {});
+    EXPECT_EQ(table.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
+    ASSERT_TRUE(table.conventions.color);
+    EXPECT_FALSE(table.conventions.color->is_applied);
+    EXPECT_EQ(table.conventions.color->weights.size(), 12u);
+}
+
+}  // namespace
+}  // namespace skybake::test
