@@ -68,7 +68,11 @@ std::optional<FieldValue> read_range(const Reader& reader, const Value& value,
         return std::nullopt;
     }
     std::vector<double> wavelengths;
-    for (int i = 0; i <= static_cast<int>(steps); ++i) wavelengths.push_back(*first + i * *step);
+    for (int i = 0; i <= static_cast<int>(steps); ++i) {
+        // Rounded to a millionth of a nm, so that files say 385 nm and not 385.00000000000006 nm.
+        const double nm = std::round((*first + i * *step) * 1e15) / 1e6;
+        wavelengths.push_back(nm / 1e9);
+    }
     return wavelengths;
 }
 

@@ -186,6 +186,7 @@ std::string recipe_schema() {
     Json atmosphere = section_schema(*find_section("atmosphere"));
     atmosphere["properties"]["layers"] = named_schema("layers of the atmosphere, by name", "layer");
     schema["properties"]["atmosphere"] = atmosphere;
+    schema["properties"]["color"] = section_schema(*find_section("color"));
     schema["properties"]["scene"] = section_schema(*find_section("scene"));
     schema["properties"]["particles"] =
         with_bare_names(named_schema("particles, by name", "particles"));

@@ -186,6 +186,10 @@ TEST(KeyCoversBytes, WhateverChangesOfParticles) {
                        {"format", "profile", "asset", "material", "sizes", "particles"});
 }
 
+TEST(KeyCoversBytes, WhateverChangesOfColors) {
+    change_every_value(kColors, {"format", "profile", "asset", "gas", "phase", "observer"});
+}
+
 TEST(KeyCoversBytes, WhateverElseChanges) {
     change_every_value(kOthers,
                        {"format", "profile", "pack", "asset", "cloud", "noise", "file", "type"});
@@ -195,7 +199,7 @@ TEST(KeyCoversBytes, WhateverElseChanges) {
 // ways to say the rest.
 TEST(KeyCoversBytes, TriesEveryKey) {
     std::vector<ResolvedValue> values;
-    for (const char* text : {kSky, kClouds, kParticles, kOthers}) {
+    for (const char* text : {kSky, kClouds, kParticles, kColors, kOthers}) {
         const Recipe recipe = recipe_of(text, kMaps);
         values.insert(values.end(), recipe.values.begin(), recipe.values.end());
     }

@@ -144,6 +144,50 @@ particles = "modified"
 size = 16
 )";
 
+// Gases, aerosols and colours.
+inline constexpr const char* kColors = R"(
+wavelengths = ["446 nm", "525 nm", "576 nm", "637 nm"]
+[color]
+space = "linear_srgb"
+observer = "cie_1931"
+sun = "measured"
+white = "sun"
+[atmosphere]
+ground_radius = "6372 km"
+top_radius = "6472 km"
+[atmosphere.layers.air]
+gas = "air"
+pressure = "840 hPa"
+depolarization = 0.03
+profile = "exponential"
+scale_height = "8 km"
+phase = "rayleigh"
+[atmosphere.layers.ozone]
+gas = "ozone"
+column = "300 DU"
+profile = "tent"
+center_altitude = "22 km"
+half_width = "19 km"
+[atmosphere.layers.haze]
+optical_depth = 0.04
+angstrom_exponent = 1.4
+single_scattering_albedo = 0.96
+profile = "exponential"
+scale_height = "1.5 km"
+phase = "isotropic"
+[atmosphere.layers.mist]
+visibility = "40 km"
+profile = "exponential"
+scale_height = "0.5 km"
+phase = "isotropic"
+[bake.transmittance]
+size = [4, 4]
+[bake.light]
+asset = "irradiance"
+content = "direct"
+size = [4, 4]
+)";
+
 // What those before leave out: other kinds of layers, channels and profiles, and maps.
 inline constexpr const char* kOthers = R"(
 preset = "earth"
