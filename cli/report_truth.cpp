@@ -18,6 +18,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/plot/drawing.h"
+#include "bakers/preview/check_options.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/truth/sky_error_pictures.h"
 #include "bakers/report/truth/sky_truth_report.h"
@@ -102,6 +103,10 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
     if (!(recipe.value->parameters.atmosphere.top_radius.meters > 0)) {  // no atmosphere
         outcome.diagnostics.push_back(file_error("E0105", recipe_name(invocation.arguments()[0]),
                                                  "the recipe has no [atmosphere] and so no sky"));
+        return outcome;
+    }
+    if (auto problem = unshowable_wavelengths(recipe.value->parameters)) {
+        outcome.diagnostics.push_back(std::move(*problem));
         return outcome;
     }
     TruthRequest request;

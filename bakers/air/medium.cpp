@@ -1,6 +1,7 @@
 #include "bakers/air/medium.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 
@@ -87,6 +88,7 @@ void add_layer(Coefficients& sum, double density, const Layer& layer) {
 }  // namespace
 
 Medium make_medium(const config::Atmosphere& atmosphere) {
+    assert(atmosphere.ground_albedo.size() <= kMaxChannels);
     Medium medium;
     medium.channels = static_cast<int>(atmosphere.ground_albedo.size());
     medium.ground_radius_km = atmosphere.ground_radius.kilometers();

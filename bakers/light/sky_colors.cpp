@@ -16,8 +16,13 @@ namespace skybake {
 
 namespace {
 
-// Elevations of the sun's disc whose colours are measured.
+// Elevations of the sun's disc whose colours are measured, not fitted.
 constexpr std::array kMeasuredDiscs_deg = {5.0, 1.0, 0.0};
+bool is_measured(double elevation_deg) {
+    return std::find(kMeasuredDiscs_deg.begin(), kMeasuredDiscs_deg.end(), elevation_deg) !=
+           kMeasuredDiscs_deg.end();
+}
+
 // The sun's own light counts as so many views, since it lights all that a runtime draws.
 constexpr double kWeightOfDisc = 4;
 
@@ -126,8 +131,9 @@ SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
     std::vector<ColorSample> fitted;
     for (std::size_t i = 0; i < spectra.size(); ++i) {
         const bool is_disc = i >= views.size();
-        if (is_disc || is_fitted(i))
-            fitted.push_back(samples.sample(i, is_disc ? kWeightOfDisc : 1));
+        const bool is_used =
+            is_disc ? !is_measured(kSpectrumDiscs_deg[i - views.size()]) : is_fitted(i);
+        if (is_used) fitted.push_back(samples.sample(i, is_disc ? kWeightOfDisc : 1));
     }
     // The sun outside the air.
     glm::dvec3 white(0);

@@ -156,6 +156,9 @@ void check_atmosphere(const Table& root, const Parameters& parameters, const Sou
                               "start from preset = \"earth\", or see `skybake init`");
 }
 
+// The wavelengths of the spectra that colours are fitted to (bakers/light/sky_spectra.h).
+constexpr WavelengthRange visible{{380e-9}, {780e-9}};
+
 // Returns why an asset cannot hold the recipe's wavelengths, or an empty text.
 std::string fault_of_wavelengths(const Parameters& recipe, UseOfLight use) {
     constexpr std::size_t most_channels = 4;
@@ -163,7 +166,11 @@ std::string fault_of_wavelengths(const Parameters& recipe, UseOfLight use) {
     const bool is_rgb = count == 1 || count == 3;
     const bool is_colored = recipe.color && recipe.color->space != ColorSpace::none;
     if (use == UseOfLight::colors && is_colored) {
-        return count > 1 ? "" : "cannot make a colour of one wavelength";
+        if (count == 1) return "cannot make a colour of one wavelength";
+        const bool is_visible =
+            std::all_of(recipe.wavelengths.begin(), recipe.wavelengths.end(),
+                        [](Length wavelength) { return visible.contains(wavelength); });
+        return is_visible ? "" : "makes colours of wavelengths from 380 nm to 780 nm only";
     }
     if (use == UseOfLight::channels) {
         return count <= most_channels ? "" : "holds at most four wavelengths, one per channel";

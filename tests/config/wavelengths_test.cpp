@@ -78,6 +78,8 @@ TEST(Color, AssetsHoldTheWavelengthsThatTheyCan) {
     EXPECT_EQ(faults("wavelengths = 'best 16'\n" + grey_air + sky), Codes{});
     EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + sky + matrix + mean), Codes{});
     EXPECT_EQ(faults("wavelengths = 'best 8'\n" + grey_air + matrix), Codes{"E0147 1:15"});
+    EXPECT_EQ(faults("wavelengths = ['500 nm', '900 nm']\n" + grey_air + sky + "[color]\n"),
+              Codes{"E0147 1:15"});
     EXPECT_EQ(faults("wavelengths = ['500 nm', '600 nm']\n" + grey_air + sky), Codes{"E0147 1:15"});
     EXPECT_EQ(faults("wavelengths = ['500 nm']\n" + grey_air + sky + "[color]\n"),
               Codes{"E0147 1:15"});
