@@ -247,8 +247,10 @@ SkyClaim sky_claim(RandomCase& random) {
         return sky_view.places(parameters, bake, stored);
     };
     const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
-    const TracedLight dense = {3, places_of(samples), light_looked_up(places, at),
-                               trace_of_sky(air, samples, config::SkyOrders::all, true)};
+    const TracedLight dense = {3,
+                               places_of(samples),
+                               light_looked_up(places, at),
+                               {trace_of_sky(air, samples, config::SkyOrders::all, true)}};
     return {claimed,
             measure_sky(dense, baked, {.threads = 2, .certification = Certification::full})};
 }

@@ -166,7 +166,7 @@ inline Baked sample_table(const std::string& name = "transmittance") {
     table.parameters = "[atmosphere]\nground_radius = \"6360000 m\"\n";
     table.axes[0].constants = {{"ground_radius_km", 6360.0}, {"names", "of a planet"}};
     table.axes[1].constants = {{"tables", std::vector<double>{1, 0.1, -2}}};
-    table.conventions = {"km", "1/km", "cosine", "1/sr", {1, 1, 1}, {680, 550, 440}, ""};
+    table.conventions = {"km", "1/km", "cosine", "1/sr", {1, 1, 1}, {680, 550, 440}};
     table.details = {{"nodes", 12.0}};
     return table;
 }
