@@ -11,9 +11,9 @@
 namespace skybake {
 
 struct ColorSample {
-    std::vector<double> light;  // at the wavelengths of the fit
-    glm::dvec3 color;           // of the whole spectrum
-    double weight = 0;          // of the difference, at least 0
+    std::vector<double> light;         // at the wavelengths of the fit
+    glm::dvec3 color = glm::dvec3(0);  // of the whole spectrum
+    double weight = 0;                 // of the difference, at least 0
 };
 
 // Returns the weight of each wavelength, for which the sum over samples of

@@ -23,7 +23,7 @@ struct SpectrumView {
 
 // Elevations at which the sun is seen from the ground.
 inline constexpr std::array kSpectrumDiscs_deg = {90.0, 40.0, 20.0, 10.0, 7.0, 5.0,
-                                                  3.0,  2.0,  1.0,  0.5,  0.0};
+                                                  3.0,  2.0,  1.0,  0.5,  0.2, 0.0};
 
 // Returns all views, and whether view number i is one of those that weights are fitted to: the views
 // under every second sun.

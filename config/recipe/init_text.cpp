@@ -46,6 +46,8 @@ std::string selected_name(const Section& section, const Table& table, std::strin
     return text ? *text : "";
 }
 
+constexpr std::array<std::string_view, 3> matter_keys = {"gas", "optical_depth", "visibility"};
+
 // Whether the default of an absent key takes effect, so that it is worth showing.
 bool is_at_default(const Field& field, const Section& section, const Table& table) {
     if (field.fallback.empty()) return false;
@@ -53,6 +55,10 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
         return false;
     }
     if (!field.needs.empty() && !find_entry(table, field.needs)) return false;
+    // The coefficients of a gas or an aerosol follow from it.
+    const bool is_matter = std::any_of(matter_keys.begin(), matter_keys.end(),
+                                       [&](auto key) { return find_entry(table, key) != nullptr; });
+    if (field.key == "scattering" && is_matter) return false;
     return std::none_of(section.fields.begin(), section.fields.end(), [&](const Field& other) {
         return exclude_each_other(field, other) && find_entry(table, other.key);
     });

@@ -27,8 +27,8 @@ using Values = std::vector<double>;
 
 TEST(Presets, AreThoseOfTheIssue) {
     EXPECT_EQ(preset_names(), (std::vector<std::string_view>{
-                                  "dense_earth", "earth", "earth_bruneton", "earth_hillaire",
-                                  "mars", "takram", "tiny_planet", "vacuum"}));
+                                  "dense_earth", "earth", "earth_bruneton", "earth_clear_mountain",
+                                  "earth_hillaire", "mars", "takram", "tiny_planet", "vacuum"}));
     EXPECT_EQ(find_preset("moon"), nullptr);
 }
 
@@ -62,7 +62,8 @@ TEST(Presets, AreValidRecipesWithATitleAndBakes) {
     for (const Preset& entry : presets()) {
         const Recipe recipe = valid(std::string(entry.text));
         // takram's are the four textures that its loader wants; the Earth has a sky besides.
-        const std::size_t bakes = entry.name == "takram" ? 4 : entry.name == "earth" ? 3 : 2;
+        const bool has_sky = entry.name == "earth" || entry.name == "earth_clear_mountain";
+        const std::size_t bakes = entry.name == "takram" ? 4 : has_sky ? 3 : 2;
         EXPECT_EQ(recipe.parameters.bakes.size(), bakes) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
         EXPECT_FALSE(preset_title(entry).empty()) << entry.name;

@@ -59,7 +59,8 @@ TEST(SectionDecoder, AMissingProfileNamesTheChoices) {
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0105");
     EXPECT_EQ(diagnostics[0].message, "`atmosphere.layers.a.profile` is missing");
-    EXPECT_EQ(diagnostics[0].label, "give it one of `exponential`, `tent`, `slab`, `tabulated`");
+    EXPECT_EQ(diagnostics[0].label,
+              "give it one of `exponential`, `tent`, `slab`, `tabulated`, `standard`");
     EXPECT_EQ(diagnostics[0].where.line, 4);
     EXPECT_EQ(diagnostics[0].where.column, 20);
 }
