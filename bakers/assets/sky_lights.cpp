@@ -95,7 +95,7 @@ std::vector<Need> color_needs(const config::Parameters& parameters) {
 SkyLights::SkyLights(const config::Parameters& parameters, const BakeOptions& options,
                      const Make& make) {
     if (holds_colors(parameters)) colors_ = colors_of(parameters, options);
-    if (!colors_) {
+    if (!holds_colors(parameters)) {
         owned_.push_back(make(parameters.atmosphere));
     } else {
         for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {

@@ -42,10 +42,13 @@ class ErrorSearch {
             rows.push_back(std::move(row));
         }
         evaluate(std::move(rows), searched());
+        // After an interruption rows were skipped, so that there may be no points at all.
+        if (options_.cancelled()) return {};
         climb();
         if (options_.cancelled()) return {};
         draws_.learn(measured_, mean_square() / first_share);
         evaluate(draws_.rows(counts_.rows - first, counts_.per_row, 1 - first_share), searched());
+        if (options_.cancelled()) return {};
         return search_.estimate ? confirm() : figures_of(measured_, mean_square());
     }
 
@@ -199,6 +202,7 @@ class ErrorSearch {
             order.insert(order.end(), members.begin(), members.end());
         }
         const std::size_t first = evaluate(std::move(rows), search_.exact);
+        if (options_.cancelled()) return points;
         for (std::size_t k = 0; k < order.size(); ++k) {
             points[order[k]].error = measured_[first + k].error;
         }

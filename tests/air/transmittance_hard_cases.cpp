@@ -64,7 +64,7 @@ double worst_over_rays(const Medium& medium, double altitude_km, int count = 24)
 TEST(TransmittanceHardCase, Case01TentOzone) {
     Medium tent = one_layer(6360, 100);
     tent.piecewise_layers.push_back(
-        {{{10, 25, 0, 1, 1.0 / 15}, {25, 40, 1, 0, -1.0 / 15}}, Spectrum(1.0), Spectrum(1.0)});
+        {{{10, 25, 0, 1, 1.0 / 15}, {25, 40, 1, 0, -1.0 / 15}}, {1, 1, 1, 0}, {1, 1, 1, 0}});
     double worst = 0;
     for (const double altitude : {0.0, 5.0, 10.0, 17.0, 25.0, 33.0, 39.9, 60.0}) {
         worst = std::max(worst, worst_over_rays(tent, altitude));

@@ -187,7 +187,7 @@ TEST(KeyCoversBytes, WhateverChangesOfParticles) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfColors) {
-    change_every_value(kColors, {"format", "profile", "asset", "gas", "phase", "observer"});
+    change_every_value(kColors, {"format", "profile", "asset", "gas", "column", "phase", "observer"});
 }
 
 TEST(KeyCoversBytes, WhateverElseChanges) {

@@ -223,11 +223,18 @@ config::Value value_of(const Json& json) {
     return value;
 }
 
+// The albedo of an aerosol stands for itself: its scattering is not recorded.
+bool is_of_aerosol(const Json& table, const std::string& key) {
+    return key == "single_scattering_albedo" &&
+           (table.contains("optical_depth") || table.contains("visibility"));
+}
+
 // Appends the tables below `path`. Each table's own values come before its subtables.
 void append_toml(const Json& table, const std::string& path, std::string& text) {
     if (!path.empty()) text += fmt::format("[{}]\n", path);
     for (const auto& [key, value] : table.items()) {
-        if (value.is_object() || value.is_null() || only_tells_the_origin(path, key)) continue;
+        if (value.is_object() || value.is_null()) continue;
+        if (only_tells_the_origin(path, key) && !is_of_aerosol(table, key)) continue;
         text += fmt::format("{} = {}\n", config::key_to_string(key),
                             config::value_to_string(value_of(value)));
     }
