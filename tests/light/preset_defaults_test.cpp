@@ -36,14 +36,17 @@ size = [32, 16, 4]
 )";
 constexpr const char* of_layers = "[bake.optical_depth]\nsize = [16, 8, 1]\n";
 
+// The wavelengths that all assets can hold.
+const std::vector<std::string> three = {"wavelengths=[\"680 nm\", \"550 nm\", \"440 nm\"]"};
+
 class PresetDefaults : public ::testing::TestWithParam<std::string_view> {};
 
 TEST_P(PresetDefaults, BakeEveryAsset) {
     std::string text = "preset = \"" + std::string(GetParam()) + "\"\n" + all_assets;
     const bool has_layers =
-        !test::recipe_of(text).parameters.atmosphere.layers.empty();  // the vacuum has none
+        !test::recipe_of(text, three).parameters.atmosphere.layers.empty();  // the vacuum has none
     if (has_layers) text += of_layers;
-    const config::Recipe recipe = test::recipe_of(text);
+    const config::Recipe recipe = test::recipe_of(text, three);
     ASSERT_EQ(recipe.parameters.bakes.size(), has_layers ? 8U : 7U);
     for (const config::Bake& bake : recipe.parameters.bakes) {
         const auto baked = bake_asset(recipe, bake, {.certification = Certification::off});
