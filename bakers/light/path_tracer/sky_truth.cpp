@@ -12,6 +12,9 @@ namespace skybake {
 
 namespace {
 
+// Truths are of red, green and blue.
+constexpr int kTruthChannels = 3;
+
 constexpr std::string_view kColumns =
     "h_km,sun_zenith_deg,view_zenith_deg,azimuth_deg,channel,L1,L2,L3,L4,L5,L6plus,L_total,"
     "stderr_total";
@@ -46,7 +49,7 @@ std::optional<SkyTruth> parse_line(std::string_view line) {
         numbers[i] = *value;
     }
     const double channel = numbers[4];
-    if (!(channel >= 0 && channel < kMaxChannels) || channel != std::floor(channel)) {
+    if (!(channel >= 0 && channel < kTruthChannels) || channel != std::floor(channel)) {
         return std::nullopt;
     }
     SkyTruth truth;
