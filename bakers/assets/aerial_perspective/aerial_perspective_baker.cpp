@@ -161,7 +161,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 7,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 6,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .needs = needs,

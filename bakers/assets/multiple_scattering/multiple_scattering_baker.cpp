@@ -212,7 +212,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 7,
+    static const Baker<config::MultipleScatteringBake> row = {.version = 6,
                                                               .bake = bake,
                                                               .estimate = estimate,
                                                               .needs = needs,

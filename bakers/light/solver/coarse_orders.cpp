@@ -61,7 +61,10 @@ CoarseOrders::CoarseOrders(const SkyMedium& medium, const SolvedLight& fine, int
 }
 
 void CoarseOrders::next_order(const LightField& light, LightField& image) const {
-    apply_transports(transports_, suns_, steep_, light, threads_, image);
+    parallel_for(light.levels, threads_, [&](int level) {
+        apply_transport(transports_[static_cast<std::size_t>(level)], suns_, steep_, light,
+                        image.at(level, 0), level == 0 ? image.sky_irradiance.data() : nullptr);
+    });
 }
 
 LightField CoarseOrders::restricted(const LightField& fine) const {

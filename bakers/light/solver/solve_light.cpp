@@ -94,7 +94,11 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
     });
     solved.steep = steep_columns(first, solved.channels);
     const auto next = [&](const LightField& light, LightField& image) {
-        apply_transports(transports, solved.suns, solved.steep, light, threads, image);
+        parallel_for(levels, threads, [&](int level) {
+            apply_transport(transports[static_cast<std::size_t>(level)], solved.suns, solved.steep,
+                            light, image.at(level, 0),
+                            level == 0 ? image.sky_irradiance.data() : nullptr);
+        });
     };
     if (settings.orders > 0) {
         OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);

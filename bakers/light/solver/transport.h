@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
-#include "bakers/light/solver/order_blocks.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/light/solver/sun_axis.h"
 
@@ -74,8 +73,8 @@ struct TransportNode {
     double turn_cosine = 1;
     double turn_sine = 0;
     int azimuths = 0;         // over half a turn: max(4, degree + 1), or twice as many
-    std::size_t weights = 0;  // index of the first of its weights, in blocks like those of the
-                              // light (order_blocks.h); a node on the ground has one, of order 0
+    std::size_t weights = 0;  // index of the first of its moment_count * kChannelSlots weights; a
+                              // node on the ground has kChannelSlots
     bool ground = false;
 };
 
@@ -88,7 +87,7 @@ struct TransportRay {
 // The parts of the rays from one level that do not depend on the light.
 struct LevelTransport {
     std::vector<TransportRay> rays;
-    std::vector<MomentBlock> weights;
+    std::vector<double> weights;
 };
 
 LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree);
@@ -98,12 +97,7 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
 // light must be taken as linear in the stencil that begins at that column. The bits are the same
 // for any vector width.
 void apply_transport(const LevelTransport& transport, const SunAxis& suns,
-                     const std::vector<double>& steep, const BlockedLight& light, double* out,
+                     const std::vector<double>& steep, const LightField& light, double* out,
                      double* sky_irradiance);
-
-// Computes K light by the transports of all levels.
-void apply_transports(const std::vector<LevelTransport>& transports, const SunAxis& suns,
-                      const std::vector<double>& steep, const LightField& light, int threads,
-                      LightField& image);
 
 }  // namespace skybake
