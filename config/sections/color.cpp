@@ -17,7 +17,7 @@ constexpr std::array observer_choices = {
     Choice{Observer::cie_1931, "cie_1931", "the CIE's standard observer of 1931, 2 degrees"},
 };
 constexpr std::array sun_choices = {
-    Choice{SunSpectrum::measured, "measured", "the sun's spectrum outside the air, ASTM E490"},
+    Choice{SunSpectrum::measured, "measured", "the sun's spectrum outside the air, of ASTM G173"},
     Choice{SunSpectrum::flat, "flat", "the same at all wavelengths"},
 };
 constexpr std::array white_choices = {

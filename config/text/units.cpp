@@ -14,8 +14,8 @@
 namespace skybake::config {
 namespace {
 
-// Each unit is a power of ten of its base unit, except the degree and Dobson's unit. Other spellings of a unit are
-// read but not listed.
+// Each unit is a power of ten of its base unit, except the degree and Dobson's unit. Other spellings
+// of a unit are read but not listed.
 struct Unit {
     std::string_view name;
     Dimension dimension;
