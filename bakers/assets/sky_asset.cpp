@@ -19,11 +19,8 @@ std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyO
 
 std::vector<Need> light_needs(const config::Parameters& parameters, config::SkyOrders orders,
                               bool reads_sunlight) {
-    if (!holds_colors(parameters)) {
-        return light_needs(parameters.atmosphere, orders, reads_sunlight);
-    }
     std::vector<Need> needs;
-    for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
+    for (const config::Atmosphere& packet : light_packets(parameters)) {
         for (Need& need : light_needs(packet, orders, reads_sunlight)) {
             needs.push_back(std::move(need));
         }

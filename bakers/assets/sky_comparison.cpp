@@ -77,16 +77,7 @@ PathTracedRadiance in_colors(const std::vector<PathTracedRadiance>& packets,
         }
     }
     for (const PathTracedRadiance& packet : packets) sum.flights += packet.flights;
-    Spectrum mean{};
-    for (const Spectrum& replicate : sum.replicates) mean += replicate;
-    mean /= static_cast<double>(kPathReplicates);
-    Spectrum squares{};
-    for (const Spectrum& replicate : sum.replicates) {
-        squares += (replicate - mean) * (replicate - mean);
-    }
-    for (std::size_t c = 0; c < kMaxChannels; ++c) {
-        sum.standard_error[c] = std::sqrt(squares[c] / (kPathReplicates * (kPathReplicates - 1)));
-    }
+    sum.standard_error = standard_error_of(sum.replicates, sum.walked);
     return sum;
 }
 

@@ -58,6 +58,11 @@ bool holds_colors(const config::Parameters& parameters) {
     return parameters.color && parameters.color->space != config::ColorSpace::none;
 }
 
+std::vector<config::Atmosphere> light_packets(const config::Parameters& parameters) {
+    if (holds_colors(parameters)) return packets_of(parameters.atmosphere);
+    return {parameters.atmosphere};
+}
+
 int light_channels(const config::Parameters& parameters) {
     return holds_colors(parameters) ? kColorChannels
                                     : static_cast<int>(parameters.wavelengths.size());
@@ -95,13 +100,9 @@ std::vector<Need> color_needs(const config::Parameters& parameters) {
 SkyLights::SkyLights(const config::Parameters& parameters, const BakeOptions& options,
                      const Make& make) {
     if (holds_colors(parameters)) colors_ = colors_of(parameters, options);
-    if (!holds_colors(parameters)) {
-        owned_.push_back(make(parameters.atmosphere));
-    } else {
-        for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
-            if (options.cancelled()) break;
-            owned_.push_back(make(packet));
-        }
+    for (const config::Atmosphere& packet : light_packets(parameters)) {
+        if (!owned_.empty() && options.cancelled()) break;
+        owned_.push_back(make(packet));
     }
     for (const auto& light : owned_) packets_.push_back(light.get());
 }

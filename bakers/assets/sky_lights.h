@@ -19,6 +19,10 @@ namespace skybake {
 // Whether tables of light hold colours in place of wavelengths.
 bool holds_colors(const config::Parameters& parameters);
 
+// Returns the air at the wavelengths that are computed together: all of them, unless tables of light
+// hold colours.
+std::vector<config::Atmosphere> light_packets(const config::Parameters& parameters);
+
 // Returns the number of channels of tables of light.
 int light_channels(const config::Parameters& parameters);
 

@@ -94,11 +94,8 @@ LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> pl
 std::vector<TraceOfPlace> traces_of_packets(
     const config::Parameters& parameters,
     const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of) {
-    if (!holds_colors(parameters)) {
-        return {trace_of(std::make_shared<const TracedAir>(parameters.atmosphere))};
-    }
     std::vector<TraceOfPlace> traces;
-    for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
+    for (const config::Atmosphere& packet : light_packets(parameters)) {
         traces.push_back(trace_of(std::make_shared<const TracedAir>(packet)));
     }
     return traces;

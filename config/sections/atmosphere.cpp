@@ -248,10 +248,7 @@ void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
         amount.column = {number_or(section.at("column"), 0)};
     }
     layer.gas = amount;
-    if (amount.gas != Gas::air) return;
-    if (layer.phase == Phase::rayleigh) {
-        layer.depolarization = number_or(section.at("depolarization"), depolarization_of_air);
-    } else if (section.at("phase").value) {
+    if (amount.gas == Gas::air && layer.phase != Phase::rayleigh && section.at("phase").value) {
         const DecodedField& phase = section.at("phase");
         decoder.diagnostics.error(
             "E0139", phase.source ? phase.source->place : section.place,
@@ -319,11 +316,13 @@ Layer bind_layer(const std::string& name, const DecodedSection& section, const P
     layer.name = name;
     bind_section(section, layer_fields(), layer);
     const Matter matter = matter_of(section);
-    if (layer.phase == Phase::rayleigh) {
-        layer.depolarization = number_or(section.at("depolarization"), 0);
-    }
     if (matter == Matter::gas) bind_gas(section, decoder, layer);
     if (matter == Matter::aerosol) bind_aerosol(section, decoder, layer);
+    if (layer.phase == Phase::rayleigh) {
+        const bool is_air = layer.gas && layer.gas->gas == Gas::air;
+        layer.depolarization =
+            number_or(section.at("depolarization"), is_air ? depolarization_of_air : 0);
+    }
     bind_standard_profile(section, decoder, layer);
     if (matter != Matter::particles) return layer;
     const Particles* particles =

@@ -56,6 +56,12 @@ struct Spectrum {
         while (i + 2 < points.size() && meters > points[i + 1].first) ++i;
         return i;
     }
+
+    // How far a wavelength is from point i to the next, from 0 to 1.
+    double share_at(std::size_t i, double meters) const {
+        const double from = points[i].first;
+        return std::clamp((meters - from) / (points[i + 1].first - from), 0.0, 1.0);
+    }
 };
 
 double on_power_law(const Spectrum& spectrum, const std::vector<InverseLength>& values,
@@ -72,18 +78,14 @@ double on_power_law(const Spectrum& spectrum, const std::vector<InverseLength>& 
         const double exponent = logarithm(high / low) / logarithm(to / from);
         return low * power(meters / from, exponent);
     }
-    const double share = std::clamp((meters - from) / (to - from), 0.0, 1.0);
-    return low + (high - low) * share;
+    return low + (high - low) * spectrum.share_at(i, meters);
 }
 
 double on_line(const Spectrum& spectrum, const std::vector<double>& values, double meters) {
     const auto value = [&](std::size_t i) { return values[spectrum.points[i].second]; };
     if (spectrum.points.size() == 1) return value(0);
     const std::size_t i = spectrum.piece_at(meters);
-    const double from = spectrum.points[i].first;
-    const double to = spectrum.points[i + 1].first;
-    return value(i) +
-           (value(i + 1) - value(i)) * std::clamp((meters - from) / (to - from), 0.0, 1.0);
+    return value(i) + (value(i + 1) - value(i)) * spectrum.share_at(i, meters);
 }
 
 void interpolate_numbers(Layer& layer, const Spectrum& spectrum, std::span<const Length> wanted) {

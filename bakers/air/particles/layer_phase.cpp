@@ -25,7 +25,7 @@ std::shared_ptr<const ParticleScattering> scattering_of(const config::LayerParti
 }  // namespace
 
 LayerPhase layer_phase(const config::Layer& layer) {
-    if (layer.phase == config::Phase::rayleigh && layer.depolarization > 0) {
+    if (layer.phase == config::Phase::rayleigh) {
         return {{make_rayleigh_phase(layer.depolarization)}};
     }
     if (layer.phase != config::Phase::mie) return {{make_phase_function(layer.phase, layer.g)}};

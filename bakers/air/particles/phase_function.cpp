@@ -14,7 +14,7 @@ PhaseFunction make_phase_function(config::Phase phase, double g) {
         case config::Phase::isotropic:
             return {1 / (4 * kPi), 0, 0};
         case config::Phase::rayleigh:
-            return {3 / (16 * kPi), 3 / (16 * kPi), 0};
+            return make_rayleigh_phase(0);
         case config::Phase::henyey_greenstein:
             return {(1 - g) * (1 + g) / (4 * kPi), 0, g};
         case config::Phase::cornette_shanks:

@@ -147,15 +147,10 @@ PathTracedRadiance mean_of_replicates(const std::vector<PathLight>& replicates,
     for (std::size_t n = 0; n < kPathOrders; ++n) {
         result.orders[n] = all.orders[n].spectrum() / count;
     }
-    Spectrum squares{};
     for (std::size_t i = 0; i < replicates.size(); ++i) {
         result.replicates[i] = all_light(replicates[i]) / static_cast<double>(paths_of_replicate);
-        const Spectrum apart = result.replicates[i] - result.radiance;
-        squares += apart * apart;
     }
-    for (std::size_t c = 0; c < kMaxChannels; ++c) {
-        result.standard_error[c] = std::sqrt(squares[c] / (kReplicates * (kReplicates - 1)));
-    }
+    result.standard_error = standard_error_of(result.replicates, result.radiance);
     return result;
 }
 
@@ -200,6 +195,20 @@ glm::dvec3 up_at(const Shell& shell, double altitude_km, double distance_km,
 }
 
 }  // namespace
+
+Spectrum standard_error_of(const std::array<Spectrum, kPathReplicates>& replicates,
+                           const Spectrum& mean) {
+    Spectrum squares{};
+    for (const Spectrum& replicate : replicates) {
+        const Spectrum apart = replicate - mean;
+        squares += apart * apart;
+    }
+    Spectrum error{};
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        error[c] = std::sqrt(squares[c] / (kReplicates * (kReplicates - 1)));
+    }
+    return error;
+}
 
 PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,

@@ -49,6 +49,10 @@ struct PathTracedRadiance {
     double flights = 0;                          // of a path, in the mean: what it costs
 };
 
+// Returns the standard error of the mean of the replicates, which is `mean`.
+Spectrum standard_error_of(const std::array<Spectrum, kPathReplicates>& replicates,
+                           const Spectrum& mean);
+
 class PathTracer {
   public:
     // `medium` must outlive it.
