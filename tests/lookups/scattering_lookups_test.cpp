@@ -186,6 +186,20 @@ TEST(MomentsLookup, FloatLosesLittle) {
 }
 
 // Each in the table of its degree and order.
+TEST(MultipleScatteringLookup, HoldsTheProbesOfFourWavelengths) {
+    const SunTable table(
+        "preset = 'earth_clear_mountain'\n[bake.multiple_scattering]\n"
+        "method = 'as_in_paper'\nmapping = 'twilight'\nsize = [16, 8]\n");
+    for (const Probe& probe : table.baked.asset().levels[0].probes) {
+        ASSERT_EQ(probe.value.size(), 4U);
+        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
+        const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
+        test::expect_probe(gpu::sun_lookups::multiple_scattering_of_4(
+                               {table.texture}, table.D, h, mu_s, table.twilight(), table.crop()),
+                           probe.value, probe.tolerance, "h " + std::to_string(h));
+    }
+}
+
 TEST(MomentsLookup, HoldsTheProbes) {
     const CroppedMoments table;
     std::set<int> tables;

@@ -10,7 +10,9 @@ namespace gpu::transmittance_lookups {
 namespace {
 
 using gpu::transmittance_lookups::transmittance_to_top;
+using gpu::transmittance_lookups::transmittance_to_top_of_4;
 using gpu::transmittance_lookups::transmittance_to_top_ue;
+using gpu::transmittance_lookups::transmittance_to_top_ue_of_4;
 using test::BakedLookup;
 
 struct TransmittanceTrial {
@@ -71,6 +73,25 @@ TEST(TransmittanceLookup, HoldsTheProbes) {
             const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
             test::expect_probe(gpu::vec4(trial.in_float(h, mu), 1), probe.value, probe.tolerance,
                                "h " + std::to_string(h) + ", mu " + std::to_string(mu));
+        }
+    }
+}
+
+TEST(TransmittanceLookup, HoldsTheProbesOfFourWavelengths) {
+    for (const bool ue : {false, true}) {
+        const BakedLookup baked =
+            test::bake_all(std::string("preset = 'earth_clear_mountain'\n[bake.transmittance]\n") +
+                           "size = [64, 32]\nmapping = '" + (ue ? "ue" : "bruneton") + "'\n");
+        const Texture texture = texture_of(baked.asset());
+        const auto R = static_cast<float>(baked.shell().ground_radius_km);
+        const auto D = static_cast<float>(baked.shell().thickness_km);
+        for (const Probe& probe : baked.asset().levels[0].probes) {
+            ASSERT_EQ(probe.value.size(), 4u);
+            const auto h = static_cast<float>(test::at(probe, "altitude_km"));
+            const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
+            test::expect_probe(ue ? transmittance_to_top_ue_of_4({texture}, R, D, h, mu)
+                                  : transmittance_to_top_of_4({texture}, R, D, h, mu),
+                               probe.value, probe.tolerance, "h " + std::to_string(h));
         }
     }
 }
