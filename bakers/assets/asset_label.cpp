@@ -22,11 +22,15 @@ Conventions sky_conventions(const Parameters& parameters) {
 
 }  // namespace
 
-std::vector<std::string> colour_names(const Parameters& parameters) {
-    if (parameters.wavelengths.size() == 1) return {"Y"};
+std::vector<std::string> names_of_channels(std::size_t count) {
+    if (count == 1) return {"Y"};
     std::vector<std::string> names = {"R", "G", "B", "A"};
-    names.resize(std::min(parameters.wavelengths.size(), names.size()));
+    names.resize(std::min(count, names.size()));
     return names;
+}
+
+std::vector<std::string> colour_names(const Parameters& parameters) {
+    return names_of_channels(parameters.wavelengths.size());
 }
 
 Baked labelled_table(const Parameters& parameters, AssetLabel label) {

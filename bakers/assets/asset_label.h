@@ -1,6 +1,7 @@
 // The labels that files of every kind of asset carry.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,10 @@ struct AssetLabel {
     Facts details;
 };
 
-// Returns {"R", "G", "B"} for three wavelengths, {"Y"} for one, and at most four names.
+// Returns {"Y"} for one channel, {"R", "G", "B"} for three, and at most four names.
+std::vector<std::string> names_of_channels(std::size_t count);
+
+// Returns the names of channels that are the recipe's wavelengths.
 std::vector<std::string> colour_names(const config::Parameters& parameters);
 
 // Return a labelled asset of the sky, whose bakers add what the values mean.

@@ -65,7 +65,7 @@ std::vector<config::Atmosphere> light_packets(const config::Parameters& paramete
 
 int light_channels(const config::Parameters& parameters) {
     return holds_colors(parameters) ? kColorChannels
-                                    : static_cast<int>(parameters.wavelengths.size());
+                                    : static_cast<int>(parameters.atmosphere.ground_albedo.size());
 }
 
 std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
@@ -140,7 +140,7 @@ TableModel SkyLights::model(
 
 Baked labelled_light_table(const config::Parameters& parameters, AssetLabel label) {
     Baked table = labelled_table(parameters, std::move(label));
-    if (holds_colors(parameters)) table.channel_names = {"R", "G", "B"};
+    table.channel_names = names_of_channels(static_cast<std::size_t>(light_channels(parameters)));
     return table;
 }
 
