@@ -65,9 +65,6 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
     const LitPictures lit = lit_pictures_of(bakes);
     auto unused = unused_options(lit, request.options);
     if (!unused.empty()) return {{}, std::move(unused)};
-    if (auto problem = unshowable_wavelengths(selection.value->recipe.parameters)) {
-        return {{}, {std::move(*problem)}};
-    }
     const BakeStages stages = {&progress,
                                static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
     request.options.stages_before = static_cast<int>(bakes.size());

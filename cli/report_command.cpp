@@ -15,7 +15,6 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
-#include "bakers/preview/check_options.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/sweeps/sweep.h"
@@ -206,9 +205,6 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
     }
     const auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
-    if (const auto problem = unshowable_wavelengths(selection.value->recipe.parameters)) {
-        return console.report(std::array{*problem});
-    }
     const std::vector<Bake>& bakes = selection.value->bakes;
     const std::filesystem::path folder = invocation[options::output];
     std::vector<std::string> names;

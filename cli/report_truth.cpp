@@ -18,7 +18,6 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/plot/drawing.h"
-#include "bakers/preview/check_options.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/truth/sky_error_pictures.h"
 #include "bakers/report/truth/sky_truth_report.h"
@@ -105,8 +104,15 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
                                                  "the recipe has no [atmosphere] and so no sky"));
         return outcome;
     }
-    if (auto problem = unshowable_wavelengths(recipe.value->parameters)) {
-        outcome.diagnostics.push_back(std::move(*problem));
+    // Bruneton's tables, which are compared too, hold no other number.
+    const std::size_t wavelengths = recipe.value->parameters.wavelengths.size();
+    if (wavelengths != 1 && wavelengths != 3) {
+        Diagnostic problem = file_error(
+            "E0147", recipe_name(invocation.arguments()[0]),
+            fmt::format("--truth compares skies of one or three wavelengths; the recipe has {}",
+                        wavelengths));
+        problem.label = "--set 'wavelengths=[\"628 nm\", \"542 nm\", \"444 nm\"]' takes three";
+        outcome.diagnostics.push_back(std::move(problem));
         return outcome;
     }
     TruthRequest request;

@@ -157,10 +157,6 @@ class Watch {
             add(outcome, {{}, std::move(unused)});
             return outcome;
         }
-        if (auto problem = unshowable_wavelengths(selection.value->recipe.parameters)) {
-            add(outcome, {{}, {std::move(*problem)}});
-            return outcome;
-        }
         selection_ = std::move(*selection.value);
         BakeProgress progress("draft", console_);
         add(outcome, page_of(*selection_, draft_of(selection_->recipe, request_.draft_edge), true,

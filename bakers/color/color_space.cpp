@@ -23,6 +23,29 @@ std::span<const ColorSpace> all_color_spaces() {
     return kAll;
 }
 
+std::string_view to_string(ColorSpace space) {
+    switch (space) {
+        case ColorSpace::linear_srgb:
+            return "linear_srgb";
+        case ColorSpace::display_p3:
+            return "display_p3";
+        case ColorSpace::rec2020:
+            return "rec2020";
+        case ColorSpace::acescg:
+            return "acescg";
+        case ColorSpace::xyz:
+            break;
+    }
+    return "xyz";
+}
+
+std::optional<ColorSpace> color_space_named(std::string_view name) {
+    for (const ColorSpace space : all_color_spaces()) {
+        if (to_string(space) == name) return space;
+    }
+    return std::nullopt;
+}
+
 Primaries primaries_of(ColorSpace space) {
     switch (space) {
         case ColorSpace::linear_srgb:  // IEC 61966-2-1, ITU-R BT.709

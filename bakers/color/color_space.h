@@ -21,7 +21,9 @@
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
+#include <optional>
 #include <span>
+#include <string_view>
 
 namespace skybake {
 
@@ -36,6 +38,10 @@ enum class ColorSpace {
 enum class White { sun, sun_per_channel, own };
 
 std::span<const ColorSpace> all_color_spaces();
+
+// Return the name of a space as recipes and files spell it, "linear_srgb", and the space of a name.
+std::string_view to_string(ColorSpace space);
+std::optional<ColorSpace> color_space_named(std::string_view name);
 
 // Chromaticities x, y. Those of XYZ itself are (1, 0), (0, 1), (0, 0) and (1/3, 1/3).
 struct Primaries {

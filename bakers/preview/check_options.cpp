@@ -96,19 +96,6 @@ std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
     return diagnostic;
 }
 
-std::optional<config::Diagnostic> unshowable_wavelengths(const config::Parameters& parameters) {
-    const std::size_t count = parameters.wavelengths.size();
-    const bool has_sky = parameters.atmosphere.top_radius.meters > 0;
-    if (!has_sky || count == 1 || count == 3) return std::nullopt;
-    config::Diagnostic diagnostic;
-    diagnostic.code = "E0147";
-    diagnostic.message =
-        fmt::format("previews and reports show one or three wavelengths; the recipe has {}", count);
-    diagnostic.label =
-        "--set 'wavelengths=[\"628 nm\", \"542 nm\", \"444 nm\"]' shows it with three";
-    return diagnostic;
-}
-
 config::Recipe draft_of(config::Recipe recipe, int most_voxels) {
     for (config::Bake& bake : recipe.parameters.bakes) baker_of(bake).draft(bake, most_voxels);
     return recipe;

@@ -27,11 +27,6 @@ LitPictures lit_pictures_of(const PreviewAssets& assets);
 [[nodiscard]] std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
                                                                  const PreviewOptions& options);
 
-// Returns E0147 for a recipe with another number of wavelengths than one or three, which pictures
-// and reports of skies cannot show. Recipes of noises or clouds alone pass.
-[[nodiscard]] std::optional<config::Diagnostic> unshowable_wavelengths(
-    const config::Parameters& parameters);
-
 // Reduces a recipe for a draft. Volumes have at most `most_voxels` along an edge, in the same
 // proportions, and only level 0. Tables have fixed sizes of at most 256 x 64 and 32 x 32 texels,
 // instead of an error bound, and texels of multiple scattering may have errors of 2 %. Nothing else

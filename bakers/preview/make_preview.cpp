@@ -147,11 +147,6 @@ Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOpti
     auto unused = unused_options(lit_pictures_of(assets), options);
     if (!unused.empty()) return {{}, std::move(unused)};
     if (auto problem = camera_above_air(assets, options)) return {{}, {std::move(*problem)}};
-    if (assets.recipe) {
-        if (auto problem = unshowable_wavelengths(assets.recipe->parameters)) {
-            return {{}, {std::move(*problem)}};
-        }
-    }
     return Preview(assets, options).make();
 }
 

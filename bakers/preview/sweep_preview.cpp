@@ -70,8 +70,9 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     const SkyMedium medium = make_sky_medium(atmosphere);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
     add_sun_disc(medium, *tables.value, view, radiance);
-    const double exposure = exposure_of(radiance, options);
-    return Thumbnail{tone_mapped(radiance, exposure),
+    const Image2<float> shown = tables.value->screen.shown(radiance);
+    const double exposure = exposure_of(shown, options);
+    return Thumbnail{tone_mapped(shown, exposure),
                      light_words(exposure, view.sun_elevation_degrees)};
 }
 

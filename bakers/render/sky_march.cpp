@@ -278,10 +278,15 @@ HWY_INLINE void march_all(const SkyMarch& sky, const MarchRays& rays, float* rad
 
 template <class Real>
 HWY_INLINE void march_channels(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
-    if (sky.channels == 1) {
-        march_all<Real, 1>(sky, rays, radiance);
-    } else {
-        march_all<Real, 3>(sky, rays, radiance);
+    switch (sky.channels) {
+        case 1:
+            return march_all<Real, 1>(sky, rays, radiance);
+        case 2:
+            return march_all<Real, 2>(sky, rays, radiance);
+        case 3:
+            return march_all<Real, 3>(sky, rays, radiance);
+        default:
+            return march_all<Real, kMaxChannels>(sky, rays, radiance);
     }
 }
 

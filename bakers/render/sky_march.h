@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "bakers/math/vectors.h"
 #include "bakers/render/sky_tables.h"
 
 namespace skybake {
@@ -20,8 +21,8 @@ struct MarchPiece {
 struct MarchLayer {
     float scale_height_km = 0;  // 0: `pieces` give the density
     std::vector<MarchPiece> pieces;
-    std::array<float, 3> scattering_per_km{};
-    std::array<float, 3> extinction_per_km{};
+    std::array<float, kMaxChannels> scattering_per_km{};
+    std::array<float, kMaxChannels> extinction_per_km{};
     bool scatters = false;
     float phase_constant = 0, phase_quadratic = 0, phase_g = 0;  // phase_function.h
 };
@@ -34,7 +35,7 @@ struct SkyMarch {
     float top_horizon_km = 0;  // distance from the top to the horizon, H of transmittance_mapping.h
     float camera_altitude_km = 0;
     float sun_s_km = 0;  // r mu_s at the camera
-    std::array<float, 3> ground_albedo{};
+    std::array<float, kMaxChannels> ground_albedo{};
     std::vector<MarchLayer> layers;
     const SkyTables* tables = nullptr;
     int steps = 0;

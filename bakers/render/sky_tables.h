@@ -7,6 +7,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/field/image.h"
 #include "bakers/io/manifest/manifest.h"
+#include "bakers/render/screen_color.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -40,6 +41,7 @@ struct SkyTables {
     bool holds_optical_depth = false;  // transmittance is exp(-value)
     LookupTable multiple_scattering;   // sun's coordinate, altitude / thickness
     bool twilight = false;             // the mapping of the sun's coordinate is "twilight"
+    ScreenColor screen;                // how the light of the channels is shown
 };
 
 // Makes the tables from two assets of the same atmosphere. The manifest tells what an asset's

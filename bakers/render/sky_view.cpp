@@ -18,9 +18,9 @@ namespace {
 // Half of the sun's mean angular diameter from Earth, 0.533 degrees.
 constexpr double kSunRadius = 0.2665 * std::numbers::pi / 180;
 
-std::array<float, 3> floats(const Spectrum& values) {
-    return {static_cast<float>(values[0]), static_cast<float>(values[1]),
-            static_cast<float>(values[2])};
+std::array<float, kMaxChannels> floats(const Spectrum& values) {
+    return {static_cast<float>(values.x), static_cast<float>(values.y),
+            static_cast<float>(values.z), static_cast<float>(values.w)};
 }
 
 // Returns a phase function that the march can evaluate. A tabulated function of spheres is replaced

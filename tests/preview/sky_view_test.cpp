@@ -60,7 +60,8 @@ double largest(const Image2<float>& image) {
 }
 
 TEST(SkyView, HasTheSameBitsOnEveryTargetAsItsSpecification) {
-    for (const test::Sky& sky : {test::sky_of("earth"), peculiar_sky()}) {
+    for (const test::Sky& sky :
+         {test::sky_of("earth"), peculiar_sky(), test::sky_of("earth_clear_mountain")}) {
         for (const SkyView& view : {test::dome(37, 0.2, 5), test::panorama(46, 3, -3)}) {
             const Image2<float> wanted = render_sky_scalar(sky.medium, sky.tables, view, 1);
             EXPECT_GT(largest(wanted), 0);

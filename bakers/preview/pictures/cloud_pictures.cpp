@@ -156,14 +156,15 @@ PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& me
                            int threads, Progress* progress) {
     const CloudViewSettings settings = settings_of(input, medium, sun);
     const CloudView view = render_samples(medium, lighting, settings, threads, progress);
+    const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
     const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
-                                                 : kExposureShare * exposure_for(view.radiance);
+                                                 : kExposureShare * exposure_for(shown);
     PreviewPicture picture;
     picture.name =
         fmt::format("{}_lit_{}", input.volume->entry.name, sun_stem(sun.elevation_degrees));
     picture.title = fmt::format("Lit, {}", sun_text(sun.elevation_degrees));
     picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, exposure);
-    picture.picture = tone_mapped(view.radiance, exposure);
+    picture.picture = tone_mapped(shown, exposure);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
     return picture;

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "bakers/plot/chart.h"
+#include "bakers/render/screen_color.h"
 #include "bakers/render/tone_curve.h"
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/sky_view.h"
@@ -42,6 +43,11 @@ Image2<float> upwards(const Image2<float>& table, int first_row, int rows) {
         std::copy_n(table.texel(0, first_row + y), row_values, part.texel(0, rows - 1 - y));
     }
     return part;
+}
+
+// Returns a picture of an asset's texels as linear sRGB.
+Image2<float> shown(const PreviewAsset& asset, const Image2<float>& light) {
+    return ScreenColor(asset.entry.conventions, light.channels).shown(light);
 }
 
 // Returns the angle above the horizon at a place between the first and the last row
@@ -166,7 +172,8 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
                       asset.table.height == rows * static_cast<int>(bake->sun_elevations.size());
     std::vector<PreviewPicture> pictures;
     for (std::size_t k = 0; fits && k < bake->sun_elevations.size(); ++k) {
-        const Image2<float> view = upwards(asset.table, static_cast<int>(k) * rows, rows);
+        const Image2<float> view =
+            shown(asset, upwards(asset.table, static_cast<int>(k) * rows, rows));
         const double exposure = exposure_for(view);
         const double sun = bake->sun_elevations[k].radians * 180 / std::numbers::pi;
         const std::string title = fmt::format("{}: {}", entry.name, sun_text(sun));
@@ -191,7 +198,7 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
 std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
     if (asset.table.width <= 0 || asset.table.height <= 0 || entry.axes.size() != 2) return {};
-    const Image2<float> view = upwards(asset.table, 0, asset.table.height);
+    const Image2<float> view = shown(asset, upwards(asset.table, 0, asset.table.height));
     const double exposure = exposure_for(view);
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
@@ -217,7 +224,8 @@ std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
 std::vector<PreviewPicture> environment_pictures(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
     if (asset.table.width <= 0 || asset.table.height <= 0) return {};
-    const double exposure = exposure_for(asset.table);
+    const Image2<float> view = shown(asset, asset.table);
+    const double exposure = exposure_for(view);
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
     const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 360 * t - 180; },
@@ -228,8 +236,8 @@ std::vector<PreviewPicture> environment_pictures(const PreviewAsset& asset) {
              fmt::format("The picture shows the file upright, the sun's azimuth in the middle; {}. "
                          "The sun's disc is not in it.",
                          tone_text(exposure)),
-             framed(tone_mapped(fitted(asset.table, view_width, 2 * view_width), exposure), title,
-                    azimuth, elevation),
+             framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, azimuth,
+                    elevation),
              exposure}};
 }
 

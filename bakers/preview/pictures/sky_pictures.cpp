@@ -60,8 +60,20 @@ SkyView panorama_view(const SkyScene& scene, double sun_elevation_degrees) {
     return view;
 }
 
-double exposure_of(const SkyPreviewOptions& options, const Image2<float>& radiance) {
-    return options.exposure_stops ? std::exp2(*options.exposure_stops) : exposure_for(radiance);
+// A picture of the tables' sky in linear sRGB, and its exposure, which the sun's disc does not
+// change.
+struct ShownSky {
+    Image2<float> colors;
+    double exposure = 1;
+};
+
+ShownSky shown_sky(const SkyScene& scene, const SkyView& view) {
+    Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
+    const std::optional<double> stops = scene.options.exposure_stops;
+    const double exposure =
+        stops ? std::exp2(*stops) : exposure_for(scene.tables.screen.shown(radiance));
+    add_sun_disc(scene.medium, scene.tables, view, radiance);
+    return {scene.tables.screen.shown(radiance), exposure};
 }
 
 // Enlarges an image; each pixel is a bilinear lookup.
@@ -79,9 +91,9 @@ Image2<float> enlarged(const Image2<float>& image, int pixels) {
     return result;
 }
 
-// Draws a dome, tone-mapped, with the circle's edge smoothed against its surround.
-Picture dome_picture(const Image2<float>& radiance, const SkyView& view, double exposure) {
-    Picture picture = tone_mapped(radiance, exposure);
+// Draws a dome of linear sRGB, tone-mapped, with the circle's edge smoothed against its surround.
+Picture dome_picture(const Image2<float>& shown, const SkyView& view, double exposure) {
+    Picture picture = tone_mapped(shown, exposure);
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
             const double share = coverage_at(view, x, y);
@@ -149,9 +161,8 @@ std::string percent_text(double share) { return number_text(100 * share) + " %";
 std::string how_shown(const SkyScene& scene) {
     return fmt::format(
         "The camera is at {:g} km; each ray is marched in {} steps. Radiance is for a solar "
-        "irradiance of 1 in each channel, so that sunlight outside the atmosphere is white; "
-        "channels are shown as linear sRGB",
-        scene.camera_altitude_km, kSkySteps);
+        "irradiance of 1; {}",
+        scene.camera_altitude_km, kSkySteps, scene.tables.screen.words());
 }
 
 std::string figures_text(const ErrorFigures& figures) {
@@ -169,8 +180,9 @@ void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_
     const std::string marching = figures_text(cost.marching);
     result.picture = contact_sheet(
         {framed_dome(dome, "from the tables"),
-         framed_dome(dome_picture(enlarged(cost.solved, pixels), view, exposure),
-                     "reference: the solved sky"),
+         framed_dome(
+             dome_picture(enlarged(scene.tables.screen.shown(cost.solved), pixels), view, exposure),
+             "reference: the solved sky"),
          difference_chart(cost.difference, pixels)},
         {fmt::format("sun at {}, {} steps per ray, {}", degrees_text(sun_elevation_degrees),
                      kSkySteps, exposure_text(exposure)),
@@ -189,9 +201,7 @@ void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_
 
 PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     const SkyView view = dome_view(scene, sun_elevation_degrees, scene.options.dome_pixels);
-    Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
-    const double exposure = exposure_of(scene.options, radiance);
-    add_sun_disc(scene.medium, scene.tables, view, radiance);
+    const auto [colors, exposure] = shown_sky(scene, view);
 
     PreviewPicture result;
     result.name = "sky_" + sun_stem(sun_elevation_degrees);
@@ -200,7 +210,7 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     result.caption = fmt::format(
         "This is a fisheye view of the upper hemisphere with the sun towards the top. {}; {}.",
         how_shown(scene), tone_text(exposure));
-    const Picture dome = dome_picture(radiance, view, exposure);
+    const Picture dome = dome_picture(colors, view, exposure);
     if (scene.solved) {
         compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
     } else {
@@ -215,10 +225,8 @@ PreviewPicture panoramas(const SkyScene& scene) {
     std::vector<std::string> captions;
     for (const double elevation : scene.options.sun_elevations_degrees) {
         const SkyView view = panorama_view(scene, elevation);
-        Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
-        const double exposure = exposure_of(scene.options, radiance);
-        add_sun_disc(scene.medium, scene.tables, view, radiance);
-        pictures.push_back(tone_mapped(radiance, exposure));
+        const auto [colors, exposure] = shown_sky(scene, view);
+        pictures.push_back(tone_mapped(colors, exposure));
         captions.push_back(fmt::format("{}, {}", sun_text(elevation), exposure_text(exposure)));
     }
     PreviewPicture result;

@@ -15,6 +15,7 @@
 #include "bakers/field/interpolation.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/table_geometry.h"
+#include "bakers/render/screen_color.h"
 #include "bakers/render/tone_curve.h"
 
 namespace skybake {
@@ -38,10 +39,28 @@ std::vector<ChannelName> channel_names(const ManifestAsset& entry, const TableGe
         const std::string length = fmt::format("{:.5g} nm", wavelengths[i]);
         return name.empty() ? length : name + ", " + length;
     };
-    if (entry.channels.size() < 3) return {{"luminance", title("", 0), {0x1f, 0x23, 0x28}}};
-    return {{"red", title("red", 0), {0xc8, 0x3a, 0x32}},
-            {"green", title("green", 1), {0x2e, 0x8b, 0x57}},
-            {"blue", title("blue", 2), {0x2f, 0x6f, 0xc4}}};
+    constexpr std::array<std::uint8_t, 3> red = {0xc8, 0x3a, 0x32}, amber = {0xb8, 0x86, 0x0b},
+                                          green = {0x2e, 0x8b, 0x57}, blue = {0x2f, 0x6f, 0xc4};
+    const std::size_t count = entry.channels.size();
+    if (count == 1) return {{"luminance", title("", 0), {0x1f, 0x23, 0x28}}};
+    if (count == 3 && !entry.conventions.color) {
+        return {{"red", title("red", 0), red},
+                {"green", title("green", 1), green},
+                {"blue", title("blue", 2), blue}};
+    }
+    // Channels that only a matrix turns into colours are named by their wavelengths, and drawn from
+    // red to blue.
+    std::vector<std::array<std::uint8_t, 3>> hues = {red, amber, green, blue};
+    if (count < hues.size()) hues = {red, green, blue};
+    std::vector<ChannelName> names;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto longer = std::count_if(wavelengths.begin(), wavelengths.end(), [&](double nm) {
+            return i < wavelengths.size() && nm > wavelengths[i];
+        });
+        const auto rank = std::min(static_cast<std::size_t>(longer), hues.size() - 1);
+        names.push_back({fmt::format("channel_{}", i), title("", i), hues[rank]});
+    }
+    return names;
 }
 
 // The words and the scale that differ between the kinds of tables.
@@ -187,7 +206,8 @@ class TablePictures {
           quantity_(quantity_of(asset.entry, geometry)),
           channels_(channel_names(asset.entry, geometry)),
           view_(physical_view(asset.table, geometry)),
-          exposure_(exposure_for(light_)) {}
+          screen_(asset.entry.conventions, asset.table.channels),
+          exposure_(exposure_for(screen_.shown(light_))) {}
 
     std::vector<PreviewPicture> make() {
         add_colours();
@@ -229,7 +249,7 @@ class TablePictures {
         add("view", title,
             fmt::format("The picture shows bilinear lookups; {}.{}", tone_text(exposure_),
                         where_grey()),
-            framed(shown(light_of(view_, entry_), exposure_), title, angle_axis(),
+            framed(shown(screen_.shown(light_of(view_, entry_)), exposure_), title, angle_axis(),
                    altitude_axis()));
     }
 
@@ -315,7 +335,7 @@ class TablePictures {
                 : ChartAxis{quantity_.angle,
                             [geometry](double t) { return geometry.zenith_angle(t, 0); },
                             AxisTicks::angles};
-        pictures_.push_back(texels_picture(entry_, light_, exposure_, across, up));
+        pictures_.push_back(texels_picture(entry_, screen_.shown(light_), exposure_, across, up));
     }
 
     const ManifestAsset& entry_;
@@ -325,6 +345,7 @@ class TablePictures {
     Quantity quantity_;
     std::vector<ChannelName> channels_;
     Image2<float> view_;
+    ScreenColor screen_;
     double exposure_;
     std::vector<PreviewPicture> pictures_;
 };
@@ -338,7 +359,8 @@ std::vector<PreviewPicture> table_pictures(const PreviewAsset& asset) {
         return TablePictures(asset, *geometry).make();
     }
     const auto coordinate = [](double t) { return t; };
-    return {texels_picture(asset.entry, table, exposure_for(table),
+    const Image2<float> colors = ScreenColor(asset.entry.conventions, table.channels).shown(table);
+    return {texels_picture(asset.entry, colors, exposure_for(colors),
                            {"u", coordinate, AxisTicks::decimal},
                            {"v", coordinate, AxisTicks::decimal})};
 }
