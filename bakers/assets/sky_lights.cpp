@@ -16,39 +16,51 @@ ColorRequest request_of(const config::Parameters& parameters) {
     return {parameters.wavelengths, *parameters.color, parameters.atmosphere};
 }
 
+// Writes the colours of light at some places, place after place. `write_packet(i, light)` writes the
+// light of packet i, which has channels[i] wavelengths.
+template <class Write>
+void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
+                  std::size_t places, const Write& write_packet, double* values) {
+    std::fill_n(values, places * kColorChannels, 0.0);
+    std::vector<double> light;
+    const glm::dvec3* weight = weights.data();
+    for (std::size_t packet = 0; packet < channels.size(); ++packet) {
+        light.resize(places * channels[packet]);
+        write_packet(packet, light.data());
+        for (std::size_t i = 0; i < places; ++i) {
+            for (std::size_t c = 0; c < channels[packet]; ++c) {
+                const glm::dvec3 color = light[i * channels[packet] + c] * weight[c];
+                double* to = values + i * kColorChannels;
+                to[0] += color.x;
+                to[1] += color.y;
+                to[2] += color.z;
+            }
+        }
+        weight += channels[packet];
+    }
+}
+
 // Makes colours of rows whose channels are wavelengths.
 class RowColors {
   public:
     RowColors(std::vector<TableModel> packets, std::shared_ptr<const SkyColors> colors)
-        : packets_(std::move(packets)), colors_(std::move(colors)) {}
-
-    const std::vector<TableModel>& packets() const { return packets_; }
+        : packets_(std::move(packets)), colors_(std::move(colors)) {
+        for (const TableModel& packet : packets_) {
+            channels_.push_back(static_cast<std::size_t>(packet.channels));
+        }
+    }
 
     // `fill` writes a row of one packet.
     template <class Fill>
     void row(std::size_t points, double* values, const Fill& fill) const {
-        std::fill_n(values, points * kColorChannels, 0.0);
-        std::vector<double> light;
-        std::size_t first = 0;
-        for (const TableModel& packet : packets_) {
-            const auto channels = static_cast<std::size_t>(packet.channels);
-            light.resize(points * channels);
-            fill(packet, light.data());
-            for (std::size_t i = 0; i < points; ++i) {
-                for (std::size_t c = 0; c < channels; ++c) {
-                    const glm::dvec3 color = light[i * channels + c] * colors_->weights[first + c];
-                    double* to = values + i * kColorChannels;
-                    to[0] += color.x;
-                    to[1] += color.y;
-                    to[2] += color.z;
-                }
-            }
-            first += channels;
-        }
+        write_colors(
+            colors_->weights, channels_, points,
+            [&](std::size_t packet, double* light) { fill(packets_[packet], light); }, values);
     }
 
   private:
     std::vector<TableModel> packets_;
+    std::vector<std::size_t> channels_;
     std::shared_ptr<const SkyColors> colors_;
 };
 
@@ -112,6 +124,22 @@ std::optional<config::Diagnostic> SkyLights::problem(const std::string& name) co
         if (auto found = light->problem(name)) return found;
     }
     return std::nullopt;
+}
+
+int SkyLights::channels() const { return colors_ ? kColorChannels : first().medium().air.channels; }
+
+void SkyLights::write_channels(
+    std::size_t places,
+    const std::function<void(const SkyLight& light, double* values)>& write_packet,
+    double* values) const {
+    if (!colors_) return write_packet(first(), values);
+    std::vector<std::size_t> channels;
+    for (const SkyLight* light : packets_) {
+        channels.push_back(static_cast<std::size_t>(light->medium().air.channels));
+    }
+    write_colors(
+        colors_->weights, channels, places,
+        [&](std::size_t packet, double* light) { write_packet(*packets_[packet], light); }, values);
 }
 
 TableModel SkyLights::model(

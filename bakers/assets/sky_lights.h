@@ -2,6 +2,7 @@
 // that a table makes of them.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -52,6 +53,19 @@ class SkyLights {
 
     // Returns what is wrong with the light of any packet (SkyLight::problem).
     [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
+
+    // Whether channels are colours; else they are wavelengths.
+    bool makes_colors() const { return colors_ != nullptr; }
+
+    // Returns the number of channels that files hold, unless something else is added to them.
+    int channels() const;
+
+    // Writes the channels that files hold of light at some places, place after place: wavelengths,
+    // or the colours made of them. `write_packet` writes the light of one packet's wavelengths.
+    void write_channels(
+        std::size_t places,
+        const std::function<void(const SkyLight& light, double* values)>& write_packet,
+        double* values) const;
 
     // Returns the model of a table of all wavelengths: that of one packet, or the colours made of
     // the models of all.

@@ -146,7 +146,7 @@ const AssetKind& asset_kind(Tag<AerialPerspectiveBake>) {
             .name = "aerial_perspective",
             .documentation = "the air between a camera and what it looks at",
             .needs_atmosphere = true,
-            .use_of_light = UseOfLight::rgb,
+            .use_of_light = UseOfLight::colors,
         },
         std::span<const AerialPerspectiveField>(rows), reads_of, resolve_aerial_perspective);
     return kind;

@@ -337,7 +337,8 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0147", "wavelengths that an asset cannot hold",
         "Tables of transmittance and of multiple scattering hold one channel for each wavelength, "
-        "and files have at most four. Tables of light (sky_view, environment, irradiance) hold "
+        "and files have at most four. Light itself (sky_view, environment, irradiance, "
+        "aerial_perspective) is held as "
         "colours made of any number of wavelengths if the recipe has [color] or asks for the best "
         "ones; one wavelength alone has no colour. All other tables hold one or three wavelengths.",
         "preset = \"earth\"\nwavelengths = \"380 nm..780 nm by 5 nm\"\n"

@@ -89,8 +89,8 @@ Claim claim_of_aerial_perspective(RandomCase& random) {
     bake.view_distance = {thickness_m * random.log_uniform(0.1, 3)};
     bake.slices = static_cast<config::SliceSpacing>(random.below(2));
     bake.pixel_type = config::PixelType::float32;
-    const Baked volume = value_of(
-        bake_aerial_perspective(sky.light(), bake, kClaimOptions, {"R", "G", "B"}, empty_table()));
+    const Baked volume =
+        value_of(bake_aerial_perspective(sky.light(), bake, kClaimOptions, empty_table()));
     const AerialCamera camera(bake);
     const VolumeReference exact = [&](const std::array<double, 3>& uvw) {
         const SkyRadiance at =

@@ -77,6 +77,9 @@ TEST(Color, AssetsHoldTheWavelengthsThatTheyCan) {
     const std::string mean = "[bake.multiple_scattering]\nmethod = 'solved'\n";
     EXPECT_EQ(faults("wavelengths = 'best 16'\n" + grey_air + sky), Codes{});
     EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + sky + matrix + mean), Codes{});
+    EXPECT_EQ(faults("wavelengths = 'best 8'\n" + grey_air +
+                     "[bake.aerial_perspective]\naltitude = '1 km'\nsun_elevation = '9 deg'\n"),
+              Codes{});
     EXPECT_EQ(faults("wavelengths = 'best 8'\n" + grey_air + matrix), Codes{"E0147 1:15"});
     EXPECT_EQ(faults("wavelengths = ['500 nm', '900 nm']\n" + grey_air + sky + "[color]\n"),
               Codes{"E0147 1:15"});

@@ -110,6 +110,64 @@ TEST(TablesOfColors, HaveThreeChannelsOfAnyNumberOfWavelengths) {
     EXPECT_EQ(table.conventions.color->weights.size(), 24u);
 }
 
+// The first row of froxels beyond the air, of each channel.
+std::vector<double> far_froxel(const std::string& content, const std::string& distance,
+                               const std::vector<std::string>& settings) {
+    const Baked volume = baked(
+        "[bake.aerial]\nasset = 'aerial_perspective'\nsize = [1, 1, 2]\n"
+        "altitude = '500 m'\nsun_elevation = '10 deg'\npitch = '30 deg'\n"
+        "slices = 'linear'\ncontent = '" +
+            content + "'\nview_distance = '" + distance + "'\n",
+        settings);
+    std::vector<std::vector<float>> values(volume.channel_names.size(), std::vector<float>(1));
+    std::vector<float*> targets;
+    for (std::vector<float>& value : values) targets.push_back(value.data());
+    volume.levels.front().voxels->fill({{0, 0, 1}, {1, 1, 1}}, targets);
+    std::vector<double> voxel;
+    for (const std::vector<float>& value : values) voxel.push_back(double{value.front()});
+    return voxel;
+}
+
+// Beyond the air its light is the sky, whose colours the environment has in the same direction:
+// 30 degrees up, and next to 0 and 360 degrees of azimuth.
+TEST(VolumesOfColors, HoldTheSkysColoursFarAway) {
+    for (const char* wavelengths : {"wavelengths='best 4'", "wavelengths='best 8'"}) {
+        const Baked sky = baked(
+            "[bake.environment]\nsize = [1440, 720]\naltitude = '500 m'\n"
+            "sun_elevation = '10 deg'\n",
+            {wavelengths});
+        const Image2<float> image = sky.image();
+        const std::vector<double> air = far_froxel("in_scatter", "2000 km", {wavelengths});
+        ASSERT_EQ(air.size(), 3u);
+        for (std::size_t c = 0; c < 3; ++c) {
+            double mean = 0;
+            for (const int x : {719, 720}) {
+                for (const int y : {239, 240}) mean += double{image.texel(x, y)[c]} / 4;
+            }
+            EXPECT_NEAR(air[c], mean, 2e-3 * mean) << wavelengths << " " << c;
+        }
+    }
+}
+
+// Air that is not there takes nothing from light, under any convention of white. A way through
+// much of it takes most from blue light, and A is the mean of the other channels.
+TEST(VolumesOfColors, TransmittanceIsTheShareOfSunlight) {
+    for (const char* white : {"color.white='sun'", "color.white='space'"}) {
+        for (const double value : far_froxel("transmittance", "1 mm", {white})) {
+            EXPECT_NEAR(value, 1, 1e-6) << white;
+        }
+        const std::vector<double> far = far_froxel("transmittance", "2000 km", {white});
+        ASSERT_EQ(far.size(), 3u);
+        EXPECT_LT(far[0], 0.97) << white;
+        EXPECT_LT(far[1], far[0]) << white;
+        EXPECT_LT(far[2], 0.95 * far[1]) << white;
+        const std::vector<double> both =
+            far_froxel("in_scatter_and_transmittance", "2000 km", {white});
+        ASSERT_EQ(both.size(), 4u);
+        EXPECT_NEAR(both[3], (far[0] + far[1] + far[2]) / 3, 1e-6) << white;
+    }
+}
+
 TEST(TablesOfWavelengths, HaveFourChannelsAndTheWeights) {
     const Baked table = baked("[bake.transmittance]\nsize = [8, 8]\n", {});
     EXPECT_EQ(table.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));

@@ -33,14 +33,16 @@ config::SkyOrders solved_orders(const AerialPerspectiveBake& asset) {
 
 std::vector<Need> needs(const Parameters& parameters, const AerialPerspectiveBake& asset,
                         Certification) {
-    return light_needs(parameters.atmosphere, solved_orders(asset), false);
+    return light_needs(parameters, solved_orders(asset), false);
 }
 
 Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const SkyLight light(parameters.atmosphere, solved_orders(asset), asset.layers, options);
-    return bake_of_light(light, label.name, options, [&](const SkyLight& found) {
-        return bake_aerial_perspective(found, asset, options, colour_names(parameters),
+    const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
+        return std::make_unique<SkyLight>(atmosphere, solved_orders(asset), asset.layers, options);
+    });
+    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
+        return bake_aerial_perspective(found, asset, options,
                                        labelled_sky_volume(parameters, std::move(label)));
     });
 }
@@ -130,7 +132,6 @@ std::optional<TracedLight> traced(const Parameters& parameters,
                                   const AerialPerspectiveBake& asset) {
     const bool has_light = asset.content != config::AerialContent::transmittance;
     if (!has_light || asset.orders == config::SkyOrders::single) return std::nullopt;
-    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const auto samples = froxel_samples(shell_of(parameters.atmosphere), asset);
     std::vector<Place> at;
     for (const FroxelSample& sample : samples) {
@@ -138,19 +139,23 @@ std::optional<TracedLight> traced(const Parameters& parameters,
                       {"picture_y", sample.v},
                       {"distance_km", sample.distance_km}});
     }
-    const auto trace = [air, samples, camera = AerialCamera(asset), orders = asset.orders](
-                           std::size_t place, PathTracerSettings settings) {
-        settings.include_seen_ground = false;
-        settings.length_km = samples[place].distance_km;
-        PathTracedRadiance light = trace_paths(air->tracer(), camera.altitude_km(), camera.sun(),
-                                               samples[place].direction, settings, 1);
-        if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
-        return light;
+    const auto trace_of = [&](const std::shared_ptr<const TracedAir>& air) -> TraceOfPlace {
+        return [air, samples, camera = AerialCamera(asset), orders = asset.orders](
+                   std::size_t place, PathTracerSettings settings) {
+            settings.include_seen_ground = false;
+            settings.length_km = samples[place].distance_km;
+            PathTracedRadiance light =
+                trace_paths(air->tracer(), camera.altitude_km(), camera.sun(),
+                            samples[place].direction, settings, 1);
+            if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
+            return light;
+        };
     };
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    return TracedLight{air->medium().air.channels, at, light_looked_up(places_in, at), {trace}};
+    return TracedLight{light_channels(parameters), at, light_looked_up(places_in, at),
+                       traces_of_packets(parameters, trace_of)};
 }
 
 void draft(AerialPerspectiveBake& asset, int) {
@@ -161,7 +166,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 6,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 7,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .needs = needs,

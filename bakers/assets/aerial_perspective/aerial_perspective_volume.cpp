@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "bakers/assets/sky_asset.h"
@@ -22,26 +25,72 @@ using config::AerialPerspectiveBake;
 
 namespace {
 
-// The channels of a voxel.
-std::vector<double> channels_of(const SkyLight& light, const SkyRadiance& radiance,
-                                AerialContent content) {
-    const auto colours = light.medium().air.channels;
-    const Spectrum in_scatter = light.wanted(radiance);
-    std::vector<double> values;
-    if (content == AerialContent::transmittance) {
-        values.assign(data(radiance.transmittance), data(radiance.transmittance) + colours);
+// What voxels hold of the light of all wavelengths.
+class FroxelChannels {
+  public:
+    FroxelChannels(const SkyLights& lights, const AerialCamera& camera, AerialContent content)
+        : lights_(lights), camera_(camera), content_(content), white_(colours()) {
+        lights.write_channels(
+            1,
+            [](const SkyLight& light, double* values) {
+                std::fill_n(values, light.medium().air.channels, 1.0);
+            },
+            white_.data());
+    }
+
+    std::size_t count() const {
+        return colours() + (content_ == AerialContent::in_scatter_and_transmittance ? 1 : 0);
+    }
+
+    // Returns the channels of the voxels along the ray at (u, v), voxel after voxel.
+    std::vector<double> along(double u, double v, const std::vector<double>& distances_km) const {
+        const std::size_t colours = this->colours();
+        // In turns, the light that the air adds and the transmittance.
+        std::vector<double> pairs(2 * distances_km.size() * colours);
+        lights_.write_channels(
+            2 * distances_km.size(),
+            [&](const SkyLight& light, double* to) {
+                const int channels = light.medium().air.channels;
+                for (const SkyRadiance& at :
+                     aerial_perspective(light, camera_, u, v, distances_km)) {
+                    const Spectrum in_scatter = light.wanted(at);
+                    to = std::copy_n(data(in_scatter), channels, to);
+                    to = std::copy_n(data(at.transmittance), channels, to);
+                }
+            },
+            pairs.data());
+        std::vector<double> values;
+        for (auto light = pairs.begin(); light != pairs.end();
+             light += static_cast<std::ptrdiff_t>(2 * colours)) {
+            append_voxel({light, light + static_cast<std::ptrdiff_t>(2 * colours)}, values);
+        }
         return values;
     }
-    values.assign(data(in_scatter), data(in_scatter) + colours);
-    if (content == AerialContent::in_scatter_and_transmittance) {
-        double sum = 0;
-        for (int c = 0; c < colours; ++c) {
-            sum += radiance.transmittance[static_cast<std::size_t>(c)];
+
+  private:
+    std::size_t colours() const { return static_cast<std::size_t>(lights_.channels()); }
+
+    void append_voxel(std::span<double> pair, std::vector<double>& values) const {
+        const std::span<double> in_scatter = pair.first(white_.size());
+        const std::span<double> transmittance = pair.last(white_.size());
+        // Of light that has the sun's spectrum, which need not be (1, 1, 1).
+        for (std::size_t c = 0; c < white_.size(); ++c) transmittance[c] /= white_[c];
+        if (content_ == AerialContent::transmittance) {
+            values.insert(values.end(), transmittance.begin(), transmittance.end());
+            return;
         }
-        values.push_back(sum / colours);
+        values.insert(values.end(), in_scatter.begin(), in_scatter.end());
+        if (content_ == AerialContent::in_scatter_and_transmittance) {
+            const double sum = std::accumulate(transmittance.begin(), transmittance.end(), 0.0);
+            values.push_back(sum / static_cast<double>(white_.size()));
+        }
     }
-    return values;
-}
+
+    const SkyLights& lights_;
+    const AerialCamera& camera_;
+    AerialContent content_;
+    std::vector<double> white_;  // light of 1 at all wavelengths
+};
 
 CameraRay ray_towards(const Shell& shell, const AerialCamera& camera,
                       const ViewDirection& direction) {
@@ -80,10 +129,9 @@ void append_along(const SkyLight& light, const CameraRay& ray,
 // All voxels, made when constructed: those of a ray share the way to them.
 class FroxelSource : public VoxelSource {
   public:
-    FroxelSource(const SkyLight& light, const AerialCamera& camera,
-                 const AerialPerspectiveBake& bake, std::size_t channels,
-                 const BakeOptions& options)
-        : size_(bake.size), values_(channels) {
+    FroxelSource(const FroxelChannels& froxels, const AerialCamera& camera,
+                 const std::array<int, 3>& size, const BakeOptions& options)
+        : size_(size), values_(froxels.count()) {
         std::vector<double> distances;
         for (int k = 0; k < size_[2]; ++k) {
             distances.push_back(camera.distance_km((k + 0.5) / size_[2]));
@@ -93,13 +141,12 @@ class FroxelSource : public VoxelSource {
         }
         for_each_tile(size_[1], options, "froxels", [&](int y) {
             for (int x = 0; x < size_[0]; ++x) {
-                const std::vector<SkyRadiance> ray = aerial_perspective(
-                    light, camera, (x + 0.5) / size_[0], (y + 0.5) / size_[1], distances);
+                const std::vector<double> ray =
+                    froxels.along((x + 0.5) / size_[0], (y + 0.5) / size_[1], distances);
+                const double* value = ray.data();
                 for (int z = 0; z < size_[2]; ++z) {
-                    const std::vector<double> voxel =
-                        channels_of(light, ray[static_cast<std::size_t>(z)], bake.content);
-                    for (std::size_t c = 0; c < channels; ++c) {
-                        values_[c][offset(x, y, z)] = static_cast<float>(voxel[c]);
+                    for (std::vector<float>& channel : values_) {
+                        channel[offset(x, y, z)] = static_cast<float>(*value++);
                     }
                 }
             }
@@ -135,12 +182,14 @@ class FroxelSource : public VoxelSource {
     std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
 };
 
-std::string content_text(const AerialPerspectiveBake& bake) {
+std::string content_text(const AerialPerspectiveBake& bake, bool is_colored) {
     const std::string light = fmt::format(
         "light that the air adds between the camera and a point (1/sr) for a solar irradiance of "
         "1: {}",
         light_text(bake.orders, bake.layers));
-    const std::string passing = "transmittance from the point to the camera (dimensionless)";
+    const std::string passing =
+        fmt::format("transmittance from the point to the camera{} (dimensionless)",
+                    is_colored ? " for light with the sun's spectrum" : "");
     if (bake.content == AerialContent::in_scatter) return light;
     if (bake.content == AerialContent::transmittance) return passing;
     return fmt::format("R, G, B: {}; A: {}, mean of R, G, B", light, passing);
@@ -166,12 +215,11 @@ void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, Baked
     volume.conventions.solar_irradiance.assign(colours, 1);
 }
 
-void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>& colour_names,
-              Baked& volume) {
+void describe(const AerialPerspectiveBake& bake, const SkyLights& lights, Baked& volume) {
     const std::string convention = "clamps; voxel i samples (i + 1/2) / size";
     const bool squared = bake.slices == config::SliceSpacing::squared;
     volume.kind = "aerial_perspective";
-    volume.content = content_text(bake);
+    volume.content = content_text(bake, lights.makes_colors());
     volume.mapping = "froxels";
     volume.axes = {
         {{"picture_x", "u from the left edge; X = 2 u - 1", convention, 0, 1},
@@ -180,7 +228,8 @@ void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>&
           fmt::format("w = {} of the distance along the view ray over {:.9g} km",
                       squared ? "square root" : "share", bake.view_distance.kilometers()),
           convention, 0, bake.view_distance.kilometers()}}};
-    volume.channel_names = colour_names;
+    const auto colours = static_cast<std::size_t>(lights.channels());
+    volume.channel_names = names_of_channels(colours);
     if (bake.content == AerialContent::in_scatter_and_transmittance) {
         volume.channel_names.emplace_back("A");
     }
@@ -196,7 +245,7 @@ void describe(const AerialPerspectiveBake& bake, const std::vector<std::string>&
     add("pitch_deg", bake.pitch.radians * kDegreesPerRadian);
     add("fov_deg", bake.fov.radians * kDegreesPerRadian);
     add("aspect", bake.aspect);
-    describe_axes(bake, colour_names.size(), volume);
+    describe_axes(bake, colours, volume);
 }
 
 }  // namespace
@@ -233,16 +282,14 @@ std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialC
     return result;
 }
 
-config::Outcome<Baked> bake_aerial_perspective(const SkyLight& light,
+config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
                                                const AerialPerspectiveBake& bake,
-                                               const BakeOptions& options,
-                                               const std::vector<std::string>& colour_names,
-                                               Baked volume) {
-    describe(bake, colour_names, volume);
+                                               const BakeOptions& options, Baked volume) {
+    describe(bake, lights, volume);
     const AerialCamera camera(bake);
+    const FroxelChannels channels(lights, camera, bake.content);
     const auto start = std::chrono::steady_clock::now();
-    const auto froxels = std::make_shared<const FroxelSource>(light, camera, bake,
-                                                              volume.channel_names.size(), options);
+    const auto froxels = std::make_shared<const FroxelSource>(channels, camera, bake.size, options);
     volume.bake_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     VolumeFinish finish;
@@ -250,10 +297,8 @@ config::Outcome<Baked> bake_aerial_perspective(const SkyLight& light,
         const double largest = froxels->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
-    finish.reference = [&light, &camera, &bake](const std::array<double, 3>& uvw) {
-        const auto at =
-            aerial_perspective(light, camera, uvw[0], uvw[1], {camera.distance_km(uvw[2])});
-        return channels_of(light, at.front(), bake.content);
+    finish.reference = [&channels, &camera](const std::array<double, 3>& uvw) {
+        return channels.along(uvw[0], uvw[1], {camera.distance_km(uvw[2])});
     };
     finish.reference_name = "quadrature along each view ray, exact sunlight and transmittance";
     finish.probe_place = [&camera, slices = bake.size[2]](std::array<double, 3> uvw, int) {

@@ -1,10 +1,10 @@
 // The baker of `asset = "aerial_perspective"`.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_mapping.h"
+#include "bakers/assets/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
@@ -23,11 +23,11 @@ std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialC
                                             const std::vector<double>& distances_km);
 
 // Bakes the froxels of one camera (aerial_perspective_mapping.h), which are held in memory.
-// `volume` comes with name, parameters and details; `colour_names` are {"R", "G", "B"} or {"Y"}.
-config::Outcome<Baked> bake_aerial_perspective(const SkyLight& light,
+// `volume` comes with name, parameters and details. Where the light becomes colours, each channel
+// of a transmittance is the share of sunlight's that is left; deep red light has slightly negative
+// green and blue ones.
+config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
                                                const config::AerialPerspectiveBake& bake,
-                                               const BakeOptions& options,
-                                               const std::vector<std::string>& colour_names,
-                                               Baked volume);
+                                               const BakeOptions& options, Baked volume);
 
 }  // namespace skybake
