@@ -134,11 +134,12 @@ class AerialPictures {
     }
 
     PreviewPicture light(int channels) const {
-        const double exposure = exposure_for(slice_of(asset_, slices_.back(), 0, channels));
+        const auto slice = [&](int z) { return shown(asset_, slice_of(asset_, z, 0, channels)); };
+        const double exposure = exposure_for(slice(slices_.back()));
         std::vector<Picture> pictures;
         for (const int z : slices_) {
-            pictures.push_back(tone_mapped(
-                fitted(slice_of(asset_, z, 0, channels), slice_width, 2 * slice_width), exposure));
+            pictures.push_back(
+                tone_mapped(fitted(slice(z), slice_width, 2 * slice_width), exposure));
         }
         return {
             asset_.entry.name + "_light", asset_.entry.name + ": light added by the air",
